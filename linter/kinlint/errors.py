@@ -1,0 +1,45 @@
+"""Everything kinlint raises on purpose.
+
+    KinlintError
+    ├── UsageError          an option, selector, configuration key or path is wrong
+    │   └── ConfigError     ... in a configuration file
+    ├── SourceError         a file cannot be read as what it claims to be
+    └── RuleInvalid         a rule or shapes file is not what it must be
+
+A defect of a robot is never an exception: it is a `Finding`.
+"""
+
+from __future__ import annotations
+
+
+class KinlintError(Exception):
+    """The root of the tree; its text is one sentence fit for a user."""
+
+
+class UsageError(KinlintError):
+    """The command was given something it cannot use."""
+
+
+class ConfigError(UsageError):
+    """A configuration file says something kinlint does not understand."""
+
+
+class SourceError(KinlintError):
+    """A file cannot be read; *line* and *column* count from one where they are known."""
+
+    def __init__(
+        self, name: str, cause: str, line: int | None = None, column: int | None = None
+    ) -> None:
+        super().__init__(cause)
+        self.name = name
+        self.cause = cause
+        self.line = line
+        self.column = column
+
+    def __str__(self) -> str:
+        place = [str(part) for part in (self.line, self.column) if part is not None]
+        return ":".join([self.name, *place]) + f": {self.cause}"
+
+
+class RuleInvalid(KinlintError):
+    """A rule file breaks the form that `shapes/rule.ttl` describes, or is no Turtle."""

@@ -1,0 +1,65 @@
+"""Source text and places in it: offsets inside, lines and columns only at the edge."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+
+class Span(NamedTuple):
+    """A half-open range of code points of a text: the only coordinate inside kinlint."""
+
+    start: int
+    end: int
+
+
+class Position(NamedTuple):
+    """A line and a column as people count them: from one, columns in code points."""
+
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=False)
+class SourceText:
+    """The text of one file.
+
+    `name` is how the user called the file. `bom` tells that a byte order mark stood before
+    the text; it is not part of `text`, and offsets count from the character after it.
+    Line ends are kept as they stand.
+    """
+
+    name: str
+    text: str = field(repr=False)
+    bom: bool = False
+
+    @cached_property
+    def line_starts(self) -> tuple[int, ...]:
+        """The offset at which each line begins; LF, CRLF and CR end a line."""
+        text, starts, at = self.text, [0], 0
+        lone_return = "\r" in text.replace("\r\n", "")
+        while (at := text.find("\n", at) + 1) > 0:
+            starts.append(at)
+        if lone_return:
+            returns = (
+                i + 1 for i, c in enumerate(text) if c == "\r" and text[i + 1 : i + 2] != "\n"
+            )
+            starts = sorted({*starts, *returns})
+        return tuple(starts)
+
+    def position(self, offset: int) -> Position:
+        """The line and column of *offset*; offsets outside the text are moved to its ends."""
+        offset = max(0, min(offset, len(self.text)))
+        line = bisect_right(self.line_starts, offset)
+        return Position(line, offset - self.line_starts[line - 1] + 1)
+
+    def line(self, number: int) -> str:
+        """Line *number*, counted from one, without its end."""
+        starts = self.line_starts
+        end = starts[number] if number < len(starts) else len(self.text)
+        return self.text[starts[number - 1] : end].rstrip("\r\n")
+
+    def __getitem__(self, span: Span) -> str:
+        return self.text[span.start : span.end]

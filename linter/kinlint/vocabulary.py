@@ -1,0 +1,26 @@
+"""The namespaces kinlint speaks, as plain strings."""
+
+from __future__ import annotations
+
+METAMODELS = "https://comp-rob2b.github.io/metamodels/"
+
+KINLINT = "https://w3id.org/kinlint/"
+KL = f"{KINLINT}ns#"
+KIN = f"{KINLINT}kinematics#"
+SRC = f"{KINLINT}source#"
+RULE = f"{KINLINT}rules/"
+
+SH = "http://www.w3.org/ns/shacl#"
+DASH = "http://datashapes.org/dash#"
+DCTERMS = "http://purl.org/dc/terms/"
+OWL = "http://www.w3.org/2002/07/owl#"
+RDFS = "http://www.w3.org/2000/01/rdf-schema#"
+QUDT = "http://qudt.org/schema/qudt/"
+UNIT = "http://qudt.org/vocab/unit/"
+QUANTITY_KIND = "http://qudt.org/vocab/quantitykind/"
+
+DOCUMENT_BASE = "https://base.kinlint.invalid/"
+"""The sentinel base: an IRI that starts with it was relative where it was written."""
+
+INFERRED_GRAPH = f"<{KINLINT}inferred>"
+"""The named graph that holds what the closure added."""
