@@ -1,0 +1,1 @@
+"""Front ends: each turns the text of one file format into a located graph."""

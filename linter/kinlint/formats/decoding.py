@@ -1,0 +1,54 @@
+"""Turns the bytes of a file into text: UTF-8, with or without a byte order mark."""
+
+from __future__ import annotations
+
+import codecs
+
+from kinlint.errors import SourceError
+from kinlint.text import SourceText
+
+_MARKS = (
+    (codecs.BOM_UTF32_LE, "UTF-32"),
+    (codecs.BOM_UTF32_BE, "UTF-32"),
+    (codecs.BOM_UTF16_LE, "UTF-16"),
+    (codecs.BOM_UTF16_BE, "UTF-16"),
+)
+
+
+def decode(name: str, data: bytes) -> SourceText:
+    """The text of the file *name*.
+
+    Raises SourceError that says what was found, and where, if *data* is no UTF-8 text.
+    """
+    for mark, encoding in _MARKS:
+        if data.startswith(mark):
+            raise SourceError(name, f"the file is {encoding}; kinlint reads UTF-8", 1, 1)
+    marked = data.startswith(codecs.BOM_UTF8)
+    content = data[len(codecs.BOM_UTF8) :] if marked else data
+    zero = content.find(b"\0")
+    if zero >= 0:
+        guess = _guess(content)
+        cause = f"the file seems to be {guess}" if guess else "a NUL byte: this is no text"
+        raise SourceError(name, cause, *_place(content, zero))
+    try:
+        return SourceText(name, content.decode("utf-8"), marked)
+    except UnicodeDecodeError as error:
+        byte = content[error.start]
+        cause = f"not UTF-8: byte 0x{byte:02X} ({error.reason}); is it Latin-1?"
+        raise SourceError(name, cause, *_place(content, error.start)) from None
+
+
+def _guess(content: bytes) -> str | None:
+    """UTF-16 without a mark has a zero in nearly every other byte of plain text."""
+    head = content[:64]
+    for parity, order in ((1, "little"), (0, "big")):
+        if len(head) > 1 and all(byte == 0 for byte in head[parity::2]) and any(head):
+            return f"UTF-16 ({order} endian); kinlint reads UTF-8"
+    return None
+
+
+def _place(content: bytes, at: int) -> tuple[int, int]:
+    """Line and column of a byte, all before which is UTF-8."""
+    before = content[:at].decode("utf-8", "replace")
+    position = SourceText("", before).position(len(before))
+    return position.line, position.column

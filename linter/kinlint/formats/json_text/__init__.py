@@ -1,0 +1,1 @@
+"""JSON that remembers where it was written."""

@@ -1,0 +1,70 @@
+"""Asks other releases of the contexts what they make of a key or type that is lost."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from kinlint.formats.json_text.values import Text
+from kinlint.formats.jsonld.active import FAULTS, Context
+from kinlint.formats.jsonld.marks import Origin
+from kinlint.formats.jsonld.processor import Processor
+from kinlint.formats.options import ReadOptions
+
+_MAPPED = re.compile(r"([A-Za-z][A-Za-z0-9+-.]*|_):[^\s]*$|@[a-z]+$")
+
+
+class OtherRelease:
+    """The contexts in force at the objects of a file, had it been read under *release*."""
+
+    def __init__(self, release: str, options: ReadOptions) -> None:
+        self.release = release
+        self._processor = Processor(options.contexts.at_release(release), options.base)
+        self._at: dict[Origin, tuple[Context, Context]] = {}
+
+    def maps_key(self, key: Text, origin: Origin) -> bool:
+        """Whether *key* has a meaning on the node of *origin*."""
+        return self._means(self._contexts(origin)[0], key, None)
+
+    def maps_type(self, name: Text, origin: Origin) -> bool:
+        """Whether *name* is a type there."""
+        return self._means(self._contexts(origin)[1], name, None)
+
+    def _means(self, context: Context, name: str, base: str | None) -> bool:
+        found = self._processor._expand_iri(context, str(name), base, vocab=True)  # noqa: SLF001
+        return isinstance(found, str) and _MAPPED.match(found) is not None
+
+    def _contexts(self, origin: Origin) -> tuple[Context, Context]:
+        """The active context for the keys of *origin*, and the one for its types."""
+        if origin not in self._at:
+            processor = self._processor
+            if origin.parent is None:
+                outer = processor._get_initial_context(processor.options)  # noqa: SLF001
+            else:
+                outer = self._contexts(origin.parent)[0]
+            self._at[origin] = self._inner(outer, origin)
+        return self._at[origin]
+
+    def _inner(self, outer: Context, origin: Origin) -> tuple[Context, Context]:
+        """Steps 3 and 7 to 11 of the expansion algorithm: what an object adds to its contexts."""
+        processor: Any = self._processor
+        options = processor.options
+        try:
+            scoped = processor.get_context_value(outer, origin.prop, "@context")
+            if scoped is not None:
+                outer = processor._process_context(  # noqa: SLF001
+                    outer, scoped, options, propagate=True, override_protected=True
+                )
+            outer = processor._revert_to_previous_context(outer)  # noqa: SLF001
+            if scoped is not None:
+                outer = processor._process_context(  # noqa: SLF001
+                    outer, scoped, options, override_protected=True
+                )
+            processor.trail.append(origin)
+            keys, _, types = processor._prepare_nested_context(  # noqa: SLF001
+                outer, origin.element, options
+            )
+            processor.trail.pop()
+        except FAULTS:
+            return outer, outer
+        return keys, types

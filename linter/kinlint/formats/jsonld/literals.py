@@ -1,0 +1,70 @@
+"""Value objects as RDF literals (JSON-LD 1.1 API, 8.2.2)."""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from functools import lru_cache
+from typing import Any
+
+from pyld.jsonld import canonicalize
+
+from kinlint.terms import RDF, XSD, Term, literal
+
+I18N = "https://www.w3.org/ns/i18n#"
+
+_TEXT = f"{XSD}string"
+_DOUBLE = f"{XSD}double"
+_WITH_EXPONENT = 10**21
+_LANGUAGE = re.compile(r"[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*")
+_MALFORMED = re.compile(r'[\x00-\x20<>"{}|^`\\]|#[^#]*#')
+
+
+def value_literal(item: dict[str, Any], *, directed: bool = False) -> Term | None:
+    """The literal of an expanded value object; None if it has an impossible language or datatype.
+
+    *directed* writes a base direction into the datatype (`rdfDirection` "i18n-datatype").
+    """
+    value = item["@value"]
+    datatype = item.get("@type")
+    if datatype == "@json":
+        return literal(canonicalize(value).decode(), f"{RDF}JSON")
+    if datatype is not None and malformed(datatype):
+        return None
+    if isinstance(value, (int, float)):
+        return _number(value, datatype)
+    return _text(value, datatype, item, directed=directed)
+
+
+def _text(value: str, datatype: str | None, item: dict[str, Any], *, directed: bool) -> Term | None:
+    if directed and "@direction" in item:
+        tag = f"{I18N}{item.get('@language', '')}_{item['@direction']}"
+        return None if malformed(tag) else literal(value, tag)
+    if "@language" in item:
+        language = item["@language"]
+        return literal(value, language=language) if _LANGUAGE.fullmatch(language) else None
+    return literal(value, datatype or _TEXT)
+
+
+def malformed(iri: str) -> bool:
+    """Whether *iri* holds characters that no IRI can hold, or two fragments."""
+    return _MALFORMED.search(iri) is not None
+
+
+def _number(value: float, datatype: str | None) -> Term:
+    if isinstance(value, bool):
+        return literal("true" if value else "false", datatype or f"{XSD}boolean")
+    whole = isinstance(value, int) or value.is_integer()
+    if datatype != _DOUBLE and whole and abs(value) < _WITH_EXPONENT:
+        return literal(str(int(value)), datatype or f"{XSD}integer")
+    return literal(canonical_double(float(value)), datatype or _DOUBLE)
+
+
+@lru_cache(maxsize=4096)
+def canonical_double(value: float) -> str:
+    """The canonical lexical form of *value* as an `xsd:double`, with every digit it needs."""
+    sign, digits, exponent = Decimal(float.__repr__(value)).as_tuple()
+    spelled = "".join(map(str, digits)).lstrip("0") or "0"
+    scale = len(spelled) - 1 + int(exponent) if spelled != "0" else 0
+    fraction = spelled[1:].rstrip("0") or "0"
+    return f"{'-' if sign else ''}{spelled[0]}.{fraction}E{scale}"

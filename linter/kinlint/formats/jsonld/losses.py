@@ -1,0 +1,119 @@
+"""What an author wrote and RDF would lose, as statements to be made in the source layer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from kinlint.formats.jsonld.literals import malformed
+from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach
+from kinlint.formats.jsonld.schemes import REGISTERED
+from kinlint.terms import Term, iri, literal
+from kinlint.text import Span
+
+
+class Detail(NamedTuple):
+    """One more thing said about a loss: a name in the source vocabulary, and a term."""
+
+    name: str
+    value: Term
+
+
+@dataclass(frozen=True)
+class Loss:
+    """A loss of a *kind* of the source vocabulary, at the token that is lost."""
+
+    kind: str
+    span: Span
+    node: Term | None = None
+    details: tuple[Detail, ...] = ()
+
+    def with_details(self, details: Iterable[Detail]) -> Loss:
+        """The same loss with more said about it."""
+        return replace(self, details=(*self.details, *details))
+
+
+def said(**texts: str) -> tuple[Detail, ...]:
+    """Details that are plain strings."""
+    return tuple(Detail(name, literal(text)) for name, text in texts.items())
+
+
+@dataclass(frozen=True)
+class LostType:
+    """A loss of a type, with what another release is asked about it."""
+
+    loss: Loss
+    written: Iri
+    origin: Origin | None
+
+
+class LossWatch:
+    """Notices IRIs that are not what their author meant, on their way into the graph.
+
+    Nothing is said of names that a context would explain which could not be read.
+    """
+
+    def __init__(self) -> None:
+        self.losses: list[Loss] = []
+        self.types: list[LostType] = []
+        self._values: list[tuple[str, Loss]] = []
+        self._identifiers: set[str] = set()
+
+    def seen(self, written: Iri, role: str, node: Term | None, prop: Term | None = None) -> None:
+        """*written* stands for a node, a property, a datatype or a value."""
+        if written.resolution.reach is Reach.DOCUMENT_BASE and not written.resolution.blind:
+            self._reference(written, role, node, prop)
+        self._absolute(written, node)
+
+    def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
+        """*written* stands for the type of a node."""
+        if written.resolution.reach in RELATIVE:
+            if not written.resolution.blind:
+                details = (*said(written=written.token), *_target(written))
+                loss = Loss("RelativeType", written.span, node, details)
+                self.types.append(LostType(loss, written, origin))
+        else:
+            self._absolute(written, node)
+
+    def _absolute(self, written: Iri, node: Term | None) -> None:
+        resolution, (scheme, _, rest) = written.resolution, written.partition(":")
+        # A term can be defined by a compact IRI whose prefix is not.
+        defined_by_it = resolution.reach is Reach.TERM and scheme != "_"
+        taken = resolution.reach is Reach.SCHEME or (defined_by_it and not rest.startswith("//"))
+        if taken and scheme.lower() not in REGISTERED:
+            if not resolution.blind:
+                details = said(prefix=scheme, written=written.token)
+                self.losses.append(Loss("UndefinedPrefix", written.span, node, details))
+        elif malformed(written):
+            details = said(written=written.token)
+            self.losses.append(Loss("MalformedIri", written.span, node, details))
+
+    def graph(self, written: Iri) -> None:
+        """*written* names a graph."""
+        if not malformed(written):
+            name = Detail("name", iri(written))
+            if not written.startswith("_:"):
+                self.losses.append(Loss("NamedGraph", written.span, None, (name,)))
+
+    def _reference(self, written: Iri, role: str, node: Term | None, prop: Term | None) -> None:
+        details = (*said(written=written.token), *_target(written), *said(role=role))
+        if role == "value" and prop is not None:
+            details = (*details, Detail("property", prop))
+        loss = Loss("RelativeReference", written.span, node, details)
+        if role == "value":
+            self._values.append((written, loss))
+        else:
+            if role == "identifier":
+                self._identifiers.add(written)
+            self.losses.append(loss)
+
+    def references(self) -> list[Loss]:
+        """Relative values, save those that name a node described by a relative `@id`."""
+        return [loss for written, loss in self._values if written not in self._identifiers]
+
+
+def _target(written: Iri) -> tuple[Detail, ...]:
+    if malformed(written):
+        return ()
+    return (Detail("iri", iri(written)),)

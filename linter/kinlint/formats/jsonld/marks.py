@@ -1,0 +1,112 @@
+"""What expansion leaves behind: values of plain JSON types that remember their origin."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from typing import Any, NamedTuple
+
+from kinlint.formats.json_text.values import Key, Object, Text
+from kinlint.text import Span
+
+
+class Reach(Enum):
+    """How a string became an IRI."""
+
+    TERM = auto()
+    """A context maps it as a whole."""
+    PREFIX = auto()
+    """A context maps the part before the colon."""
+    SCHEME = auto()
+    """It was taken as an absolute IRI because of its colon; its "scheme" may be a typing error."""
+    ABSOLUTE = auto()
+    """It has a scheme and an authority."""
+    BLANK = auto()
+    VOCAB = auto()
+    """It was appended to an absolute `@vocab`."""
+    DOCUMENT_BASE = auto()
+    """It was relative, and no `@base` gives it a meaning beyond this file."""
+    AUTHORS_BASE = auto()
+    """It was relative to an absolute `@base`."""
+    NOWHERE = auto()
+    """It is still relative."""
+
+
+RELATIVE = frozenset({Reach.DOCUMENT_BASE, Reach.AUTHORS_BASE, Reach.NOWHERE})
+
+
+class Resolution(NamedTuple):
+    """What a string means under an active context.
+
+    `blind` tells that a context in force could not be read, so that nobody can know.
+    """
+
+    iri: str | None
+    reach: Reach
+    blind: bool = False
+
+
+class Iri(str):
+    """An IRI with the token it was written as."""
+
+    __slots__ = ("resolution", "token")
+    token: Text
+    resolution: Resolution
+
+    @property
+    def span(self) -> Span:
+        """Where it was written."""
+        return self.token.span
+
+
+class Origin:
+    """An object of the text on its way through expansion.
+
+    `subject` becomes the term of the node it describes, once that is known; an object that is
+    no node (a value, a list, a reverse map) leaves it to its parent.
+    """
+
+    __slots__ = ("element", "parent", "prop", "subject")
+
+    def __init__(self, element: Object, parent: Origin | None, prop: str | None) -> None:
+        self.element = element
+        self.parent = parent
+        self.prop = prop
+        self.subject: str | None = None
+
+    @property
+    def node(self) -> str | None:
+        """The term of the node that this object describes or belongs to."""
+        origin: Origin | None = self
+        while origin is not None and origin.subject is None:
+            origin = origin.parent
+        return origin.subject if origin else None
+
+
+class Expanded(dict[str, Any]):
+    """An expanded node, value or list, with the token it comes from."""
+
+    __slots__ = ("origin", "span")
+    span: Span
+    origin: Origin | None
+
+    def __init__(self, content: dict[str, Any], span: Span, origin: Origin | None = None) -> None:
+        super().__init__(content)
+        self.span = span
+        self.origin = origin
+
+
+class ExpandedArray(list[Any]):
+    """The expanded elements of an array."""
+
+    __slots__ = ("span",)
+    span: Span
+
+    def __init__(self, span: Span) -> None:
+        super().__init__()
+        self.span = span
+
+
+def value_span(prop: str | None) -> Span | None:
+    """Where the value of a member stands, given its key or the IRI that its key expanded to."""
+    token = prop.token if isinstance(prop, Iri) else prop
+    return token.value_span if isinstance(token, Key) else None

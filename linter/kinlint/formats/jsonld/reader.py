@@ -1,0 +1,100 @@
+"""Reads one JSON-LD file: parse, expand, state."""
+
+from __future__ import annotations
+
+import gc
+import sys
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from pyld.jsonld import JsonLdError
+
+from kinlint.document import Document, SourceMap
+from kinlint.errors import SourceError
+from kinlint.formats.json_text.parser import parse
+from kinlint.formats.json_text.values import Parsed
+from kinlint.formats.jsonld.active import FAULTS, complaint
+from kinlint.formats.jsonld.losses import LossWatch
+from kinlint.formats.jsonld.processor import Processor
+from kinlint.formats.jsonld.report import LossReport
+from kinlint.formats.jsonld.triples import Triples
+from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.source_layer import SourceLayer
+from kinlint.text import SourceText, Span
+
+FORMAT = "jsonld"
+
+_RECURSION = 20_000
+
+
+def read(source: SourceText, options: ReadOptions) -> Document:
+    """What a JSON-LD file states, and what it fails to.
+
+    Raises SourceError when it is no JSON, or breaks the rules of JSON-LD outside of a context.
+    """
+    with _undisturbed():
+        return _read(source, options)
+
+
+def _read(source: SourceText, options: ReadOptions) -> Document:
+    parsed = parse(source)
+    if not isinstance(parsed.value, (dict, list)):
+        place = source.position(parsed.span.start)
+        cause = "not JSON-LD: neither an object nor an array"
+        raise SourceError(source.name, cause, place.line, place.column)
+    processor = Processor(options.contexts, options.base)
+    graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossWatch()
+    triples = Triples(blanks, watch)
+    processor.on_node = lambda node: triples.add([node], parsed.span)
+    triples.add(_expanded(processor, parsed, source), parsed.span)
+
+    layer = SourceLayer(graph, blanks)
+    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.described(triples.nodes)
+    report = LossReport(processor.record, watch, options)
+    report.state_uses(layer)
+    for loss in report.losses(parsed.repeats, processor.repeated):
+        details = [(detail.name, detail.value) for detail in loss.details]
+        layer.about(loss.kind, loss.span, ("node", loss.node), *details)
+
+    spans = triples.spans
+    for triple, span in layer.triples.items():
+        spans.setdefault(triple, span)
+    places = SourceMap(spans, {**triples.nodes, **layer.nodes})
+    return Document(source, graph, tuple(spans), places, processor.record.prefixes)
+
+
+def _expanded(processor: Processor, parsed: Parsed, source: SourceText) -> list[Any]:
+    try:
+        return processor.expand_document(parsed)
+    except FAULTS as fault:
+        trail = processor.trail
+        place = source.position(trail[-1].element.start if trail else parsed.span.start)
+        raise SourceError(source.name, _cause(fault), place.line, place.column) from fault
+
+
+def _cause(fault: BaseException) -> str:
+    if isinstance(fault, RecursionError):
+        return "nested too deep to be read"
+    if not isinstance(fault, JsonLdError):
+        return "not JSON-LD: this object cannot be expanded"
+    return f"not JSON-LD: {complaint(fault)}"
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Deep recursion allowed, PyLD's warnings silent, no search for garbage that is none."""
+    limit, collecting = sys.getrecursionlimit(), gc.isenabled()
+    sys.setrecursionlimit(max(limit, _RECURSION))
+    gc.disable()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SyntaxWarning)
+            yield
+    finally:
+        sys.setrecursionlimit(limit)
+        if collecting:
+            gc.enable()

@@ -1,0 +1,89 @@
+"""What a processor notes while it expands: keys dropped, contexts used, missing and broken."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from kinlint.formats.json_text.values import Text
+from kinlint.formats.jsonld.marks import Origin, Reach, Resolution
+from kinlint.text import Span
+
+
+class Drop(NamedTuple):
+    """A key that no context in force maps; `blind` if one of those could not be read."""
+
+    key: Text
+    origin: Origin
+    blind: bool
+
+
+class Problem(NamedTuple):
+    """A context that is missing or broken: its IRI if it has one, and where it is named."""
+
+    kind: str
+    context: str | None
+    reason: str
+    span: Span
+
+
+class Shadow(NamedTuple):
+    """A term of one context document that a later document in the same array redefines."""
+
+    term: str
+    context: str
+    shadowed: str
+    iri: str
+    shadowed_iri: str
+
+
+@dataclass
+class Record:
+    """The notes of one file."""
+
+    drops: dict[int, Drop] = field(default_factory=dict)
+    uses: dict[int, Text] = field(default_factory=dict)
+    problems: dict[tuple[int, int], Problem] = field(default_factory=dict)
+    shadows: dict[str, Shadow] = field(default_factory=dict)
+    shadow_uses: dict[Shadow, Text] = field(default_factory=dict)
+    prefixes: dict[str, str] = field(default_factory=dict)
+
+    def drop(self, key: Text, origin: Origin, *, blind: bool) -> None:
+        """*key* in *origin* means nothing."""
+        self.drops.setdefault(key.start, Drop(key, origin, blind))
+
+    def use(self, entry: Any) -> None:
+        """The file names a context, if *entry* is an IRI written in it."""
+        if isinstance(entry, Text):
+            self.uses[entry.start] = entry
+
+    def problem(self, problem: Problem) -> None:
+        """A context cannot take part."""
+        self.problems.setdefault(problem.span, problem)
+
+    def declare(self, mappings: Mapping[str, Any]) -> None:
+        """The prefixes among the terms of a context in force."""
+        for term, mapping in mappings.items():
+            if mapping and mapping.get("_prefix"):
+                self.prefixes.setdefault(term, str(mapping["@id"]))
+
+    def redefine(self, shadow: Shadow) -> None:
+        """A term changes its meaning within one array of contexts."""
+        self.shadows[shadow.term] = shadow
+
+    def resolved(self, token: Text, resolution: Resolution) -> None:
+        """A token was expanded: if by a term that shadows another, that is a use of it."""
+        if resolution.reach is Reach.TERM:
+            shadow = self.shadows.get(token)
+            used = shadow is not None and shadow.iri == resolution.iri
+        elif resolution.reach is Reach.PREFIX:
+            shadow = self.shadows.get(token.partition(":")[0])
+            used = shadow is not None and (resolution.iri or "").startswith(shadow.iri)
+        else:
+            return
+        if shadow is None or not used:
+            return
+        first = self.shadow_uses.setdefault(shadow, token)
+        if token.start < first.start:
+            self.shadow_uses[shadow] = token

@@ -1,0 +1,148 @@
+"""Finds the context documents that a file names: in the library, or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, cast
+
+from pyld.iri_resolver import resolve as resolve_iri
+from pyld.jsonld import JsonLdError
+
+from kinlint.formats.options import ContextLibrary
+
+# The context of a document whose "@context" is null, told apart from no document.
+_NULL = object()
+
+
+class Resolved:
+    """One context that takes part; `missing` tells why it is not what was asked for."""
+
+    def __init__(self, document: Any, missing: str | None = None) -> None:
+        self.document = document
+        self.missing = missing
+
+    def get_processed(self, _active: Any) -> None:
+        """PyLD's cache, unused: it is keyed by an identifier that every scoped context renews."""
+
+    def set_processed(self, _active: Any, _processed: Any) -> None:
+        """See `get_processed`."""
+
+
+class Resolver:
+    """Stands in for PyLD's ContextResolver.
+
+    *strict* raises for a context that nobody knows, as the specification demands; otherwise an
+    empty context takes its place. Documents are never altered, so a library may be shared.
+    """
+
+    def __init__(self, library: ContextLibrary, *, strict: bool) -> None:
+        self._library = library
+        self._strict = strict
+        self._remote: dict[str, list[Resolved]] = {}
+        # The contexts are kept, or the identities of those gone would be used again.
+        self._objects: dict[int, tuple[Any, Resolved]] = {}
+
+    def resolve(
+        self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
+    ) -> list[Resolved]:
+        """The contexts that *context* (an IRI, a context, null or an array) stands for."""
+        if isinstance(context, Mapping) and "@context" in context:
+            context = context["@context"]
+        entries = context if isinstance(context, list) else [context]
+        return [found for entry in entries for found in self._entry(active, entry, base, chain)]
+
+    def _entry(
+        self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]
+    ) -> list[Resolved]:
+        if isinstance(entry, str):
+            return self._document(active, str(entry), base, chain)
+        if entry is None or entry is False:
+            return [Resolved(None)]
+        if not isinstance(entry, Mapping):
+            raise _error("a context must be an object, an IRI or null", "invalid local context", "")
+        known = self._objects.get(id(entry))
+        if known is None:
+            known = (entry, self._with_import(active, entry, base))
+            self._objects[id(entry)] = known
+        return [known[1]]
+
+    def _with_import(self, active: Mapping[str, Any], context: Any, base: str) -> Resolved:
+        # PyLD merges into the imported document itself, and so into later uses of it.
+        imported = context.get("@import")
+        if not isinstance(imported, str) or active.get("processingMode") == "json-ld-1.0":
+            return Resolved(context)
+        iri = _absolute(str(imported), base)
+        found = self._fetched(iri, str(imported))
+        if found is None:
+            return self._unknown(iri, context)
+        if not isinstance(found, Mapping):
+            raise _error(f"the imported {iri} is no single context", "invalid remote context", iri)
+        if "@import" in found:
+            raise _error(f"the imported {iri} imports a context", "invalid context entry", iri)
+        return Resolved({**found, **_without_import(context)})
+
+    def _document(
+        self, active: Mapping[str, Any], written: str, base: str, chain: tuple[str, ...]
+    ) -> list[Resolved]:
+        iri = _absolute(written, base)
+        if iri in chain:
+            old = active.get("processingMode") == "json-ld-1.0"
+            code = "recursive context inclusion" if old else "context overflow"
+            raise _error(f"the context {iri} includes itself", code, iri)
+        if iri not in self._remote:
+            context = self._fetched(iri, written)
+            if context is None:
+                return [self._unknown(iri, {})]
+            found = None if context is _NULL else context
+            self._remote[iri] = self.resolve(active, found, iri, (*chain, iri))
+        return self._remote[iri]
+
+    def _fetched(self, iri: str, written: str) -> Any:
+        """The context in the document at *iri*, its references made absolute."""
+        document = self._library.document(iri) or self._library.document(written)
+        if document is None:
+            return None
+        if not isinstance(document, Mapping):
+            raise _error(f"{iri} is no JSON object", "invalid remote context", iri)
+        context = document.get("@context", {})
+        return _NULL if context is None else _located(context, iri)
+
+    def _unknown(self, iri: str, context: Any) -> Resolved:
+        if self._strict:
+            raise _error(f"unknown context {iri}", "loading remote context failed", iri)
+        why = "it is neither bundled nor configured, and nothing is fetched"
+        return Resolved(_without_import(context), why)
+
+
+def _error(message: str, code: str, iri: str) -> JsonLdError:
+    return JsonLdError(message, "jsonld.SyntaxError", {"url": iri}, code=code)
+
+
+def _without_import(context: Mapping[str, Any]) -> dict[str, Any]:
+    return {term: value for term, value in context.items() if term != "@import"}
+
+
+def _absolute(iri: str, base: str) -> str:
+    try:
+        return cast("str", resolve_iri(iri, base))
+    except ValueError:
+        return iri
+
+
+def _located(context: Any, iri: str) -> Any:
+    """A copy of *context* whose references are absolute: relative ones are relative to *iri*."""
+    if isinstance(context, str):
+        return _absolute(context, iri)
+    if isinstance(context, list):
+        return [_located(entry, iri) for entry in context]
+    if not isinstance(context, Mapping):
+        return context
+    return {term: _located_definition(term, value, iri) for term, value in context.items()}
+
+
+def _located_definition(term: str, value: Any, iri: str) -> Any:
+    if term == "@import" and isinstance(value, str):
+        return _absolute(value, iri)
+    if isinstance(value, Mapping) and "@context" in value:
+        return {**value, "@context": _located(value["@context"], iri)}
+    return value

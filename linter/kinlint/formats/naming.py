@@ -1,0 +1,38 @@
+"""Names that front ends make up: one for each document, one for each blank node in it."""
+
+from __future__ import annotations
+
+from hashlib import blake2b
+from urllib.parse import quote
+
+from kinlint.terms import Term, blank, iri
+
+
+def document_iri(name: str) -> Term:
+    """The IRI of the document called *name*, which is also the graph of what it states."""
+    return iri("urn:kinlint:document:" + quote(name, safe="/.-_~"))
+
+
+class BlankNodes:
+    """Labels for the blank nodes of one document that no other document has.
+
+    They depend on the document's name and the order of asking alone.
+    """
+
+    def __init__(self, name: str) -> None:
+        number = int.from_bytes(blake2b(name.encode(), digest_size=8).digest())
+        self._prefix = f"d{number}n"
+        self._count = 0
+        self._written: dict[str, Term] = {}
+
+    def fresh(self) -> Term:
+        """A blank node without a name in the text."""
+        self._count += 1
+        return blank(f"{self._prefix}{self._count}")
+
+    def named(self, label: str) -> Term:
+        """The blank node that the text calls *label*."""
+        known = self._written.get(label)
+        if known is None:
+            known = self._written[label] = self.fresh()
+        return known

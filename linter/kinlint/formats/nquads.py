@@ -1,0 +1,55 @@
+"""Reads N-Triples and N-Quads: one statement a line, and the place of each of its terms."""
+
+from __future__ import annotations
+
+import re
+from typing import Literal
+
+from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.oxigraph import triples
+from kinlint.formats.source_layer import SourceLayer
+from kinlint.terms import Term, Triple
+from kinlint.text import SourceText, Span
+
+_TERM = r"""(?:<[^>]*>|_:[^\s<"]+|"(?:[^"\\]|\\.)*"(?:@[\w-]+|\^\^<[^>]*>)?)"""
+_LINE = re.compile(
+    rf"(?m)^[ \t]*({_TERM})[ \t]*({_TERM})[ \t]*({_TERM})[ \t]*({_TERM})?[ \t]*\.[ \t]*(?:#.*)?\r?$"
+)
+
+
+def read(source: SourceText, _options: ReadOptions) -> Document:
+    """What an N-Triples or N-Quads file states, its named graphs flattened.
+
+    Raises SourceError with line and column when it is neither.
+    """
+    from pyoxigraph import RdfFormat  # noqa: PLC0415  a native module, needed only here
+
+    form: Literal["ntriples", "nquads"] = (
+        "ntriples" if source.name.lower().endswith(".nt") else "nquads"
+    )
+    blanks = BlankNodes(source.name)
+    kind = RdfFormat.N_TRIPLES if form == "ntriples" else RdfFormat.N_QUADS
+    stated = list(triples(source, kind, None, blanks))
+    lines = list(_LINE.finditer(source.text))
+    exact = len(lines) == len(stated)
+
+    graph = document_iri(source.name)
+    layer = SourceLayer(graph, blanks)
+    layer.file(form, source.name, Span(0, len(source.text)))
+    spans: dict[Triple, Span] = {}
+    nodes: dict[Term, NodeSpans] = {}
+    for number, triple in enumerate(stated):
+        line = lines[number] if exact else None
+        value = Span(*line.span(3)) if line else Span(0, len(source.line(1)))
+        spans.setdefault(triple, value)
+        if triple[0] not in nodes:
+            subject = Span(*line.span(1)) if line else value
+            nodes[triple[0]] = NodeSpans(Span(*line.span()) if line else value, subject)
+        if line and line[4] and not line[4].startswith("_:"):
+            layer.graph(line[4], Span(*line.span(4)))
+    layer.described(nodes)
+    for triple, span in layer.triples.items():
+        spans.setdefault(triple, span)
+    return Document(source, graph, tuple(spans), SourceMap(spans, {**nodes, **layer.nodes}))

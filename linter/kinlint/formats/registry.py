@@ -1,0 +1,81 @@
+"""Which front end reads a file; each is imported when it is needed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from importlib import import_module
+from typing import TypeAlias
+
+from kinlint.document import Document
+from kinlint.errors import SourceError
+from kinlint.formats.decoding import decode
+from kinlint.formats.options import ReadOptions
+from kinlint.text import SourceText
+
+__all__ = ["FORMATS", "decode", "read", "recognise"]
+
+FrontEnd: TypeAlias = Callable[[SourceText, ReadOptions], Document]
+
+FORMATS = {
+    "jsonld": "kinlint.formats.jsonld.reader",
+    "turtle": "kinlint.formats.turtle.reader",
+    "ntriples": "kinlint.formats.nquads",
+    "nquads": "kinlint.formats.nquads",
+}
+"""The modules whose `read(source, options)` is the front end of a format."""
+
+_SUFFIXES = {"jsonld": "jsonld", "ttl": "turtle", "nt": "ntriples", "nq": "nquads"}
+
+_TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
+_CONTEXT = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
+_TURTLE = re.compile(r"(?im)^[ \t]*(?:@(?:prefix|base)[ \t]|(?:prefix|base)[ \t]+[\w.-]*:?[ \t]*<)")
+_STATEMENT = re.compile(r"(?m)^[ \t]*(?:<[^<>\s]*>|_:\S+)[ \t]+<[^<>\s]*>[ \t]+[<\"_].*\.[ \t]*$")
+
+
+def read(source: SourceText, options: ReadOptions) -> Document:
+    """What *source* states.
+
+    Raises SourceError when it cannot be read as what it claims to be, or claims nothing known.
+    """
+    form = options.format or recognise(source.name, source.text)
+    if form is None:
+        raise SourceError(source.name, "not a robot model in a format that kinlint reads")
+    front_end: FrontEnd = import_module(FORMATS[form]).read
+    return front_end(source, options)
+
+
+def recognise(name: str, text: str) -> str | None:
+    """The format of a file, by the end of its name or else by its content; None if unknown.
+
+    JSON is JSON-LD if there is an `@context` at its top or in an element of a top-level array.
+    """
+    _, _, suffix = name.rpartition(".")
+    known = _SUFFIXES.get(suffix.lower())
+    if known is not None:
+        return known
+    head = text.lstrip()[:1]
+    if head in ("{", "["):
+        return "jsonld" if _has_context(text) else None
+    if suffix.lower() == "json":
+        return None
+    if _TURTLE.search(text):
+        return "turtle"
+    return "nquads" if _STATEMENT.search(text) else None
+
+
+def _has_context(text: str) -> bool:
+    if '"@context"' not in text:
+        return False
+    depth, top = 0, 1
+    for match in _TOKEN.finditer(text):
+        found = match.group(1)
+        if depth == 0 and found == "[":
+            top = 2
+        if found in ("{", "["):
+            depth += 1
+        elif found in ("}", "]"):
+            depth -= 1
+        elif depth == top and found == '"@context"' and _CONTEXT.match(text, match.end()):
+            return True
+    return False

@@ -1,0 +1,1 @@
+"""Reads Turtle, with the place of every term."""

@@ -1,0 +1,80 @@
+"""Reads one Turtle file."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.oxigraph import triples
+from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.turtle.grammar import Grammar, Statement
+from kinlint.formats.turtle.tokens import Unread
+from kinlint.terms import RDF, Term, Triple, is_blank
+from kinlint.text import SourceText, Span
+
+FORMAT = "turtle"
+
+
+def read(source: SourceText, options: ReadOptions) -> Document:
+    """What a Turtle file states.
+
+    Raises SourceError with line and column when it is no Turtle.
+    """
+    from pyoxigraph import RdfFormat  # noqa: PLC0415  a native module, needed only here
+
+    blanks = BlankNodes(source.name)
+    truth = list(triples(source, RdfFormat.TURTLE, options.base, blanks))
+    grammar = Grammar(source.text, options.base, BlankNodes(source.name))
+    try:
+        grammar.read()
+    except Unread:
+        grammar.statements = []
+    statements: Sequence[Statement] = grammar.statements
+    if _shape(statement[:3] for statement in statements) == _shape(truth):
+        blanks = grammar.blanks
+    else:
+        statements = _placed_by_line(truth, source)
+        grammar.nodes = {}
+    return _document(source, statements, grammar, blanks)
+
+
+def _document(
+    source: SourceText, statements: Sequence[Statement], grammar: Grammar, blanks: BlankNodes
+) -> Document:
+    spans: dict[Triple, Span] = {}
+    nodes: dict[Term, NodeSpans] = {}
+    lists = {f"<{RDF}first>", f"<{RDF}rest>"}
+    for subject, predicate, value, places in statements:
+        spans.setdefault((subject, predicate, value), places[2])
+        if predicate not in lists and subject not in nodes:
+            nodes[subject] = grammar.nodes.get(subject) or NodeSpans(places[0], places[0])
+    graph = document_iri(source.name)
+    layer = SourceLayer(graph, blanks)
+    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.described(nodes)
+    for triple, span in layer.triples.items():
+        spans.setdefault(triple, span)
+    origins = SourceMap(spans, {**nodes, **layer.nodes})
+    return Document(source, graph, tuple(spans), origins, grammar.prefixes)
+
+
+def _shape(found: Iterable[tuple[Term, Term, Term]]) -> Counter[tuple[Term, ...]]:
+    """Triples without the names of blank nodes, which two readers choose differently."""
+    return Counter(
+        tuple("_:" if is_blank(term) else term for term in triple) for triple in set(found)
+    )
+
+
+def _placed_by_line(truth: Sequence[Triple], source: SourceText) -> list[Statement]:
+    """The triples, each at a line in which the end of its value is written, or at the first."""
+    first = Span(0, len(source.line(1)))
+    statements = []
+    for triple in truth:
+        word = triple[2].strip('<>"').rpartition("#")[2].rpartition("/")[2]
+        at = source.text.find(word) if word and not is_blank(triple[2]) else -1
+        span = Span(at, at + len(word)) if at >= 0 else first
+        statements.append(Statement(*triple, (span, span, span)))
+    return statements
