@@ -1,0 +1,1 @@
+"""Loads documents into a store, draws conclusions, runs rules and explains what they found."""

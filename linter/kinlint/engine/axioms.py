@@ -1,0 +1,118 @@
+"""OWL axioms as rules over triples: what must hold (body), what then holds (head)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinlint.terms import Term, Triple, is_iri, is_literal, literal_value
+from kinlint.vocabulary import INFERRED_GRAPH
+
+Pattern = Triple
+"""A triple in which a term may be a variable, such as `?x`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axiom:
+    """If all patterns of `body` hold, `head` holds.
+
+    `label` says so in words. Axioms are evaluated by ascending `stratum`; those that feed
+    themselves or each other share one and are `recursive`.
+    """
+
+    label: str
+    body: tuple[Pattern, ...]
+    head: Pattern
+    stratum: int = 0
+    recursive: bool = False
+
+    @property
+    def update(self) -> str:
+        """The SPARQL update that infers everything the axiom gives, once."""
+        return insertion(self, INFERRED_GRAPH)
+
+    def to_json(self) -> dict[str, Any]:
+        """The axiom in values that JSON can say."""
+        return {
+            "label": self.label,
+            "body": [list(pattern) for pattern in self.body],
+            "head": list(self.head),
+            "stratum": self.stratum,
+            "recursive": self.recursive,
+        }
+
+    @classmethod
+    def from_json(cls, value: Mapping[str, Any]) -> Axiom:
+        """The axiom that `to_json` said."""
+        return cls(
+            label=value["label"],
+            body=tuple((s, p, o) for s, p, o in value["body"]),
+            head=(value["head"][0], value["head"][1], value["head"][2]),
+            stratum=value["stratum"],
+            recursive=value["recursive"],
+        )
+
+
+def insertion(axiom: Axiom, into: Term, delta: tuple[int, Term] | None = None) -> str:
+    """The SPARQL update that adds to the graph *into* what *axiom* gives and nobody states.
+
+    With *delta*, a position in the body and a graph, that pattern is matched in that graph only.
+    """
+    where = [
+        f"GRAPH {delta[1] if delta and delta[0] == index else f'?g{index}'} {{ {_text(pattern)} }}"
+        for index, pattern in enumerate(axiom.body)
+    ]
+    head = _text(axiom.head)
+    return (
+        f"INSERT {{ GRAPH {into} {{ {head} }} }} WHERE {{ {' '.join(where)} "
+        f"FILTER NOT EXISTS {{ GRAPH ?h {{ {head} }} }} }}"
+    )
+
+
+def _text(pattern: Pattern) -> str:
+    return " ".join(pattern)
+
+
+def is_variable(term: Term) -> bool:
+    """Whether *term* is a variable of a pattern."""
+    return term.startswith("?")
+
+
+def unify(pattern: Pattern, other: Pattern) -> bool:
+    """Whether a triple can match both patterns; repeated variables are not compared."""
+    return all(
+        a == b or is_variable(a) or is_variable(b) for a, b in zip(pattern, other, strict=True)
+    )
+
+
+def match(pattern: Pattern, triple: Triple) -> dict[Term, Term] | None:
+    """The variables of *pattern* for which it is *triple*, or None."""
+    bindings: dict[Term, Term] = {}
+    for part, term in zip(pattern, triple, strict=True):
+        if is_variable(part):
+            if bindings.setdefault(part, term) != term:
+                return None
+        elif part != term:
+            return None
+    return bindings
+
+
+def instantiate(pattern: Pattern, bindings: Mapping[Term, Term]) -> Pattern:
+    """*pattern* with the variables that *bindings* knows replaced."""
+    subject, predicate, value = pattern
+    return (
+        bindings.get(subject, subject),
+        bindings.get(predicate, predicate),
+        bindings.get(value, value),
+    )
+
+
+def name(term: Term) -> str:
+    """What people call *term*: the last part of an IRI, the text of a literal."""
+    if is_literal(term):
+        return literal_value(term)
+    if is_iri(term):
+        text = term[1:-1].rstrip("#/")
+        return text[max(text.rfind("#"), text.rfind("/")) + 1 :]
+    return term

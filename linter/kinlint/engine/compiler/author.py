@@ -1,0 +1,150 @@
+"""SPARQL that rule authors write: read, held to SHACL 5.2 and 6.2, made ready for LATERAL."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from itertools import count
+from typing import TYPE_CHECKING
+
+from kinlint.engine.compiler.deferral import Deferred
+from kinlint.engine.compiler.dialect import tuned
+from kinlint.engine.compiler.forbidden import OPTIONAL, forbidden
+from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.parse import parse
+from kinlint.engine.compiler.patterns import patterns, premises
+from kinlint.engine.compiler.prefixes import declared
+from kinlint.engine.compiler.probe import try_call
+from kinlint.engine.compiler.scope import projection, with_names
+from kinlint.engine.compiler.syntax import Clause, Group, Select, Triples, Union, render, walk
+from kinlint.engine.compiler.tokens import NotSparql, is_variable, tokens
+from kinlint.terms import is_literal, literal_value
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.terms import Term, Triple
+
+PATH = "?PATH"
+
+
+@dataclass(frozen=True)
+class Query:
+    """An author's query that may be written inside another: no prologue, no prefixed names."""
+
+    select: Select
+    variables: tuple[str, ...]
+    premises: tuple[Triple, ...]
+    may_stay: bool
+    """Whether a path may lead from a pre-bound term to itself in no steps."""
+
+    @property
+    def text(self) -> str:
+        """The query in SPARQL."""
+        return render(self.select)
+
+
+def read_query(
+    graph: ShapesGraph, node: Term, name: str, path: str | None, prebound: tuple[str, ...]
+) -> Query:
+    """The query that *node* states by `sh:select` or `sh:ask` (*name*).
+
+    `$PATH` becomes *path*, which is None in node shapes.
+
+    *prebound* are the variables that get their values from outside. Raises `RuleInvalid` for
+    what is no SPARQL or not allowed in SHACL, `Deferred` for what is not covered.
+    """
+    value = graph.one(node, sh(name))
+    if value is None or not is_literal(value):
+        raise graph.invalid(node, f"sh:{name} is missing, or not a string")
+    text = literal_value(value)
+    try:
+        prefixes = declared(graph, node)
+        found = tokens(text, prefixes)
+        _vouch(text, prefixes, path or "<urn:none>")
+        select = parse(tuple(path or word if word == PATH else word for word in found))
+    except NotSparql as error:
+        raise graph.invalid(node, str(error)) from error
+    fault = forbidden(select, prebound)
+    if str(select.head[0]).lower() != name:
+        fault = f"sh:{name} is a query of another kind"
+    elif PATH in found and path is None:
+        fault = "$PATH has no meaning in a node shape"
+    if fault is not None:
+        raise graph.invalid(node, fault)
+    _defer(select, found)
+    names = projection(select)
+    if "*" in select.head and "(" not in select.head:
+        select = with_names(select, names)
+    return Query(
+        tuned(select, frozenset(prebound)),
+        tuple(names),
+        _premises(select.group),
+        _may_stay(select, prebound),
+    )
+
+
+def _vouch(text: str, prefixes: dict[str, str], path: str) -> None:
+    """Raise `NotSparql` unless rdflib too takes *text* for SPARQL 1.1."""
+    text = re.sub(r"[$?]PATH\b", lambda _: path, text)
+    known = "".join(f"PREFIX {prefix}: <{namespace}> " for prefix, namespace in prefixes.items())
+    from pyparsing import ParseException  # noqa: PLC0415
+    from rdflib.plugins.sparql import prepareQuery  # noqa: PLC0415
+
+    try:
+        prepareQuery(known + text)
+    except ParseException as error:
+        near = (known + text)[error.loc :].split("\n")[0].strip()
+        raise NotSparql(f"not SPARQL 1.1 near '{near}'") from error
+    except Exception as error:  # rdflib raises bare exceptions
+        raise NotSparql(f"not SPARQL 1.1: {error}") from error
+
+
+def _defer(select: Select, found: tuple[str, ...]) -> None:
+    """Raise `Deferred` for what the compiler does not cover."""
+    for variable in OPTIONAL:
+        if variable in found:
+            raise Deferred(f"${variable[1:]} needs the shapes graph")
+    if any(str(word).upper() == "FROM" for word in select.head):
+        raise Deferred("FROM names a dataset")
+    if any(isinstance(part, Clause) and part.head[0].upper() == "GRAPH" for part in walk(select)):
+        raise Deferred("GRAPH sees the named graphs of the store, which are kinlint's own")
+    for at, word in enumerate(found):
+        if word.upper() in ("REGEX", "REPLACE"):
+            try_call(word, found[at + 2 :])
+
+
+def _may_stay(select: Select, prebound: tuple[str, ...]) -> bool:
+    """Whether a path of no steps may start or end at a pre-bound term.
+
+    Such a path holds for any term, but Oxigraph follows it only from terms of the graph. Raises
+    `Deferred` where that matters for a term which the query itself names.
+    """
+    found = False
+    for part in walk(select):
+        if isinstance(part, Triples) and {"*", "?"} & set(part.tokens):
+            block = patterns(part.tokens, count(2000))
+            for each in block:
+                if not {"*", "?"} & set(each.path):
+                    continue
+                ends = {each.subject, each.object}
+                found = found or not ends.isdisjoint(prebound)
+                others = [other.variables for other in block if other is not each]
+                known = set(prebound).union(*others)
+                constants = [end for end in ends if not is_variable(end)]
+                if constants and not ends & known:
+                    raise Deferred(f"a path of no steps at {constants[0]}, if that is in no graph")
+    return found
+
+
+def _premises(group: Group) -> tuple[Triple, ...]:
+    """The patterns that every solution of *group* matches."""
+    found: list[Triple] = []
+    for each in group.elements:
+        match each:
+            case Triples(tokens):
+                found += premises(patterns(tokens, count(2000)))
+            case Union((branch,)):
+                found += _premises(branch)
+            case _:
+                continue
+    return tuple(found)

@@ -1,0 +1,149 @@
+"""Compiles shapes files into constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import count
+from typing import TYPE_CHECKING
+
+from kinlint.engine.compiler.deferral import Deferred
+from kinlint.engine.compiler.graph import Source, read
+from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.patterns import literal_token
+from kinlint.engine.compiler.probe import try_out
+from kinlint.engine.compiler.shape import Shape, target_shapes
+from kinlint.engine.compiler.target import Target, target
+from kinlint.engine.compiler.violations import properties, top_frame, violations
+from kinlint.engine.constraint import FOCUS, Constraint
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.frame import Frame, Violation
+    from kinlint.terms import Triple
+
+ROOT = "?root"
+
+
+def compile_shapes(files: Sequence[Source]) -> tuple[Constraint, ...]:
+    """The constraints of all shapes with targets in *files*, which may refer to each other.
+
+    A constraint belongs to the only rule of the file that describes its shape, or else of the
+    file with the target. Raises `RuleInvalid` for files that are no Turtle, shapes that are
+    ill-formed and queries that SHACL forbids.
+    """
+    graph = read(files)
+    found: list[Constraint] = []
+    for shape in target_shapes(graph):
+        if not shape.deactivated:
+            found += _Walk(shape).constraints(shape, ())
+    return tuple(found)
+
+
+@dataclass
+class _Walk:
+    """The way from a shape with targets down through `sh:property`."""
+
+    root: Shape
+
+    def constraints(self, shape: Shape, above: tuple[Shape, ...]) -> Iterator[Constraint]:
+        nodes = tuple(each.node for each in above)
+        names = count(1)
+        frame = top_frame(shape, names, nodes)
+        found = list(violations(frame))
+        # pySHACL's results tell shape and component, so a component is deferred as a whole.
+        reasons = {each.component: each.deferred for each in found if each.deferred}
+        for violation in found:
+            whole = replace(violation, deferred=reasons.get(violation.component))
+            yield self._constraint(frame, whole, above)
+        for inner in properties(shape):
+            if inner.node in (*nodes, shape.node):
+                yield self._deferred(inner, "the shape refers to itself")
+            else:
+                yield from self.constraints(inner, (*above, shape))
+
+    def _constraint(
+        self, frame: Frame, violation: Violation, above: tuple[Shape, ...]
+    ) -> Constraint:
+        shape = frame.shape
+        advanced = shape.graph.values(self.root.node, sh("target"))
+        reason = "sh:target is no part of SHACL" if advanced else violation.deferred
+        messages = violation.messages
+        if not violation.own_messages:
+            messages = shape.messages or messages
+        common = Constraint(
+            owner=self._owner(shape),
+            shape=shape.node,
+            component=violation.component,
+            severity=shape.severity,
+            messages=messages,
+            path=shape.path.predicate or None if shape.path else None,
+            deferred=reason,
+        )
+        if reason is not None:
+            return common
+        return _compiled(common, frame, violation, _chain(self.root, frame, above))
+
+    def _deferred(self, shape: Shape, reason: str) -> Constraint:
+        return Constraint(
+            owner=self._owner(shape),
+            shape=shape.node,
+            component=sh("PropertyConstraintComponent")[1:-1],
+            severity=shape.severity,
+            deferred=reason,
+        )
+
+    def _owner(self, shape: Shape) -> str:
+        own = shape.owner
+        return own if own not in (shape.node, shape.node[1:-1]) else self.root.owner
+
+
+@dataclass(frozen=True)
+class _Chain:
+    """Groups that bind the focus node, starting from the target in variable `root`."""
+
+    root: str
+    target: Target
+    groups: tuple[str, ...]
+    premises: tuple[Triple, ...]
+
+
+def _chain(root: Shape, frame: Frame, above: tuple[Shape, ...]) -> _Chain:
+    steps = [shape for shape in above if shape.path]
+    nodes = [ROOT, *(f"?k_up{at}" for at in range(1, len(steps))), "?this"]
+    nodes = nodes if steps else ["?this"]
+    groups, premises = [], []
+    for shape, start, end in zip(steps, nodes, nodes[1:], strict=False):
+        assert shape.path is not None
+        groups.append(shape.path.pattern(start, end, frame.names))
+        premises += shape.path.steps(start, end, frame.names)
+    targets = target(root, nodes[0])
+    return _Chain(nodes[0], targets, tuple(groups), (*targets.premises, *premises))
+
+
+def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Chain) -> Constraint:
+    shown = [chain.root if chain.root == ROOT else f"({chain.root} AS {ROOT})"]
+    shown.append("?this")
+    if violation.at_value:
+        shown.append(f"({frame.value} AS ?value)")
+    shown += [name for name in violation.shown if name not in ("?this", ROOT)]
+
+    def query(start: str) -> str:
+        outer = " LATERAL ".join(f"{{ {group} }}" for group in (start, *chain.groups))
+        return f"SELECT {' '.join(shown)} WHERE {{ {outer} LATERAL {violation.body} }}"
+
+    premises: list[Triple] = [*chain.premises]
+    if frame.each and frame.value in violation.body and frame.shape.path:
+        value = "?value" if violation.at_value else frame.value
+        premises += frame.shape.path.steps("?this", value, count(3000))
+    premises += violation.premises
+    try:
+        try_out(query(chain.target.all))
+        try_out(query(chain.target.one).replace(FOCUS, "<any:>"))
+    except Deferred as reason:
+        return replace(common, deferred=str(reason))
+    return replace(
+        common,
+        select=query(chain.target.all),
+        single=query(chain.target.one),
+        premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
+    )

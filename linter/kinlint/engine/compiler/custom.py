@@ -1,0 +1,129 @@
+"""SPARQL-based constraint components, declared in shapes graphs: SHACL 6."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import TYPE_CHECKING
+
+from kinlint.engine.compiler.deferral import Deferred
+from kinlint.engine.compiler.frame import THIS, Frame, Violation
+from kinlint.engine.compiler.literals import constant
+from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shape import messages
+from kinlint.engine.compiler.sparql import query_for, rename, said, solutions
+from kinlint.engine.compiler.syntax import Group, Select, Union, render
+from kinlint.terms import Term, iri_value, is_iri
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.graph import ShapesGraph
+
+_RESERVED = {"this", "shapesGraph", "currentShape", "path", "PATH", "value"}
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a component: the property that gives it, and its variable."""
+
+    path: Term
+    variable: str
+    optional: bool
+
+
+def custom(frame: Frame) -> Iterator[Violation]:
+    """The violations of every declared component whose parameters the shape gives."""
+    graph = frame.shape.graph
+    for node in graph.subjects():
+        if not graph.values(node, sh("parameter")) or not is_iri(node):
+            continue
+        parameters = _parameters(graph, node)
+        given = [graph.values(frame.shape.node, each.path) for each in parameters]
+        required = zip(parameters, given, strict=True)
+        if any(not values and not each.optional for each, values in required):
+            continue
+        validator = _validator(frame, node)
+        if validator is None or not any(given):
+            continue
+        for values in product(*(_options(each) for each in given)):
+            bindings = {
+                each.variable: value for each, value in zip(parameters, values, strict=True)
+            }
+            try:
+                yield _violation(frame, node, validator, bindings)
+            except Deferred as reason:
+                yield Violation(iri_value(node), deferred=str(reason))
+
+
+def _options(values: list[Term]) -> list[Term | None]:
+    return [*values] or [None]
+
+
+def _parameters(graph: ShapesGraph, node: Term) -> list[Parameter]:
+    found = []
+    for each in graph.values(node, sh("parameter")):
+        path = graph.one(each, sh("path"))
+        name = re.split(r"[/#:]", path[1:-1])[-1] if path and is_iri(path) else ""
+        if not path or not re.fullmatch(r"\w+", name) or name in _RESERVED:
+            raise graph.invalid(each, "a parameter needs a sh:path that can name a variable")
+        found.append(Parameter(path, f"?{name}", graph.is_true(each, sh("optional"))))
+    if all(each.optional for each in found):
+        raise graph.invalid(node, "a component needs a parameter that is not optional")
+    return found
+
+
+def _validator(frame: Frame, node: Term) -> Term | None:
+    """The validator that SHACL 6.3 chooses for the kind of shape."""
+    special = "propertyValidator" if frame.shape.path else "nodeValidator"
+    found = frame.shape.graph.values(node, sh(special), sh("validator"))
+    return found[0] if found else None
+
+
+def _violation(
+    frame: Frame, node: Term, validator: Term, given: dict[str, Term | None]
+) -> Violation:
+    graph = frame.shape.graph
+    parameters = tuple(given)
+    bound = {name: constant(value) for name, value in given.items() if value is not None}
+    binds = tuple(f"BIND({value} AS {name})" for name, value in bound.items())
+    own = frame.shape.messages or messages(graph, validator) or messages(graph, node)
+    default = (f"'{{?this}}' violates '{iri_value(node)}'.",)
+    violation = Violation(
+        iri_value(node), shown=tuple(bound), messages=own or default, own_messages=True
+    )
+    if not graph.values(validator, sh("ask")):
+        query = query_for(frame, validator, "select", (THIS, *parameters))
+        query = replace(query, select=_passing(query.select, parameters))
+        groups = (solutions(frame, query, (THIS, *parameters), binds),)
+        at_value = not frame.shape.path and "?value" not in query.variables
+        shown = tuple(dict.fromkeys([*bound, *said(frame, query)]))
+        return replace(violation, groups=groups, shown=shown, at_value=at_value)
+    prebound = (THIS, "?value", *parameters)
+    query = query_for(frame, validator, "ask", prebound)
+    held = Select(("SELECT", *prebound), query.select.group, query.select.tail)
+    if query.select.tail:
+        raise Deferred("an ASK query with solution modifiers")
+    body = Group((Union((Group((held,)),)),))
+    return replace(violation, groups=_asked(frame, body, binds), shown=("?value", *bound))
+
+
+def _asked(frame: Frame, body: Group, binds: tuple[str, ...]) -> tuple[str, ...]:
+    """Groups with a solution for each value node for which *body* has none."""
+    groups = (f"BIND({frame.value} AS ?value)", *binds, f"FILTER NOT EXISTS {render(body)}")
+    if frame.top:
+        return (*frame.each, *groups)
+    hidden = (*rename(frame.focus, THIS), *groups)
+    chain = " LATERAL ".join(f"{{ {group} }}" for group in hidden)
+    names = " ".join(dict.fromkeys([frame.focus, frame.value]))
+    return (*frame.each, f"SELECT {names} WHERE {{ {chain} }}")
+
+
+def _passing(select: Select, parameters: tuple[str, ...]) -> Select:
+    """*select* with *parameters* among its variables, so that their values reach its WHERE."""
+    missing = [name for name in parameters if name not in select.head]
+    if not missing:
+        return select
+    if any(str(word).upper() in ("GROUP", "HAVING") for word in select.tail):
+        raise Deferred("a validator that groups its solutions does not return its parameters")
+    return replace(select, head=(*select.head, *missing))

@@ -1,0 +1,7 @@
+"""What the compiler leaves to the reference engine."""
+
+from __future__ import annotations
+
+
+class Deferred(Exception):
+    """A constraint is valid, but cannot be compiled; the message says why."""

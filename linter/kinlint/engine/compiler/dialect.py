@@ -1,0 +1,126 @@
+"""Rewrites EXISTS for Oxigraph, whose planner does not know what is bound around it.
+
+Two rewrites, neither needed for a right answer. Both spare Oxigraph work that grows with the
+square of the model (oxigraph#885). Whatever they do not fully understand stays as it stands.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import count
+
+from kinlint.engine.compiler.hoist import hoisted
+from kinlint.engine.compiler.patterns import Pattern, patterns
+from kinlint.engine.compiler.reach import reach
+from kinlint.engine.compiler.scope import certain, projection, variables
+from kinlint.engine.compiler.syntax import (
+    Bind,
+    Clause,
+    Element,
+    Expression,
+    Filter,
+    Group,
+    Select,
+    Triples,
+    Union,
+)
+from kinlint.engine.compiler.tokens import is_variable
+
+
+def tuned(select: Select, bound: frozenset[str]) -> Select:
+    """*select* with cheaper EXISTS; the variables *bound* have a value from outside."""
+    names = count(1000)
+    return replace(
+        select,
+        group=hoisted(_group(select.group, bound, names), bound, names),
+        tail=_expression(select.tail, bound | certain(select.group), names),
+    )
+
+
+def _group(group: Group, bound: frozenset[str], names: count[int]) -> Group:
+    within = bound | certain(group)
+    elements = tuple(_element(each, within, bound, names) for each in group.elements)
+    return reach(Group(elements), bound, certain(group), names)
+
+
+def _element(
+    element: Element, within: frozenset[str], bound: frozenset[str], names: count[int]
+) -> Element:
+    match element:
+        case Filter(expression):
+            return Filter(_expression(expression, within, names))
+        case Bind(expression, _):
+            return replace(element, expression=_expression(expression, within, names))
+        case Union(branches):
+            return Union(tuple(_group(branch, bound, names) for branch in branches))
+        case Clause(head, group) if head[0].upper() == "OPTIONAL":
+            return Clause(head, _group(group, bound, names))
+        case Select(_, group, _):
+            shown = bound & frozenset(projection(element))
+            return replace(element, group=_group(group, shown, names))
+        case _:
+            return element
+
+
+def _expression(expression: Expression, bound: frozenset[str], names: count[int]) -> Expression:
+    """*expression* with every group in it, which can only follow EXISTS, rewritten."""
+    return tuple(
+        _exists(part, bound, names) if isinstance(part, Group) else part for part in expression
+    )
+
+
+def _exists(body: Group, bound: frozenset[str], names: count[int]) -> Group:
+    inner = _group(body, bound, names)
+    match inner.elements:
+        case (Union(branches),) if len(branches) > 1:
+            return Group((Union(tuple(_chained(each, bound, names) for each in branches)),))
+        case _:
+            return _chained(inner, bound, names)
+
+
+def _chained(body: Group, bound: frozenset[str], names: count[int]) -> Group:
+    """`{ A . B . FILTER F }` as `{ {A} LATERAL {F} LATERAL {B} }`, best order first.
+
+    Each pattern then starts from terms that are known. A filter comes as soon as the patterns
+    have bound all it may see of theirs, so it sees what it saw before.
+    """
+    if not all(isinstance(each, (Triples, Filter)) for each in body.elements):
+        return body
+    todo: list[Pattern] = []
+    for each in body.elements:
+        if isinstance(each, Triples):
+            todo += patterns(each.tokens, names)
+    waiting = [each for each in body.elements if isinstance(each, Filter)]
+    own = frozenset().union(*(pattern.variables for pattern in todo))
+    if len(todo) < 2 or not own & bound:  # noqa: PLR2004 - one pattern needs no order
+        return body
+    steps: list[Element] = []
+    done: set[str] = set()
+    while todo or waiting:
+        ready = [each for each in waiting if variables(each) & own <= done]
+        steps += ready
+        waiting = [each for each in waiting if each not in ready]
+        if todo:
+            best = min(todo, key=lambda pattern: _cost(pattern, bound | done))
+            todo.remove(best)
+            done |= best.variables
+            steps.append(Triples((best.subject, *best.path, best.object)))
+    first, *rest = (Group((step,)) for step in steps)
+    return Group((Union((first,)), *(Clause(("LATERAL",), step) for step in rest)))
+
+
+def _cost(pattern: Pattern, bound: frozenset[str]) -> int:
+    """How many matches to expect, in rough classes."""
+
+    def known(term: str) -> bool:
+        return term in bound or not is_variable(term)
+
+    subject, value = known(pattern.subject), known(pattern.object)
+    free_path = is_variable(pattern.path[0]) and pattern.path[0] not in bound
+    if not (subject or value):
+        return 90
+    if subject and value:
+        return 10 + 5 * pattern.closes
+    variable = pattern.subject if subject else pattern.object
+    rank = 20 if subject else 30
+    return rank + 30 * (not is_variable(variable)) + 15 * pattern.closes + 5 * free_path

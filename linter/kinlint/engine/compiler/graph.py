@@ -1,0 +1,141 @@
+"""Shapes graphs: the triples of Turtle files as tokens, with an index and list access."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeAlias
+
+import pyoxigraph as ox
+
+from kinlint.errors import RuleInvalid
+from kinlint.terms import RDF, Term, Triple, is_literal
+
+Source: TypeAlias = Path | tuple[str, str]
+"""A Turtle file, or a name and a text."""
+
+FIRST, REST, NIL = f"<{RDF}first>", f"<{RDF}rest>", f"<{RDF}nil>"
+
+_BLANK = re.compile(r"_:[0-9a-zA-Z]\S*")
+
+
+@dataclass(frozen=True)
+class ShapesFile:
+    """One parsed file: its triples in the order of the text, and its prefixes.
+
+    Blank nodes are named `_:<position of the file>.<order of appearance>`, so that the same
+    files always give the same names.
+    """
+
+    name: str
+    triples: tuple[Triple, ...]
+    prefixes: dict[str, str]
+
+
+@dataclass
+class ShapesGraph:
+    """The triples of several files, by subject and predicate."""
+
+    files: tuple[ShapesFile, ...]
+    _out: dict[Term, dict[Term, list[Term]]] = field(default_factory=dict, repr=False)
+    _in: dict[tuple[Term, Term], list[Term]] = field(default_factory=dict, repr=False)
+    _home: dict[Term, ShapesFile] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        for file in self.files:
+            for s, p, o in file.triples:
+                values = self._out.setdefault(s, {}).setdefault(p, [])
+                if o not in values:
+                    values.append(o)
+                    self._in.setdefault((p, o), []).append(s)
+                self._home.setdefault(s, file)
+
+    def subjects(self) -> Iterator[Term]:
+        """Every subject once, in the order of the files."""
+        return iter(self._out)
+
+    def values(self, subject: Term, *predicates: Term) -> list[Term]:
+        """The objects of *subject* for *predicates*, in the order of the text."""
+        about = self._out.get(subject, {})
+        return [value for predicate in predicates for value in about.get(predicate, ())]
+
+    def predicates(self, subject: Term) -> tuple[Term, ...]:
+        """The predicates that *subject* has."""
+        return tuple(self._out.get(subject, ()))
+
+    def referrers(self, predicate: Term, value: Term) -> list[Term]:
+        """The subjects that have *value* for *predicate*."""
+        return self._in.get((predicate, value), [])
+
+    def home(self, subject: Term) -> ShapesFile:
+        """The file that describes *subject* first."""
+        return self._home.get(subject, self.files[0])
+
+    def one(self, subject: Term, predicate: Term) -> Term | None:
+        """The only object, or None; two are refused."""
+        values = self.values(subject, predicate)
+        if len(values) > 1:
+            raise self.invalid(subject, f"{predicate} has {len(values)} values, not one")
+        return values[0] if values else None
+
+    def list(self, head: Term) -> tuple[Term, ...]:
+        """The members of an RDF list; anything less than well-formed is refused."""
+        members: list[Term] = []
+        seen: set[Term] = set()
+        node = head
+        while node != NIL:
+            first, rest = self.values(node, FIRST), self.values(node, REST)
+            if node in seen or is_literal(node) or len(first) != 1 or len(rest) != 1:
+                raise self.invalid(head, "this is not a well-formed list")
+            seen.add(node)
+            members.append(first[0])
+            node = rest[0]
+        return tuple(members)
+
+    def is_true(self, subject: Term, predicate: Term) -> bool:
+        """Whether the value is `true`, spelled so: SHACL knows no other spelling."""
+        return '"true"^^<http://www.w3.org/2001/XMLSchema#boolean>' in self.values(
+            subject, predicate
+        )
+
+    def invalid(self, node: Term, cause: str) -> RuleInvalid:
+        """The error that *node* is not as SHACL demands, naming its file and what it belongs to."""
+        name, seen = node, {node}
+        while name.startswith("_:"):
+            above = [s for s, about in self._out.items() if any(name in v for v in about.values())]
+            if not above or above[0] in seen:
+                break
+            name = above[0]
+            seen.add(name)
+        return RuleInvalid(f"{self.home(node).name}: {name}: {cause}")
+
+
+def read(files: Sequence[Source]) -> ShapesGraph:
+    """The graph of Turtle *files*; `RuleInvalid` names the file and line of what is no Turtle."""
+    return ShapesGraph(tuple(_parse(source, at) for at, source in enumerate(files)))
+
+
+def _parse(source: Source, at: int) -> ShapesFile:
+    if isinstance(source, Path):
+        name, text, base = str(source), source.read_text("utf-8-sig"), source.resolve().as_uri()
+    else:
+        name, text = source
+        base = Path(name).resolve().as_uri()
+    labels: dict[str, str] = {}
+
+    def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
+        written = str(term)
+        if isinstance(term, ox.BlankNode):
+            return labels.setdefault(written, f"_:b{at}.{len(labels)}")
+        return written
+
+    triples: list[Triple] = []
+    try:
+        parser = ox.parse(text, ox.RdfFormat.TURTLE, base_iri=base)
+        triples.extend((token(q.subject), token(q.predicate), token(q.object)) for q in parser)
+        prefixes = dict(parser.prefixes)
+    except SyntaxError as error:
+        raise RuleInvalid(f"{name}:{error.lineno}: {error.msg}") from error
+    return ShapesFile(name, tuple(triples), prefixes)

@@ -1,0 +1,142 @@
+"""Reads tokens into the structure of `kinlint.engine.compiler.syntax`."""
+
+from __future__ import annotations
+
+from kinlint.engine.compiler.syntax import (
+    Bind,
+    Clause,
+    Element,
+    Expression,
+    Filter,
+    Group,
+    Select,
+    Triples,
+    Union,
+    Values,
+)
+from kinlint.engine.compiler.tokens import NotSparql
+
+_CLAUSES = {"OPTIONAL", "MINUS", "GRAPH", "SERVICE", "LATERAL"}
+_STARTS = {*_CLAUSES, "FILTER", "BIND", "VALUES", "{", "}"}
+_ENDS = {"GROUP", "HAVING", "ORDER", "LIMIT", "OFFSET", "VALUES"}
+
+
+def parse(tokens: tuple[str, ...]) -> Select:
+    """The SELECT or ASK query that *tokens* spell, its prologue removed."""
+    reader = _Reader(tokens)
+    select = reader.select()
+    if reader.at < len(tokens):
+        raise NotSparql(f"'{tokens[reader.at]}' stands after the end of the query")
+    return select
+
+
+class _Reader:
+    def __init__(self, tokens: tuple[str, ...]) -> None:
+        self.tokens = tokens
+        self.at = 0
+
+    @property
+    def next(self) -> str:
+        if self.at >= len(self.tokens):
+            raise NotSparql("the query ends too early")
+        return self.tokens[self.at]
+
+    def take(self, *wanted: str) -> str:
+        token = self.next
+        if wanted and token.upper() not in wanted:
+            raise NotSparql(f"'{token}' stands where {' or '.join(wanted)} is due")
+        self.at += 1
+        return token
+
+    def select(self) -> Select:
+        head: list[str | Group] = [self.take("SELECT", "ASK")]
+        while self.next.upper() not in ("WHERE", "{"):
+            head.append(self.piece())
+        if self.next.upper() == "WHERE":
+            self.take()
+        group = self.group()
+        tail: list[str | Group] = []
+        while self.at < len(self.tokens) and self.next != "}":
+            tail.append(self.piece() if self.next != "{" else self.block())
+        return Select(tuple(head), group, tuple(tail))
+
+    def block(self) -> str:
+        """The braces of a VALUES clause, which hold no structure."""
+        start = self.at
+        while self.take() != "}":
+            pass
+        return " ".join(self.tokens[start : self.at])
+
+    def piece(self) -> str | Group:
+        """One token of an expression, or the group after EXISTS."""
+        if self.next == "{":
+            return self.group()
+        return self.take()
+
+    def group(self) -> Group:
+        self.take("{")
+        elements: list[Element] = []
+        if self.next.upper() == "SELECT":
+            elements.append(self.select())
+        while self.next != "}":
+            if self.next == ".":
+                # A dot after anything but triples separates nothing that order does not.
+                self.take()
+            else:
+                elements.append(self.element())
+        self.take("}")
+        return Group(tuple(elements))
+
+    def element(self) -> Element:
+        word = self.next.upper()
+        if word == "{":
+            return self.union()
+        if word == "FILTER":
+            self.take()
+            return Filter(self.constraint())
+        if word == "BIND":
+            self.take()
+            *expression, _, variable = self.parenthesised()[1:-1]
+            return Bind(tuple(expression), str(variable))
+        if word == "VALUES":
+            start = self.at
+            while self.next != "{":
+                self.take()
+            self.block()
+            return Values(self.tokens[start : self.at])
+        if word in _CLAUSES:
+            head = [self.take()]
+            while self.next != "{":
+                head.append(self.take())
+            return Clause(tuple(head), self.group())
+        return self.triples()
+
+    def union(self) -> Union:
+        branches = [self.group()]
+        while self.next.upper() == "UNION":
+            self.take()
+            branches.append(self.group())
+        return Union(tuple(branches))
+
+    def constraint(self) -> Expression:
+        """`(…)`, `NAME(…)`, `<iri>(…)`, `EXISTS {…}` or `NOT EXISTS {…}`."""
+        head: list[str | Group] = []
+        while self.next not in ("(", "{"):
+            head.append(self.take())
+        return (*head, self.group()) if self.next == "{" else (*head, *self.parenthesised())
+
+    def parenthesised(self) -> list[str | Group]:
+        found: list[str | Group] = [self.take("(")]
+        depth = 1
+        while depth:
+            found.append(self.piece())
+            depth += (found[-1] == "(") - (found[-1] == ")")
+        return found
+
+    def triples(self) -> Triples:
+        start = self.at
+        depth = 0
+        while depth or self.next.upper() not in _STARTS:
+            depth += (self.next in ("(", "[")) - (self.next in (")", "]"))
+            self.take()
+        return Triples(self.tokens[start : self.at])

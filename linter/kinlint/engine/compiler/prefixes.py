@@ -1,0 +1,37 @@
+"""The prefixes that a SPARQL text in a shapes graph may use: SHACL 5.2.1."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinlint.engine.compiler.names import IMPORTS, sh
+from kinlint.terms import Term, is_literal, literal_value
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.graph import ShapesGraph
+
+
+def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:
+    """The namespaces by prefix that `sh:prefixes` of *node* gives, imports followed."""
+    found: dict[str, str] = {}
+    todo, seen = graph.values(node, sh("prefixes")), set[Term]()
+    while todo:
+        ontology = todo.pop()
+        if ontology in seen:
+            continue
+        seen.add(ontology)
+        todo += graph.values(ontology, IMPORTS)
+        for declaration in graph.values(ontology, sh("declare")):
+            prefix, namespace = (
+                _text(graph, declaration, name) for name in ("prefix", "namespace")
+            )
+            if found.setdefault(prefix, namespace) != namespace:
+                raise graph.invalid(node, f"the prefix '{prefix}:' stands for two namespaces")
+    return found
+
+
+def _text(graph: ShapesGraph, declaration: Term, name: str) -> str:
+    value = graph.one(declaration, sh(name))
+    if value is None or not is_literal(value):
+        raise graph.invalid(declaration, f"this prefix declaration lacks sh:{name}")
+    return literal_value(value)

@@ -1,0 +1,102 @@
+"""Which variables a part of a query names, may bind and certainly binds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from kinlint.engine.compiler.syntax import (
+    Bind,
+    Clause,
+    Element,
+    Expression,
+    Filter,
+    Group,
+    Select,
+    Triples,
+    Union,
+    Values,
+)
+from kinlint.engine.compiler.tokens import is_variable
+
+
+def words(part: Group | Element | Expression) -> list[str]:
+    """Every token of *part*."""
+    return [word for word in _words(part) if word]
+
+
+def _words(part: Group | Element | Expression | str) -> Iterator[str]:
+    match part:
+        case str():
+            yield part
+        case tuple():
+            for each in part:
+                yield from _words(each)
+        case Group(elements) | Union(elements):
+            yield from _words(elements)  # type: ignore[arg-type]
+        case Triples(tokens) | Values(tokens):
+            yield from tokens
+        case Filter(expression):
+            yield from _words(expression)
+        case Bind(expression, variable):
+            yield from _words((*expression, variable))
+        case Clause(head, group):
+            yield from _words((*head, group))
+        case Select(head, group, tail):
+            yield from _words((*head, group, *tail))
+
+
+def variables(part: Group | Element | Expression) -> set[str]:
+    """Every variable that occurs in *part*."""
+    return {word for word in words(part) if is_variable(word)}
+
+
+def projection(select: Select) -> list[str]:
+    """The variables that *select* projects, in order; those of `*` sorted."""
+    head = [word for word in select.head[1:] if not isinstance(word, Group)]
+    if "*" in head and "(" not in head:
+        return sorted(visible(select.group))
+    found: list[str] = []
+    depth = 0
+    for at, word in enumerate(head):
+        depth += (word == "(") - (word == ")")
+        if is_variable(word) and (depth == 0 or (depth == 1 and head[at - 1].upper() == "AS")):
+            found.append(word)
+    return found
+
+
+def visible(part: Group | Element) -> set[str]:
+    """The variables that may be bound where *part* ends: SPARQL 18.2.1."""
+    match part:
+        case Group(parts) | Union(parts):
+            return {name for each in parts for name in visible(each)}
+        case Triples() | Values():
+            return variables(part)
+        case Bind(_, variable):
+            return {variable}
+        case Clause(head, group) if head[0].upper() != "MINUS":
+            return {word for word in head if is_variable(word)} | visible(group)
+        case Select():
+            return set(projection(part))
+        case _:
+            return set()
+
+
+def certain(part: Group | Element) -> frozenset[str]:
+    """Variables that every solution of *part* binds; perhaps not all of them."""
+    match part:
+        case Group(elements):
+            return frozenset().union(*(certain(each) for each in elements))
+        case Triples():
+            return frozenset(variables(part))
+        case Union(branches):
+            return frozenset.intersection(*(certain(branch) for branch in branches))
+        case Select(_, group, _):
+            return frozenset(projection(part)) & certain(group)
+        case _:
+            return frozenset()
+
+
+def with_names(select: Select, names: list[str]) -> Select:
+    """*select* with `*` spelled out as *names*."""
+    return replace(select, head=tuple(" ".join(names) if w == "*" else w for w in select.head))

@@ -1,0 +1,93 @@
+"""SPARQL-based constraints: SHACL 5."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kinlint.engine.compiler.author import read_query
+from kinlint.engine.compiler.deferral import Deferred
+from kinlint.engine.compiler.frame import THIS, Frame, Violation, component, shown
+from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shape import messages
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.author import Query
+    from kinlint.terms import Term
+
+TARGET_NODE = sh("targetNode")
+VALUE = "?k_value"
+
+
+def sparql(frame: Frame) -> Iterator[Violation]:
+    """`sh:sparql`: every solution of the author's query is a violation."""
+    shape = frame.shape
+    for node in shape.values("sparql"):
+        if shape.graph.is_true(node, sh("deactivated")):
+            continue
+        own = messages(shape.graph, node) or shape.messages
+        name = shown(shape, shape.node)
+        try:
+            query = query_for(frame, node, "select", (THIS,))
+        except Deferred as reason:
+            yield Violation(
+                component("SPARQL"), messages=own, own_messages=True, deferred=str(reason)
+            )
+            continue
+        yield Violation(
+            component("SPARQL"),
+            (solutions(frame, query, (THIS,)),),
+            shown=said(frame, query),
+            at_value=not shape.path and "?value" not in query.variables,
+            messages=own or (f"'{{?this}}' violates '{name}'.",),
+            own_messages=True,
+            premises=query.premises,
+        )
+
+
+def query_for(frame: Frame, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:
+    """The author's query of *node*, ready for *frame*, where *prebound* have values."""
+    shape = frame.shape
+    path = shape.path.text if shape.path else None
+    query = read_query(shape.graph, node, kind, path, prebound)
+    nodes = (*frame.above, shape.node)
+    if query.may_stay and any(shape.graph.values(each, TARGET_NODE) for each in nodes):
+        raise Deferred("a path of no steps may start from a target node outside the graph")
+    return query
+
+
+def solutions(
+    frame: Frame, query: Query, prebound: tuple[str, ...], before: tuple[str, ...] = ()
+) -> str:
+    """The group that has the solutions of *query*, each once.
+
+    *before* are groups that bind variables of *prebound* other than `$this`. Where only
+    conformance is asked, none of the author's variables is seen outside.
+    """
+    names = dict.fromkeys([*prebound, *query.variables])
+    if _has_own_value(frame, query):
+        del names["?value"]
+        names[f"(COALESCE(?value, {THIS}) AS {VALUE})"] = None
+    inner = f"SELECT DISTINCT {' '.join(names)} WHERE {{ {{ {query.text} }} }}"
+    if frame.top:
+        return " LATERAL ".join(f"{{ {group} }}" for group in (*before, inner))
+    groups = (*rename(frame.focus, THIS), *before, inner)
+    chain = " LATERAL ".join(f"{{ {group} }}" for group in groups)
+    return f"SELECT {frame.focus} WHERE {{ {chain} }}"
+
+
+def rename(variable: str, name: str) -> tuple[str, ...]:
+    """Groups that give *name* the value of *variable*: none if they are the same."""
+    return () if variable == name else (f"BIND({variable} AS {name})",)
+
+
+def said(frame: Frame, query: Query) -> tuple[str, ...]:
+    """What a result says of a solution of *query*: its variables but `$this`."""
+    own = _has_own_value(frame, query)
+    names = [name for name in query.variables if name != THIS]
+    return tuple(f"({VALUE} AS ?value)" if own and name == "?value" else name for name in names)
+
+
+def _has_own_value(frame: Frame, query: Query) -> bool:
+    """Whether *query* may tell a value where a node shape would have its focus node."""
+    return frame.top and not frame.shape.path and "?value" in query.variables

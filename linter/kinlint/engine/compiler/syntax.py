@@ -1,0 +1,136 @@
+"""The structure of a SPARQL query: its groups, patterns, filters and sub-selects.
+
+Only structure is read. Expressions stay tokens, with the groups of EXISTS among them, so what
+is not rewritten is written back as it stood. rdflib vouches for the grammar beforehand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypeAlias
+
+
+@dataclass(frozen=True)
+class Group:
+    """`{ … }` with elements joined in order."""
+
+    elements: tuple[Element, ...]
+
+
+@dataclass(frozen=True)
+class Triples:
+    """Triple patterns between dots, as tokens."""
+
+    tokens: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Filter:
+    """`FILTER` and its expression."""
+
+    expression: Expression
+
+
+@dataclass(frozen=True)
+class Bind:
+    """`BIND(expression AS variable)`."""
+
+    expression: Expression
+    variable: str
+
+
+@dataclass(frozen=True)
+class Union:
+    """One group, or several with UNION between them."""
+
+    branches: tuple[Group, ...]
+
+
+@dataclass(frozen=True)
+class Clause:
+    """A keyword with a group: OPTIONAL, MINUS, GRAPH, SERVICE (name in *head*), LATERAL."""
+
+    head: tuple[str, ...]
+    group: Group
+
+
+@dataclass(frozen=True)
+class Values:
+    """A VALUES clause, as tokens."""
+
+    tokens: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Select:
+    """A query or sub-select: `head` from its verb up to WHERE, `tail` its modifiers."""
+
+    head: Expression
+    group: Group
+    tail: Expression
+
+
+Expression: TypeAlias = tuple["str | Group", ...]
+Element: TypeAlias = Triples | Filter | Bind | Union | Clause | Values | Select
+
+
+def render(part: Group | Element | Expression | str) -> str:
+    """*part* as SPARQL."""
+    match part:
+        case str():
+            text = part
+        case tuple():
+            text = "".join(_spaced(each) for each in part).rstrip()
+        case Group(elements):
+            text = "{ " + " ".join(render(each) for each in elements) + " }"
+        case Triples(tokens) | Values(tokens):
+            text = " ".join(tokens)
+        case Filter(expression):
+            text = f"FILTER {render(expression)}"
+        case Bind(expression, variable):
+            text = f"BIND( {render(expression)} AS {variable} )"
+        case Union(branches):
+            text = " UNION ".join(render(branch) for branch in branches)
+        case Clause(head, group):
+            text = f"{' '.join(head)} {render(group)}"
+        case Select(head, group, tail):
+            text = f"{render(head)} WHERE {render(group)} {render(tail)}".rstrip()
+    return text
+
+
+def _spaced(part: str | Group) -> str:
+    """*part* with a space after it, but where Oxigraph takes none before a parenthesis."""
+    text = render(part)
+    return text if text.upper() in ("CONCAT", "COALESCE") else text + " "
+
+
+def walk(part: Group | Element | Expression) -> Iterator[Group | Element]:
+    """*part* and every group and element in it, expressions included."""
+    match part:
+        case tuple():
+            inner: tuple[Group | Element | Expression | str, ...] = part
+        case Group(elements):
+            inner = elements
+            yield part
+        case Filter(expression):
+            inner = expression
+            yield part
+        case Bind(expression, _):
+            inner = expression
+            yield part
+        case Union(branches):
+            inner = branches
+            yield part
+        case Clause(_, group):
+            inner = (group,)
+            yield part
+        case Select(head, group, tail):
+            inner = (*head, group, *tail)
+            yield part
+        case _:
+            inner = ()
+            yield part
+    for each in inner:
+        if not isinstance(each, str):
+            yield from walk(each)

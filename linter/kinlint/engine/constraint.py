@@ -1,0 +1,59 @@
+"""One SHACL constraint, compiled: what a run needs to check it, as plain JSON values."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from kinlint.terms import Term, Triple
+
+FOCUS = "$FOCUS"
+"""Stands in `Constraint.single` where the token of the focus node belongs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """A constraint of one shape, reached on one way from a target.
+
+    `owner`, `component` and `severity` are IRIs (`owner` is a blank node label for a blank
+    shape outside a rule); `shape` is the token of the source shape. `path` is the token of the
+    shape's predicate, None for node shapes and longer paths. `messages` are templates with
+    `{?name}`, the one for readers of English first.
+
+    `select` finds every violation at once. It projects `?root` (the target node), `?this` (the
+    focus node: `?root` unless the constraint sits in a property of a property), and, as far
+    as the component says them, `?value`, `?path` and the variables of messages. `single` is the
+    same for one target node: its text has `FOCUS` where the node's token belongs. A blank node
+    cannot be written there.
+
+    `premises` are the triple patterns that hold wherever the constraint is violated, variables
+    with `?`; names that `select` projects mean the same in both. Sequences and inverses are
+    taken apart; a predicate that is any other path is SPARQL text. `deferred` says why only the
+    reference engine may judge this; then `select` and `single` are empty.
+    """
+
+    owner: str
+    shape: Term
+    component: str
+    severity: str
+    messages: tuple[str, ...] = ()
+    path: Term | None = None
+    select: str = ""
+    single: str = ""
+    premises: tuple[Triple, ...] = ()
+    deferred: str | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """The constraint as JSON values; what has its default is left out."""
+        return {name: value for name, value in asdict(self).items() if value not in ("", None, ())}
+
+    @classmethod
+    def from_json(cls, values: dict[str, Any]) -> Constraint:
+        """The constraint that `to_json` wrote."""
+        return cls(
+            **{
+                **values,
+                "messages": tuple(values.get("messages", ())),
+                "premises": tuple((s, p, o) for s, p, o in values.get("premises", ())),
+            }
+        )

@@ -1,0 +1,49 @@
+"""Tokens as rdflib nodes and back, without a change of spelling or of blank node labels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+from rdflib import BNode, Graph, Literal, URIRef
+from rdflib.term import Identifier, Node
+
+from kinlint.terms import (
+    Term,
+    Triple,
+    blank,
+    iri,
+    iri_value,
+    is_blank,
+    is_iri,
+    literal,
+    literal_value,
+)
+
+
+@lru_cache(maxsize=100_000)
+def node(term: Term) -> Identifier:
+    """The rdflib node of a token."""
+    if is_iri(term):
+        return URIRef(iri_value(term))
+    if is_blank(term):
+        return BNode(term[2:])
+    tail = term[term.rindex('"') + 1 :]
+    language = tail[1:] if tail.startswith("@") else None
+    datatype = URIRef(tail[3:-1]) if tail.startswith("^^") else None
+    # Without normalize=False rdflib would write 1.570 as 1.57.
+    return Literal(literal_value(term), language, datatype, normalize=False)
+
+
+def term(of: Node) -> Term:
+    """The token of an rdflib node."""
+    if isinstance(of, Literal):
+        return literal(str(of), str(of.datatype or ""), of.language or "")
+    return blank(str(of)) if isinstance(of, BNode) else iri(str(of))
+
+
+def graph(triples: Iterable[Triple]) -> Graph:
+    """A graph of *triples* that knows no prefix, so that none is taken from it by accident."""
+    made = Graph(bind_namespaces="none")
+    made.addN((node(s), node(p), node(o), made) for s, p, o in triples)
+    return made

@@ -1,0 +1,59 @@
+"""Closes a graph with owlrl: the oracle of the compiled axioms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from kinlint.engine.reference.nodes import graph, term
+from kinlint.engine.schema import Schema
+from kinlint.engine.spelling import normal
+from kinlint.terms import RDF, RDF_TYPE, XSD, Term, Triple, is_blank, is_iri, is_literal
+from kinlint.vocabulary import OWL, RDFS
+
+COMPLAINTS = "http://www.daml.org/2002/03/agents/agent-ont#"
+"""The namespace in which owlrl complains about literals that are not in canonical form."""
+
+SCHEMA = tuple(f"<{namespace}" for namespace in (OWL, RDFS, RDF, XSD, COMPLAINTS))
+"""How terms about terms begin."""
+
+EQUALITY = (
+    f"<{OWL}FunctionalProperty>",
+    f"<{OWL}InverseFunctionalProperty>",
+    f"<{OWL}hasKey>",
+    f"<{OWL}sameAs>",
+    f"<{OWL}maxCardinality>",
+    f"<{OWL}maxQualifiedCardinality>",
+)
+"""Axioms that equate things. Rules report what breaks them; nothing is inferred from them."""
+
+
+def owlrl_closure(triples: Iterable[Triple], vocabulary_files: Sequence[Path] = ()) -> set[Triple]:
+    """What OWL 2 RL adds to *triples* and the vocabulary about things, in the store's spelling.
+
+    Left out is what `compile_axioms` leaves out: statements about classes, properties and
+    literals, memberships in anonymous or built-in classes and in datatypes, and equality.
+    """
+    from owlrl import DeductiveClosure, OWLRL_Semantics  # noqa: PLC0415
+
+    stated = {*triples, *Schema.read(vocabulary_files).triples}
+    stated = {each for each in stated if not {each[1], each[2]} & {*EQUALITY}}
+    schema = {s for s, p, o in stated if p.startswith(SCHEMA) and (p != RDF_TYPE or _is_meta(o))}
+    closed = graph(stated)
+    DeductiveClosure(OWLRL_Semantics, axiomatic_triples=False, datatype_axioms=False).expand(closed)
+    known = {(s, p, normal(o)) for s, p, o in stated}
+    found = ((term(s), term(p), normal(term(o))) for s, p, o in closed)
+    return {each for each in found if each not in known and _is_wanted(each, schema)}
+
+
+def _is_meta(kind: Term) -> bool:
+    return kind.startswith(SCHEMA)
+
+
+def _is_wanted(triple: Triple, schema: set[Term]) -> bool:
+    subject, predicate, value = triple
+    if is_literal(subject) or subject in schema or subject.startswith(SCHEMA):
+        return False
+    if predicate == RDF_TYPE:
+        return is_iri(value) and not _is_meta(value)
+    return not predicate.startswith(SCHEMA) and not is_blank(predicate)

@@ -1,0 +1,51 @@
+"""How a document spells the literals that a store gives back in its own way."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import pyoxigraph as ox
+
+from kinlint.terms import Term, Triple
+
+if TYPE_CHECKING:
+    from kinlint.document import Document
+
+
+class Spelling:
+    """The typed and tagged literals of one document, indexed when first asked for."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+
+    def of(self, triple: Triple) -> Triple | None:
+        """The triple that the document has a place for and that says the same, if there is one."""
+        if triple in self.document.map.triples:
+            return triple
+        subject, predicate, value = triple
+        written = () if _is_exact(value) else self._literals.get((subject, predicate), ())
+        same = (each for each in written if normal(each) == normal(value))
+        return next(((subject, predicate, each) for each in same), None)
+
+    @cached_property
+    def _literals(self) -> dict[tuple[Term, Term], list[Term]]:
+        index: dict[tuple[Term, Term], list[Term]] = {}
+        for subject, predicate, value in self.document.map.triples:
+            if not _is_exact(value):
+                index.setdefault((subject, predicate), []).append(value)
+        return index
+
+
+def _is_exact(value: Term) -> bool:
+    """Whether stores keep the spelling: IRIs, blank nodes and plain strings."""
+    return value[0] != '"' or value[-1] == '"'
+
+
+def normal(value: Term) -> Term:
+    """*value* as Oxigraph gives it back."""
+    if _is_exact(value):
+        return value
+    scratch = ox.Store()
+    scratch.extend(ox.parse(f"<any:> <any:> {value} .", ox.RdfFormat.N_TRIPLES, lenient=True))
+    return str(next(iter(scratch)).object)

@@ -1,0 +1,104 @@
+from __future__ import annotations
+
+from collections import Counter
+from functools import cache
+from pathlib import Path
+
+import pytest
+from data import locate_data
+
+from kinlint import resources
+from kinlint.contexts.library import RELEASES, Contexts
+from kinlint.document import Document
+from kinlint.engine.check import check
+from kinlint.engine.closure import close
+from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.ontology import compile_axioms
+from kinlint.engine.reference.owl import owlrl_closure
+from kinlint.engine.reference.shacl import check_store
+from kinlint.engine.result import Result
+from kinlint.engine.spelling import normal
+from kinlint.engine.store import Store
+from kinlint.formats.jsonld.reader import read
+from kinlint.formats.options import ReadOptions
+from kinlint.text import SourceText
+
+CHECKOUT = Path(__file__).parents[2]
+SHAPES = resources.data("shapes")
+ONTOLOGY = sorted((SHAPES / "ontology").glob("*.ttl"))
+UNITS = sorted((SHAPES / "units").glob("*.ttl"))
+RULES = [SHAPES / "prefixes.ttl", *sorted(resources.data("rules").rglob("*.ttl"))]
+
+BROKEN = sorted((CHECKOUT / "samples" / "broken").glob("*.jsonld"))
+MODELS = {
+    **{
+        folder.name: sorted(folder.glob("*.jsonld"))
+        for folder in sorted((CHECKOUT / "samples").iterdir())
+        if folder.name != "broken" and any(folder.glob("*.jsonld"))
+    },
+    **{f"broken/{file.stem}": [file] for file in BROKEN},
+}
+PUBLISHED = {
+    "tutorial": ("comp-rob2b", "modelling-tutorial", "models"),
+    "Kinova Gen3": ("comp-rob2b", "robot-models"),
+}
+
+
+@cache
+def catalogue() -> tuple[Constraint, ...]:
+    return compile_shapes(RULES)
+
+
+def documents(files: list[Path]) -> list[Document]:
+    options = ReadOptions(Contexts.bundled(), RELEASES)
+    return [read(SourceText(str(file), file.read_text("utf-8-sig")), options) for file in files]
+
+
+def closed(model: list[Document], vocabulary: list[Path]) -> Store:
+    store = Store()
+    assert store.load(model) == ()
+    store.load_vocabulary(vocabulary)
+    close(store, compile_axioms(vocabulary))
+    return store
+
+
+@pytest.fixture(params=[*MODELS, *PUBLISHED])
+def model(request: pytest.FixtureRequest) -> list[Document]:
+    if request.param in MODELS:
+        return documents(MODELS[request.param])
+    return documents(sorted(locate_data(*PUBLISHED[request.param]).rglob("*.json")))
+
+
+def test_the_closure_of_a_sample_is_that_of_owlrl(model):
+    """The compiled axioms and the oracle infer the same about every model we have."""
+    stated = [triple for document in model for triple in document.statements]
+
+    assert set(closed(model, ONTOLOGY).inferred()) == owlrl_closure(stated, ONTOLOGY)
+
+
+def reported(results: list[Result]) -> Counter[tuple[object, ...]]:
+    """What matters of *results*: where, by which constraint, and what its message names."""
+    return Counter(
+        (
+            each.constraint,
+            each.focus,
+            each.path,
+            each.value and normal(each.value),
+            *(
+                normal(term)
+                for name, term in sorted(each.bindings.items())
+                if any(f"{sign}{name}}}" in m for m in each.constraint.messages for sign in "?$")
+            ),
+        )
+        for each in results
+    )
+
+
+def test_both_engines_find_the_same_in_a_sample(model):
+    """pySHACL is the judge of what the compiled catalogue finds."""
+    store = closed(model, [*ONTOLOGY, *UNITS])
+
+    found = reported(list(check(store, catalogue())))
+
+    assert found == reported(check_store(store, RULES, catalogue()))
