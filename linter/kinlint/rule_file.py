@@ -1,0 +1,99 @@
+"""Reads what a rule file says about its rule: everything but the check itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+from typing import TYPE_CHECKING
+
+from kinlint.errors import RuleInvalid
+from kinlint.model import Example, Rule, Severity
+from kinlint.vocabulary import KL, SH
+
+if TYPE_CHECKING:
+    from rdflib import Graph
+    from rdflib.term import Node
+
+SEVERITIES = {
+    f"{SH}Violation": Severity.ERROR,
+    f"{SH}Warning": Severity.WARNING,
+    f"{SH}Info": Severity.INFO,
+}
+
+
+def read_rules(file: Path) -> tuple[Rule, ...]:
+    """The rules that *file* states: one for a rule file, none for plain shapes.
+
+    Raises `RuleInvalid` if it is no Turtle, states several rules, or leaves out what tells a
+    rule apart: its code and its name.
+    """
+    from rdflib import RDF, Graph, URIRef  # noqa: PLC0415
+
+    try:
+        graph = Graph().parse(file, format="turtle")
+    except Exception as error:
+        raise RuleInvalid(f"{file}: no Turtle: {' '.join(str(error).split())}") from error
+    rules = sorted(graph.subjects(RDF.type, URIRef(f"{KL}Rule")), key=str)
+    if len(rules) > 1:
+        raise RuleInvalid(f"{file}: {len(rules)} rules in one file; a rule file holds one")
+    return tuple(_rule(graph, rule, file) for rule in rules)
+
+
+def _rule(graph: Graph, subject: Node, file: Path) -> Rule:
+    from rdflib import RDFS, URIRef  # noqa: PLC0415
+
+    def values(predicate: str) -> tuple[str, ...]:
+        return tuple(sorted(str(value) for value in graph.objects(subject, URIRef(predicate))))
+
+    def value(predicate: str) -> str:
+        return next(iter(values(predicate)), "")
+
+    name = str(subject).rpartition("/")[2]
+    code = value(f"{KL}code")
+    if not code:
+        raise RuleInvalid(f"{file}: rule {name} has no kl:code")
+    if name != file.stem:
+        raise RuleInvalid(f"{file}: the rule is called {name}, so its file must be {name}.ttl")
+    severity = value(f"{SH}severity") or f"{SH}Violation"
+    if severity not in SEVERITIES:
+        raise RuleInvalid(f"{file}: {severity} is no severity that kinlint knows")
+    return Rule(
+        iri=str(subject),
+        code=code,
+        name=name,
+        title=value(str(RDFS.label)) or name,
+        why=_prose(value(str(RDFS.comment))),
+        severity=SEVERITIES[severity],
+        antipatterns=tuple(tag.removeprefix(KL) for tag in values(f"{KL}antiPattern")),
+        formats=values(f"{KL}format"),
+        links=values(str(RDFS.seeAlso)),
+        messages=tuple(sorted({str(text) for text in graph.objects(None, URIRef(f"{SH}message"))})),
+        examples=tuple(_examples(graph, subject)),
+        since=value(f"{KL}since"),
+        path=str(file),
+        whole_model=value(f"{KL}wholeModel") == "true",
+    )
+
+
+def _examples(graph: Graph, subject: Node) -> list[Example]:
+    from rdflib import Literal, URIRef  # noqa: PLC0415
+
+    def text(example: Node, which: str) -> Literal | None:
+        found = graph.value(example, URIRef(f"{KL}{which}"))
+        return found if isinstance(found, Literal) else None
+
+    examples = []
+    for example in graph.objects(subject, URIRef(f"{KL}example")):
+        bad, good = text(example, "bad"), text(example, "good")
+        written = next((each for each in (bad, good) if each is not None), None)
+        format_ = str(written.datatype or "").removeprefix(KL) if written is not None else ""
+        examples.append(Example(format_, _source(bad), _source(good)))
+    return sorted(examples, key=lambda each: (each.bad or "", each.good or ""))
+
+
+def _source(text: Node | None) -> str | None:
+    return None if text is None else dedent(str(text)).strip("\n") + "\n"
+
+
+def _prose(text: str) -> str:
+    return " ".join(text.split())

@@ -1,0 +1,200 @@
+"""The catalogue ready to run: rules, compiled constraints and axioms, cached between runs."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from kinlint import __version__, resources
+from kinlint.engine.axioms import Axiom
+from kinlint.engine.constraint import Constraint
+from kinlint.errors import RuleInvalid
+from kinlint.model import Example, Rule, Severity
+from kinlint.terms import RDF_TYPE, Term, iri, is_iri
+from kinlint.vocabulary import SRC
+
+PREFIXES = "prefixes.ttl"
+DESCRIBED = iri(f"{SRC}describedIn")
+
+
+@dataclass(frozen=True)
+class Rulebook:
+    """Everything that judges.
+
+    `vocabulary` are the Turtle files that are loaded with the data, `shapes` all files that
+    hold constraints, with the prefixes that their queries use.
+    """
+
+    rules: tuple[Rule, ...]
+    constraints: tuple[Constraint, ...]
+    axioms: tuple[Axiom, ...]
+    vocabulary: tuple[Path, ...]
+    shapes: tuple[Path, ...]
+
+    @cached_property
+    def terms(self) -> frozenset[Term]:
+        """The classes and properties that constraints match."""
+        patterns = (pattern for each in self.constraints for pattern in each.premises)
+        terms = {term for pattern in patterns for term in pattern if is_iri(term)}
+        return frozenset(terms - {RDF_TYPE, DESCRIBED})
+
+    @cached_property
+    def by_iri(self) -> dict[str, Rule]:
+        """Rules by IRI, as constraints name their owner."""
+        return {rule.iri: rule for rule in self.rules}
+
+    @cached_property
+    def by_code(self) -> dict[str, Rule]:
+        """Rules by code."""
+        return {rule.code: rule for rule in self.rules}
+
+    @cached_property
+    def by_name(self) -> dict[str, Rule]:
+        """Rules by name."""
+        return {rule.name: rule for rule in self.rules}
+
+
+def load(
+    rules: Sequence[Path] = (), shapes: Sequence[Path] = (), cache: Path | None = None
+) -> Rulebook:
+    """The built-in catalogue with the rule files below *rules* and the SHACL files *shapes*.
+
+    *cache* is a directory for compiled catalogues; None compiles anew. Raises `RuleInvalid`.
+    """
+    ours = resources.data("shapes")
+    vocabulary = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
+    files = (*_turtle(resources.data("rules")), *_rule_files(rules))
+    extra = tuple(_existing(shapes))
+    inputs = (ours / PREFIXES, *vocabulary, *files, *extra)
+    stored = cache / f"catalogue-{_digest(inputs)}.json" if cache is not None else None
+    compiled = _read(stored) if stored is not None else None
+    if compiled is None:
+        compiled = _compile(files, extra, vocabulary, ours / PREFIXES)
+        if stored is not None:
+            _write(stored, compiled)
+    return Rulebook(
+        *_revive(compiled), vocabulary=vocabulary, shapes=(ours / PREFIXES, *files, *extra)
+    )
+
+
+def _compile(
+    files: Sequence[Path], extra: Sequence[Path], vocabulary: Sequence[Path], prefixes: Path
+) -> dict[str, Any]:
+    from kinlint.engine.compiler.compile import compile_shapes  # noqa: PLC0415
+    from kinlint.engine.ontology import compile_axioms  # noqa: PLC0415
+    from kinlint.rule_file import read_rules  # noqa: PLC0415
+
+    rules = [rule for file in (*files, *extra) for rule in read_rules(file)]
+    _distinct(rules)
+    constraints = compile_shapes([prefixes, *files, *extra])
+    owners = {rule.iri for rule in rules}
+    strangers = sorted({each.owner for each in constraints} - owners)
+    rules += [_shape_rule(number, owner, constraints) for number, owner in enumerate(strangers, 1)]
+    return {
+        "rules": [asdict(rule) for rule in sorted(rules, key=lambda rule: rule.code)],
+        "constraints": [constraint.to_json() for constraint in constraints],
+        "axioms": [axiom.to_json() for axiom in compile_axioms(list(vocabulary))],
+    }
+
+
+def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> Rule:
+    """A rule that stands for a user's shape, which says nothing of codes and reasons."""
+    from kinlint.rule_file import SEVERITIES  # noqa: PLC0415
+
+    own = [each for each in constraints if each.owner == owner]
+    local = re.split(r"[#/:]", owner.rstrip("#/"))[-1]
+    name = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", local).lower())
+    return Rule(
+        iri=owner,
+        code=f"SHACL{number:03}",
+        name=name.strip("-") or f"shape-{number}",
+        title=f"violation of shape {local}",
+        why=f"The SHACL shape {owner} was given with the run and does not hold.",
+        severity=max(SEVERITIES.get(each.severity, Severity.ERROR) for each in own),
+        formats=("jsonld", "turtle"),
+        links=(owner,) if "://" in owner else (),
+        messages=tuple(sorted({text for each in own for text in each.messages})),
+    )
+
+
+def _distinct(rules: Iterable[Rule]) -> None:
+    seen: dict[str, Rule] = {}
+    for rule in rules:
+        for identity in (rule.code, rule.name):
+            other = seen.setdefault(identity, rule)
+            if other is not rule:
+                raise RuleInvalid(f"{rule.path}: {identity} is taken by {other.path}")
+
+
+def _revive(
+    compiled: dict[str, Any],
+) -> tuple[tuple[Rule, ...], tuple[Constraint, ...], tuple[Axiom, ...]]:
+    return (
+        tuple(_rule(values) for values in compiled["rules"]),
+        tuple(Constraint.from_json(values) for values in compiled["constraints"]),
+        tuple(Axiom.from_json(values) for values in compiled["axioms"]),
+    )
+
+
+def _rule(values: dict[str, Any]) -> Rule:
+    plural = {
+        name: tuple(value) for name, value in values.items() if isinstance(value, list | tuple)
+    }
+    examples = tuple(Example(**example) for example in values["examples"])
+    return Rule(
+        **{**values, **plural, "examples": examples, "severity": Severity(values["severity"])}
+    )
+
+
+def _turtle(directory: Path) -> list[Path]:
+    return sorted(directory.rglob("*.ttl"))
+
+
+def _rule_files(given: Iterable[Path]) -> Iterator[Path]:
+    for path in _existing(given):
+        yield from _turtle(path) if path.is_dir() else [path]
+
+
+def _existing(given: Iterable[Path]) -> Iterator[Path]:
+    for path in given:
+        if not path.exists():
+            raise RuleInvalid(f"{path}: no such rule or shapes file")
+        yield path
+
+
+def _digest(inputs: Iterable[Path]) -> str:
+    """What decides the compiled catalogue: the files compiled, and the code that compiles them."""
+    package = Path(__file__).parent
+    code = sorted([*package.glob("rule*.py"), *package.glob("engine/**/*.py")])
+    digest = hashlib.sha256(__version__.encode())
+    for file in (*code, *inputs):
+        digest.update(f"\0{file.name}\0".encode())
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:24]
+
+
+def _read(stored: Path) -> dict[str, Any] | None:
+    try:
+        compiled: dict[str, Any] = json.loads(stored.read_bytes())
+    except (OSError, ValueError):
+        return None
+    return compiled
+
+
+def _write(stored: Path, compiled: dict[str, Any]) -> None:
+    """Keep *compiled*; a cache that cannot be written costs time, never the run."""
+    with suppress(OSError):
+        stored.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(dir=stored.parent, suffix=".tmp")
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            json.dump(compiled, stream)
+        Path(temporary).replace(stored)
