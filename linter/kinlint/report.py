@@ -1,0 +1,44 @@
+"""The outcome of a run: everything a reporter may know."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+
+from kinlint import __version__
+from kinlint.errors import SourceError
+from kinlint.model import Finding, Rule
+
+STDIN_NAMES = frozenset({"", "-", "<stdin>"})
+"""How a source is called that came from standard input and was given no name."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a run read, applied and found.
+
+    `findings` come sorted by `Finding.sort_key`; suppressed ones are among them only if they
+    are to be shown, and then not in `suppressed`. `files` are the names of all files that were
+    read, `unapplied` those of them that no rule applied to. `rules` are the rules that were
+    asked, found anything or not; `applied` counts those that had something to judge. `seconds`
+    is wall-clock time, None where output must not depend on it. Relative file names start
+    at `root`.
+    """
+
+    findings: tuple[Finding, ...] = ()
+    suppressed: tuple[Finding, ...] = ()
+    files: tuple[str, ...] = ()
+    unapplied: tuple[str, ...] = ()
+    errors: tuple[SourceError, ...] = ()
+    rules: tuple[Rule, ...] = ()
+    triples: int = 0
+    applied: int = 0
+    seconds: float | None = None
+    baseline: int = 0
+    version: str = __version__
+    root: str = field(default_factory=os.getcwd)
+
+    @property
+    def open(self) -> tuple[Finding, ...]:
+        """The findings that nobody suppressed, should suppressed ones be among `findings`."""
+        return tuple(finding for finding in self.findings if finding.suppressed is None)

@@ -1,0 +1,125 @@
+"""Findings for people: the message, the lines with marks, the reasons, where to read on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kinlint.model import Finding, Location, Premise, Related
+from kinlint.report import Report
+from kinlint.reporters.columns import folded, shown
+from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
+from kinlint.reporters.style import INK_OF, Style
+from kinlint.reporters.summary import counted, errors
+
+NEAR_LINES = 5
+"""A related place at most so many lines away is shown in the same excerpt."""
+SAME_MESSAGES = 50
+"""More findings than this with one message are shown once, with their places."""
+PLACES_SHOWN = 10
+PREMISES_SHOWN = 24
+
+
+def render(report: Report, style: Style) -> Iterator[str]:
+    """The pieces of the text: a block for each finding, then the files that cannot be read."""
+    groups: dict[tuple[str, str, bool], list[Finding]] = {}
+    for finding in report.findings:
+        groups.setdefault(_sameness(finding), []).append(finding)
+    for finding in report.findings:
+        same = groups[_sameness(finding)]
+        if len(same) <= SAME_MESSAGES:
+            yield from _block(finding, (), style)
+        elif same[0] is finding:
+            yield from _block(finding, same[1:], style)
+    yield from errors(report, style)
+
+
+def _sameness(finding: Finding) -> tuple[str, str, bool]:
+    return finding.rule.code, finding.message, finding.suppressed is None
+
+
+def _block(finding: Finding, others: Sequence[Finding], style: Style) -> Iterator[str]:
+    near, far = _split(finding, style)
+    gutter = len(str(max(mark.line for mark in (*near, *far))))
+    margin = " " * gutter
+    bar = style.ink(f"{margin} |", "place")
+    yield _headline(finding, style) + "\n"
+    yield f"{margin}{style.ink('-->', 'place')} {_place(finding.location, style)}\n{bar}\n"
+    for row in rows(near, style, gutter, CONTEXT_LINES):
+        yield f"{row}\n"
+    yield f"{bar}\n"
+    for mark in far:
+        yield f"{margin}{style.ink(':::', 'place')} {_place(mark.location, style)}\n{bar}\n"
+        for row in rows((mark,), style, gutter):
+            yield f"{row}\n"
+        yield f"{bar}\n"
+    lead = style.ink(f"{margin} =", "place")
+    for line in _because(finding.because, style):
+        yield f"{lead if line.startswith('because') else margin + '  '} {line}\n"
+    if others:
+        yield f"{lead} {_elsewhere(others, style)}\n"
+    if finding.suppressed is not None:
+        yield f"{lead} suppressed: {folded(finding.suppressed, unicode=style.unicode)}\n"
+    yield f"{lead} docs: kinlint rule {finding.rule.code}\n\n"
+
+
+def _headline(finding: Finding, style: Style) -> str:
+    rule = finding.rule
+    code = style.link(rule.code, rule.iri)
+    kind = style.ink(f"{finding.severity.label}[{code}]", INK_OF[finding.severity])
+    message = style.ink(folded(finding.message, unicode=style.unicode), "strong")
+    tags = f" [{', '.join(rule.antipatterns)}]" if rule.antipatterns else ""
+    return f"{kind}: {message}{tags}"
+
+
+def _place(location: Location, style: Style) -> str:
+    line, column = location.start
+    return f"{shown(location.source.name, unicode=style.unicode)}:{line}:{column}"
+
+
+def _split(finding: Finding, style: Style) -> tuple[list[Mark], list[Mark]]:
+    """The marks of the finding's own excerpt, its main one first, and those shown apart."""
+    main = Mark(finding.location, INK_OF[finding.severity], sign="^")
+    near = [main]
+    far: list[Mark] = []
+    for related in sorted(finding.related, key=_in_text):
+        mark = Mark(related.location, "place", related.message)
+        (near if _fits(mark, near, style) else far).append(mark)
+    return near, far
+
+
+def _in_text(related: Related) -> tuple[str, int]:
+    return related.location.source.name, related.location.span.start
+
+
+def _fits(mark: Mark, near: Sequence[Mark], style: Style) -> bool:
+    """Whether the line is close, and what of it is shown for an earlier mark shows this one."""
+    main = near[0]
+    source = main.location.source
+    if mark.location.source.name != source.name or abs(mark.line - main.line) > NEAR_LINES:
+        return False
+    leader = next((other for other in near if other.line == mark.line), mark)
+    return cut(source, mark.line, leader.start, style).holds(mark.start)
+
+
+def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
+    """A line for each statement that the finding rests on, what it follows from below it."""
+    lead = "because: "
+    for premise in premises[:PREMISES_SHOWN]:
+        text = folded(premise.statement, unicode=style.unicode)
+        if premise.inferred:
+            text += f", inferred: {folded(premise.axiom, unicode=style.unicode)}"
+        if premise.location is not None:
+            name = shown(premise.location.source.name, unicode=style.unicode)
+            text += f" ({name}:{premise.location.start.line})"
+        yield lead + "  " * premise.depth + text
+        lead = " " * len(lead)
+    if len(premises) > PREMISES_SHOWN:
+        more = len(premises) - PREMISES_SHOWN
+        yield f"{lead}and {more:,} more"
+
+
+def _elsewhere(others: Sequence[Finding], style: Style) -> str:
+    places = ", ".join(_place(other.location, style) for other in others[:PLACES_SHOWN])
+    rest = len(others) - PLACES_SHOWN
+    more = f" and {rest:,} more" if rest > 0 else ""
+    return f"note: the same at {counted(len(others), 'other place')}: {places}{more}"

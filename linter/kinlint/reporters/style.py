@@ -1,0 +1,93 @@
+"""How text may look where it goes: colours, links, characters and width."""
+
+from __future__ import annotations
+
+import codecs
+import os
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, TextIO, TypeAlias
+
+from kinlint.model import Severity
+
+When: TypeAlias = Literal["auto", "always", "never"]
+Ink: TypeAlias = Literal["error", "warning", "info", "place", "note", "strong"]
+
+_INKS: Mapping[Ink, str] = {
+    "error": "1;31",
+    "warning": "1;33",
+    "info": "1;36",
+    "place": "1;34",
+    "note": "32",
+    "strong": "1",
+}
+INK_OF: Mapping[Severity, Ink] = {
+    Severity.ERROR: "error",
+    Severity.WARNING: "warning",
+    Severity.INFO: "info",
+}
+PLAIN_WIDTH = 140
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """What may be used: the 16 ANSI colours, OSC 8 links, characters beyond ASCII.
+
+    `width` is that of the terminal, in columns. Nothing is ever said by colour alone.
+    """
+
+    color: bool = False
+    links: bool = False
+    unicode: bool = True
+    width: int = PLAIN_WIDTH
+
+    def ink(self, text: str, ink: Ink) -> str:
+        """*text* in a colour, or as it is."""
+        return f"\x1b[{_INKS[ink]}m{text}\x1b[0m" if self.color and text else text
+
+    def link(self, text: str, url: str) -> str:
+        """*text* as a link to *url* (the OSC 8 escape sequence), or as it is."""
+        return f"\x1b]8;;{url}\x1b\\{text}\x1b]8;;\x1b\\" if self.links and url else text
+
+
+def style_of(
+    stream: TextIO, when: When = "auto", environment: Mapping[str, str] | None = None
+) -> Style:
+    """What *stream* can show.
+
+    *when* decides over everything else, then NO_COLOR, then FORCE_COLOR and CLICOLOR_FORCE,
+    then TERM=dumb, then whether the stream is a terminal (https://no-color.org,
+    https://bixense.com/clicolors).
+    """
+    said = os.environ if environment is None else environment
+    terminal = stream.isatty()
+    dumb = said.get("TERM") == "dumb"
+    color = when == "always" or (when == "auto" and _wants_color(said, terminal=terminal))
+    width = shutil.get_terminal_size((PLAIN_WIDTH, 24)).columns if terminal else PLAIN_WIDTH
+    return Style(
+        color=color,
+        links=color and terminal and not dumb,
+        unicode=_shows_unicode(stream),
+        width=max(width, 40),
+    )
+
+
+def _wants_color(said: Mapping[str, str], *, terminal: bool) -> bool:
+    if said.get("NO_COLOR"):
+        return False
+    if said.get("FORCE_COLOR", "0") not in {"", "0"}:
+        return True
+    if said.get("CLICOLOR_FORCE", "0") not in {"", "0"}:
+        return True
+    return terminal and said.get("TERM") != "dumb" and said.get("CLICOLOR") != "0"
+
+
+def _shows_unicode(stream: TextIO) -> bool:
+    encoding = getattr(stream, "encoding", None)
+    if encoding is None:
+        return True
+    try:
+        return codecs.lookup(encoding).name.startswith("utf")
+    except LookupError:
+        return False

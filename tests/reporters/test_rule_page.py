@@ -1,0 +1,101 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+from reported import INERTIA, RULES
+
+from kinlint.model import Example
+from kinlint.reporters import rule_page
+from kinlint.reporters.example import marked
+from kinlint.reporters.style import Style
+from kinlint.text import Span
+
+
+def test_the_text_explains_the_rule() -> None:
+    assert "".join(rule_page.text(INERTIA, Style())) == (
+        """\
+INE007 inertia-seen-by-foreign-frame: inertia is seen by a frame of another body
+
+Severity: error
+Anti-pattern: AP3 (Artificial structural constraints)
+Formats: jsonld
+Since: 0.1.0
+
+An inertia is a matrix of numbers, and numbers need a frame.
+
+A frame that moves against the body makes them wrong.
+
+Bad:
+
+    {
+      "as-seen-by": "rob:link1-root"
+                    ^^^^^^^^^^^^^^^^
+    }
+
+Good:
+
+    { "as-seen-by": "rob:link2-root" }
+
+To ignore it:
+
+  - for one run: --ignore INE007
+  - for a project: ignore = ["INE007"] under [tool.kinlint] in pyproject.toml
+  - for one node of a model: "https://w3id.org/kinlint/ns#ignore": "INE007"
+
+See also:
+
+  - https://example.org/inertia
+"""
+    )
+
+
+def test_the_page_is_drawn_where_there_are_colours() -> None:
+    text = "".join(rule_page.text(INERTIA, Style(color=True)))
+    assert "\x1b[" in text
+    assert "rob:link2-root" in text
+
+
+def test_markdown_has_examples_in_fences() -> None:
+    text = rule_page.markdown(INERTIA)
+    assert text.startswith("# INE007 inertia-seen-by-foreign-frame\n\n**inertia is seen by")
+    assert '```text\n{\n  "as-seen-by": "rob:link1-root"\n  ' in text
+    assert '```json\n{ "as-seen-by": "rob:link2-root" }\n```\n' in text
+    assert "- <https://example.org/inertia>\n" in text
+
+
+def test_a_fence_is_longer_than_any_ticks_inside() -> None:
+    rule = replace(INERTIA, examples=(Example("jsonld", None, '{"a": "```"}'),))
+    assert '````json\n{"a": "```"}\n````' in rule_page.markdown(rule)
+
+
+def test_the_object_has_examples_without_marks_and_where_they_were() -> None:
+    page = rule_page.rule_object(INERTIA)
+    assert page["code"] == "INE007"
+    assert page["severity"] == "error"
+    assert page["url"] == INERTIA.iri
+    (example,) = page["examples"]
+    assert example["bad"] == '{\n  "as-seen-by": "rob:link1-root"\n}'
+    assert example["marks"] == [{"row": 2, "column": 17, "end_row": 2, "end_column": 33}]
+
+
+def test_the_index_lists_rules_by_code_and_links_their_files() -> None:
+    assert rule_page.index(reversed(RULES)) == (
+        "| Code | Name | Severity | Anti-patterns | What it finds |\n"
+        "|---|---|---|---|---|\n"
+        "| INE007 | [inertia-seen-by-foreign-frame](inertia/inertia-seen-by-foreign-frame.ttl) "
+        "| error | AP3 | inertia is seen by a frame of another body |\n"
+        "| UNI002 | unit-quantity-mismatch "
+        "| warning | AP5, AP6 | unit does not fit its quantity |\n"
+    )
+
+
+def test_a_rule_that_says_little_has_a_page() -> None:
+    rule = replace(INERTIA, why="", examples=(), links=(), antipatterns=(), formats=(), since="")
+    assert "Severity: error\n\nTo ignore it" in "".join(rule_page.text(rule, Style()))
+    assert rule_page.help_text(rule) == "kinlint rule INE007"
+
+
+def test_marks_may_be_nested_and_many() -> None:
+    example = marked("a [|b [|c|] d|] e [|f|]", "jsonld")
+    assert example.text == "a b c d e f"
+    assert example.marks == (Span(2, 7), Span(4, 5), Span(10, 11))

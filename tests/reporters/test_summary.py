@@ -1,0 +1,80 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from reported import BOTH, here, report, unit_finding
+
+from kinlint.errors import SourceError
+from kinlint.model import Severity
+from kinlint.report import Report
+from kinlint.reporters.style import Style
+from kinlint.reporters.summary import summary
+
+UNREAD = SourceError("bad.jsonld", "no JSON")
+WARNING = unit_finding(here("x", 0, 1))
+ERROR = replace(WARNING, severity=Severity.ERROR)
+
+
+def said(made: Report, *, verbose: bool = False) -> str:
+    return "".join(summary(made, Style(), verbose=verbose))
+
+
+def test_findings_are_counted_by_severity_and_file() -> None:
+    made = report(
+        ERROR,
+        unit_finding(here("x", name="b.jsonld"), severity=Severity.ERROR),
+        WARNING,
+        files=tuple("abcdefg"),
+        triples=1204,
+        seconds=0.42,
+        suppressed=(WARNING,),
+        baseline=3,
+    )
+    assert said(made) == (
+        "Found 2 errors and 1 warning in 2 files (7 files, 1,204 triples, 0.4 s); "
+        "1 suppressed, 3 in the baseline.\n"
+    )
+
+
+def test_three_severities_make_a_list() -> None:
+    info = replace(WARNING, severity=Severity.INFO)
+    made = report(ERROR, WARNING, info, triples=1)
+    assert said(made) == "Found 1 error, 1 warning and 1 info in 1 file (1 file, 1 triple).\n"
+
+
+def test_little_time_is_told_more_exactly() -> None:
+    assert "0.02 s)" in said(replace(BOTH, seconds=0.021))
+
+
+def test_a_clean_run_says_so_and_how_much_was_checked_if_asked() -> None:
+    made = Report(files=("a", "b"), triples=1204, applied=16, seconds=0.4)
+    assert said(made) == "All checks passed!\n"
+    assert said(made, verbose=True) == (
+        "All checks passed! (2 files, 1,204 triples, 0.4 s, 16 rules applied)\n"
+    )
+
+
+def test_what_is_shown_though_suppressed_is_no_finding() -> None:
+    silent = replace(WARNING, suppressed="known")
+    assert said(report(silent)) == "All checks passed! 1 suppressed.\n"
+    assert said(report(ERROR, silent)).endswith("; 1 suppressed.\n")
+
+
+@pytest.mark.parametrize(
+    ("made", "expected"),
+    [
+        (Report(), "No files were checked."),
+        (Report(errors=(UNREAD,)), "1 file could not be read; no findings in the others."),
+        (
+            Report(files=("x.jsonld",), unapplied=("x.jsonld",)),
+            "x.jsonld: 0 rules applied: no known vocabulary\nNothing was checked: no rule applies.",
+        ),
+        (
+            Report(files=("x.jsonld", "y.jsonld"), unapplied=("x.jsonld",)),
+            "x.jsonld: 0 rules applied: no known vocabulary\nAll checks passed!",
+        ),
+    ],
+)
+def test_a_run_without_findings_never_passes_silently(made: Report, expected: str) -> None:
+    assert said(made) == expected + "\n"
