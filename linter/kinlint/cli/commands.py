@@ -1,0 +1,31 @@
+"""The subcommands, and which of them a command line means."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+
+from kinlint.suggestion import did_you_mean
+
+COMMANDS: Mapping[str, tuple[str, str]] = {
+    "check": ("kinlint.cli.check", "lint robot models (the default)"),
+    "rule": ("kinlint.cli.rule", "explain a rule, or all of them"),
+    "test-rules": ("kinlint.cli.rule_tests", "test rules by the examples in their files"),
+    "version": ("kinlint.cli.version", "show the version"),
+}
+"""The module of each subcommand, whose `run` takes the arguments and gives the exit code."""
+
+
+def run(arguments: list[str]) -> int:
+    """Run the subcommand that *arguments* begin with, else `check`."""
+    name = arguments[0] if arguments[:1] and arguments[0] in COMMANDS else None
+    module = import_module(COMMANDS[name or "check"][0])
+    command: Callable[[list[str]], int] = module.run
+    return command(arguments[1:] if name else arguments)
+
+
+def hint(word: str) -> str:
+    """What to add where *word* is no path: it may be a command, or a slip of one."""
+    if word in COMMANDS:
+        return f"; the command '{word}' comes first: kinlint {word} ..."
+    return did_you_mean(word, COMMANDS) if word.replace("-", "").isalpha() else ""

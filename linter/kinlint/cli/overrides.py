@@ -1,0 +1,110 @@
+"""What the options of `kinlint check` say, as a configuration on top of all others."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from kinlint.config import Choice
+from kinlint.config_file import Config, Configs, PerFile, config_of, load, per_file
+from kinlint.config_keys import KEYS, SEVERITIES
+from kinlint.errors import ConfigError, UsageError
+from kinlint.model import Severity
+from kinlint.pathglob import Glob, absolute
+
+ORIGIN = "command line"
+
+
+def overrides(options: Namespace) -> Config:
+    """The keys of `--config`, and on top of them the other options."""
+    here = Path.cwd()
+    texts = [text for text in options.config or () if _is_key(text)]
+    inline = config_of(_keys(texts), "--config", here) if texts else Config(ORIGIN)
+    above = inline.under(
+        Config(
+            origin=ORIGIN,
+            choices=_choices(options),
+            exclude=_globs(options.exclude),
+            extend_exclude=_globs(options.extend_exclude) or (),
+            per_file_ignores=_per_file(options.per_file_ignores),
+            extend_per_file_ignores=_per_file(options.extend_per_file_ignores) or (),
+            fail_on=options.fail_on,
+            contexts=options.contexts,
+            partial=options.partial,
+            engine=options.engine,
+        )
+    )
+    return replace(above, origin=ORIGIN)
+
+
+def configs(options: Namespace) -> Configs:
+    """Where configuration comes from: `--config PATH`, nowhere, or the nearest file."""
+    paths = [text for text in options.config or () if not _is_key(text)]
+    if len(paths) > 1:
+        raise UsageError(f"--config: two files, '{paths[0]}' and '{paths[1]}'; one may be given")
+    if paths and options.isolated:
+        raise UsageError(f"--config '{paths[0]}' and --isolated exclude each other")
+    if paths:
+        path = absolute(paths[0])
+        if not path.exists():
+            raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE")
+        return Configs(fixed=load(path))
+    return Configs(fixed=Config("defaults") if options.isolated else None)
+
+
+def _is_key(text: str) -> bool:
+    return "=" in text and not Path(text).exists()
+
+
+def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
+    """The keys that `--config KEY=VALUE` sets, later ones on top."""
+    import tomllib  # noqa: PLC0415  rarely used
+
+    said: dict[str, Any] = {}
+    for text in texts:
+        try:
+            new = tomllib.loads(text)
+        except tomllib.TOMLDecodeError as error:
+            key, _, value = (part.strip() for part in text.partition("="))
+            hint = f'; a string needs quotes: {key}="{value}"' if value.isprintable() else ""
+            raise ConfigError(f"--config '{text}': not TOML: {error}{hint}") from None
+        for key, value in new.items():
+            old = said.get(key)
+            said[key] = {**old, **value} if isinstance(old, dict) and KEYS.get(key) else value
+    return said
+
+
+def _choices(options: Namespace) -> tuple[Choice, ...]:
+    severity = tuple(
+        (selector, Severity[word.upper()])
+        for word in SEVERITIES
+        for selector in getattr(options, word) or ()
+    )
+    choice = Choice(
+        origin=ORIGIN,
+        select=None if options.select is None else tuple(options.select),
+        extend_select=tuple(options.extend_select or ()),
+        ignore=tuple(options.ignore or ()),
+        severity=severity,
+    )
+    return () if choice == Choice(origin=ORIGIN) else (choice,)
+
+
+def _globs(patterns: list[str] | None) -> tuple[Glob, ...] | None:
+    return None if patterns is None else tuple(Glob(Path.cwd(), text) for text in patterns)
+
+
+def _per_file(pairs: list[str] | None) -> tuple[PerFile, ...] | None:
+    """Entries `GLOB:R`; the same GLOB may come again."""
+    if pairs is None:
+        return None
+    entries = []
+    for pair in pairs:
+        key, colon, selector = pair.rpartition(":")
+        if not colon or not key or not selector:
+            raise UsageError(f"--per-file-ignores: expected GLOB:R, got '{pair}'")
+        entries.append(per_file(key.strip(), (selector.strip(),), ORIGIN, Path.cwd()))
+    return tuple(entries)

@@ -1,0 +1,69 @@
+"""`kinlint rule`: explains rules from their own files."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterator, Sequence
+
+from kinlint import rulebook
+from kinlint.cli.parser import HelpShown, Parser, one_of
+from kinlint.cli.settings import cache_directory
+from kinlint.errors import UsageError
+from kinlint.model import Rule
+from kinlint.pathglob import absolute
+from kinlint.reporters.registry import put
+from kinlint.reporters.rule_page import markdown, rule_object, text
+from kinlint.reporters.style import style_of
+from kinlint.selection import Catalogue
+
+FORMATS = ("text", "markdown", "json")
+
+
+def parser() -> Parser:
+    """The parser of `kinlint rule`."""
+    made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
+    made.rest("names", "R", "code, name, beginning of codes, or anti-pattern")
+    made.add_argument("--all", action="store_true", help="every rule")
+    made.add_argument(
+        "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
+    )
+    made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
+    made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
+    return made
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Print the pages that *arguments* ask for; the exit code."""
+    try:
+        options = parser().read(arguments)
+    except HelpShown:
+        return 0
+    if not options.names and not options.all:
+        raise UsageError("name a rule, such as UNI002, or use --all")
+    extra = [absolute(path) for path in options.rules or ()]
+    book = rulebook.load(extra, (), cache_directory(os.environ))
+    catalogue = Catalogue(book.rules)
+    wanted = options.names or ["ALL"]
+    codes = frozenset[str]().union(*(catalogue.find(each)[1] for each in wanted))
+    rules = [rule for rule in book.rules if rule.code in codes]
+    single = len(wanted) == 1 and wanted[0] in catalogue.exact
+    if options.output_format == "json":
+        pages = [rule_object(rule) for rule in rules]
+        written = json.dumps(pages[0] if single else pages, indent=2, ensure_ascii=False)
+        put(iter([written, "\n"]), sys.stdout)
+    else:
+        put(_pages(rules, options.output_format, options.color), sys.stdout)
+    return 0
+
+
+def _pages(rules: Sequence[Rule], form: str, color: str) -> Iterator[str]:
+    style = style_of(sys.stdout, color)  # type: ignore[arg-type]
+    for number, rule in enumerate(rules):
+        if number:
+            yield "\n" if form == "markdown" else "\n" + "-" * 80 + "\n\n"
+        if form == "markdown":
+            yield markdown(rule)
+        else:
+            yield from text(rule, style)

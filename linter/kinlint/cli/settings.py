@@ -1,0 +1,147 @@
+"""Puts configuration files and options together into the settings of a run."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from kinlint.config import FileSettings, Ignore, Settings
+from kinlint.config_file import Config, Configs
+from kinlint.contexts.library import NEWEST, Contexts
+from kinlint.discovery import SKIPPED, Input
+from kinlint.errors import ConfigError, UsageError
+from kinlint.pathglob import Glob, absolute
+
+DEFAULTS: Mapping[str, Any] = {
+    "contexts": NEWEST,
+    "extra_contexts": {},
+    "context_directories": (),
+    "rules": (),
+    "shapes": (),
+    "partial": False,
+    "engine": "oxigraph",
+}
+WIDE = tuple(DEFAULTS)
+"""What concerns the one graph that all files make, so that it must be the same for all."""
+
+
+@dataclass
+class Layers:
+    """The configuration of each directory, `top` (the options) on top of its file."""
+
+    files: Configs
+    top: Config
+    _known: dict[Path, Config] = field(default_factory=dict)
+    _skipped: tuple[Glob, ...] = field(
+        default_factory=lambda: tuple(Glob(Path.cwd(), name) for name in SKIPPED)
+    )
+
+    def of(self, directory: Path) -> Config:
+        """What holds in *directory*, which is absolute."""
+        if directory not in self._known:
+            below = self.files.of(directory) or Config("defaults")
+            self._known[directory] = below.under(self.top)
+        return self._known[directory]
+
+    def excluding(self, directory: Path) -> Sequence[Glob]:
+        """The patterns of what to pass over in *directory*."""
+        config = self.of(directory)
+        exclude = self._skipped if config.exclude is None else config.exclude
+        return (*exclude, *config.extend_exclude)
+
+    def project(self, inputs: Iterable[Input]) -> Config:
+        """The configuration nearest to the directory that all *inputs* have in common."""
+        folders = {str(home(one)) for one in inputs}
+        return self.of(Path(os.path.commonpath(folders)) if folders else Path.cwd())
+
+    def settings(self, inputs: Sequence[Input], **given: Any) -> Settings:
+        """The settings of a run over *inputs*; *given* are those that only options decide.
+
+        Raises `ConfigError` if files differ in what concerns the whole graph.
+        """
+        project = self.project(inputs)
+        wide = self._wide(project, inputs)
+        wide["contexts"] = _release(wide["contexts"], self.top if self.top.contexts else project)
+        for name in ("rules", "shapes"):
+            wide[name] = (*wide[name], *given.pop(name, ()))
+        return Settings(
+            **wide,
+            default=_file(project, Path.cwd()),
+            files={one.name: _file(self.of(home(one)), _path(one)) for one in inputs},
+            **given,
+        )
+
+    def _wide(self, project: Config, inputs: Iterable[Input]) -> dict[str, Any]:
+        """The value of each key of `WIDE`, on which all configurations must agree."""
+        configs = list({id(each): each for each in map(self._home, inputs)}.values()) or [project]
+        each = [_graph_settings(config, project) for config in configs]
+        for config, said in zip(configs, each, strict=True):
+            for key in WIDE:
+                if said[key] != each[0][key]:
+                    raise ConfigError(_disagreement(key, config, configs[0]))
+        return each[0]
+
+    def _home(self, one: Input) -> Config:
+        return self.of(home(one))
+
+
+def home(one: Input) -> Path:
+    """The directory whose configuration governs *one*."""
+    return _path(one).parent
+
+
+def _path(one: Input) -> Path:
+    return absolute(one.name) if one.path is None else one.path
+
+
+def _file(config: Config, path: Path) -> FileSettings:
+    entries = (*(config.per_file_ignores or ()), *config.extend_per_file_ignores)
+    return FileSettings(
+        choices=config.choices,
+        ignores=tuple(
+            Ignore(one.selectors, one.key, one.origin, one.pointer, one.iri)
+            for one in entries
+            if one.iri is not None or one.glob.covers(path)
+        ),
+        require_reason=bool(config.require_reason),
+    )
+
+
+def _release(name: str, config: Config) -> str:
+    """The release that *config* calls *name*."""
+    try:
+        return Contexts.bundled(name).release
+    except UsageError as error:
+        raise type(error)(f"{config.origin}: contexts: {error}") from None
+
+
+def _graph_settings(config: Config, project: Config) -> dict[str, Any]:
+    """What *config* says of the keys of `WIDE`, else *project*, else nobody."""
+    said = {key: getattr(config, key) for key in WIDE}
+    said = {key: getattr(project, key) if value is None else value for key, value in said.items()}
+    return {key: DEFAULTS[key] if value is None else value for key, value in said.items()}
+
+
+def _disagreement(key: str, one: Config, other: Config) -> str:
+    name = "extra-contexts" if key == "context_directories" else key.replace("_", "-")
+    return (
+        f"{one.origin} and {other.origin} differ in '{name}', but all files of a run are one graph;"
+        f" say it on the command line, or lint the files apart"
+    )
+
+
+def cache_directory(environment: Mapping[str, str]) -> Path:
+    """Where this system keeps caches, or KINLINT_CACHE_DIR."""
+    if said := environment.get("KINLINT_CACHE_DIR"):
+        return Path(said)
+    if sys.platform == "win32":
+        base = Path(environment.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Caches"
+    else:
+        base = Path(environment.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return base / "kinlint"

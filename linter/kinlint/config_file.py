@@ -1,0 +1,222 @@
+"""Configuration files: where they are, what they say, and what they extend.
+
+`.kinlint.toml`, `kinlint.toml` or `pyproject.toml` with `[tool.kinlint]`: the first of these in
+the nearest directory upwards governs a file. Others are not merged in, unless it says `extend`.
+Relative paths and patterns start at the directory of the file that says them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+from kinlint.config import Choice
+from kinlint.config_keys import check
+from kinlint.errors import ConfigError
+from kinlint.model import Severity
+from kinlint.pathglob import Glob, absolute
+
+NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")
+
+
+@dataclass(frozen=True, slots=True)
+class PerFile:
+    """An entry of `per-file-ignores`: selectors for files, a place in files, or an entity."""
+
+    key: str
+    origin: str
+    glob: Glob
+    selectors: tuple[str, ...]
+    pointer: str | None = None
+    iri: str | None = None
+
+
+@dataclass(frozen=True)
+class Config:
+    """What one configuration says, with all that it extends; None where it says nothing.
+
+    `choices` are layers of rule selection, the lowest first.
+    """
+
+    origin: str
+    choices: tuple[Choice, ...] = ()
+    exclude: tuple[Glob, ...] | None = None
+    extend_exclude: tuple[Glob, ...] = ()
+    per_file_ignores: tuple[PerFile, ...] | None = None
+    extend_per_file_ignores: tuple[PerFile, ...] = ()
+    require_reason: bool | None = None
+    fail_on: str | None = None
+    output_format: str | None = None
+    contexts: str | None = None
+    extra_contexts: Mapping[str, Path] | None = None
+    context_directories: tuple[Path, ...] | None = None
+    rules: tuple[Path, ...] | None = None
+    shapes: tuple[Path, ...] | None = None
+    partial: bool | None = None
+    engine: str | None = None
+
+    def under(self, above: Config) -> Config:
+        """The two as one, *above* on top: lists that extend add up, the rest replaces.
+
+        `origin` stays, since it names the file.
+        """
+        changes: dict[str, Any] = {}
+        for one in fields(self):
+            mine, theirs = getattr(self, one.name), getattr(above, one.name)
+            if one.name == "choices" or one.name.startswith("extend_"):
+                changes[one.name] = (*mine, *theirs)
+            elif theirs is not None and one.name != "origin":
+                changes[one.name] = theirs
+        return replace(self, **changes)
+
+
+def shown(path: Path) -> str:
+    """*path* as people see it: from the working directory if it lies below."""
+    here = Path.cwd()
+    return path.relative_to(here).as_posix() if path.is_relative_to(here) else path.as_posix()
+
+
+def config_of(values: Mapping[str, Any], origin: str, root: Path) -> Config:
+    """The configuration that *values* state, read from *origin*; paths start at *root*.
+
+    Raises `ConfigError` for unknown keys and values of the wrong kind.
+    """
+    said = check(values, origin)
+    contexts = said.get("extra-contexts")
+    return Config(
+        origin=origin,
+        choices=_choices(said, origin),
+        exclude=_globs(said.get("exclude"), root),
+        extend_exclude=_globs(said.get("extend-exclude"), root) or (),
+        per_file_ignores=_per_file(said.get("per-file-ignores"), origin, root),
+        extend_per_file_ignores=_per_file(said.get("extend-per-file-ignores"), origin, root) or (),
+        require_reason=said.get("require-reason"),
+        fail_on=said.get("fail-on"),
+        output_format=said.get("output-format"),
+        contexts=said.get("contexts"),
+        extra_contexts=_table(contexts, root) if isinstance(contexts, dict) else None,
+        context_directories=None if isinstance(contexts, dict) else _paths(contexts, root),
+        rules=_paths(said.get("rules"), root),
+        shapes=_paths(said.get("shapes"), root),
+        partial=said.get("partial"),
+        engine=said.get("engine"),
+    )
+
+
+def _choices(said: Mapping[str, Any], origin: str) -> tuple[Choice, ...]:
+    select = said.get("select")
+    choice = Choice(
+        origin=origin,
+        select=None if select is None else tuple(select),
+        extend_select=tuple(said.get("extend-select", ())),
+        ignore=tuple(said.get("ignore", ())),
+        severity=tuple(
+            (selector, Severity[word.upper()])
+            for selector, word in said.get("severity", {}).items()
+        ),
+    )
+    return () if choice == Choice(origin=origin) else (choice,)
+
+
+def _globs(patterns: list[str] | None, root: Path) -> tuple[Glob, ...] | None:
+    return None if patterns is None else tuple(Glob(root, pattern) for pattern in patterns)
+
+
+def _paths(said: str | list[str] | None, root: Path) -> tuple[Path, ...] | None:
+    if said is None:
+        return None
+    listed = [said] if isinstance(said, str) else said
+    return tuple(absolute(root / Path(path).expanduser()) for path in listed)
+
+
+def _table(said: Mapping[str, str], root: Path) -> Mapping[str, Path]:
+    return {iri: absolute(root / Path(path).expanduser()) for iri, path in said.items()}
+
+
+def _per_file(
+    said: Mapping[str, list[str]] | None, origin: str, root: Path
+) -> tuple[PerFile, ...] | None:
+    if said is None:
+        return None
+    return tuple(per_file(key, tuple(sels), origin, root) for key, sels in said.items())
+
+
+def per_file(key: str, selectors: tuple[str, ...], origin: str, root: Path) -> PerFile:
+    """What *key* means: `<iri>`, `glob#/json/pointer`, `glob` or `!glob`."""
+    if key.startswith("<") and key.endswith(">"):
+        return PerFile(key, origin, Glob(root, "/**"), selectors, iri=key[1:-1])
+    pattern, mark, pointer = key.partition("#/")
+    place = f"/{pointer}" if mark else None
+    return PerFile(key, origin, Glob(root, pattern), selectors, pointer=place)
+
+
+@dataclass
+class Configs:
+    """The configuration that governs a directory, each file read once.
+
+    With `fixed`, that one governs everywhere.
+    """
+
+    fixed: Config | None = None
+    _nearest: dict[Path, Config | None] = field(default_factory=dict)
+
+    def of(self, directory: Path) -> Config | None:
+        """The nearest configuration at or above *directory*, which is absolute."""
+        if self.fixed is not None:
+            return self.fixed
+        if directory not in self._nearest:
+            found = _in(directory)
+            above = directory.parent
+            self._nearest[directory] = found or (None if above == directory else self.of(above))
+        return self._nearest[directory]
+
+
+def _in(directory: Path) -> Config | None:
+    for name in NAMES:
+        path = directory / name
+        if path.is_file() and (values := _values(path)) is not None:
+            return _extended(path, values, ())
+    return None
+
+
+def load(path: Path) -> Config:
+    """The configuration in the file at *path*, which must have one."""
+    values = _values(path)
+    if values is None:
+        raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
+    return _extended(path, values, ())
+
+
+def _extended(path: Path, values: Mapping[str, Any], seen: tuple[Path, ...]) -> Config:
+    """The configuration of *values* on top of what it extends; *seen* came before."""
+    config = config_of(values, shown(path), path.parent)
+    if "extend" not in values:
+        return config
+    base = absolute(path.parent / Path(values["extend"]).expanduser())
+    if base in (*seen, path):
+        raise ConfigError(f"{shown(path)}: extend: '{values['extend']}' extends itself")
+    said = _values(base)
+    if said is None:
+        raise ConfigError(f"{shown(path)}: extend: {shown(base)} has no [tool.kinlint]")
+    below = _extended(base, said, (*seen, path))
+    return replace(below.under(config), origin=config.origin)
+
+
+def _values(path: Path) -> Mapping[str, Any] | None:
+    """What the file says, unchecked; None for a `pyproject.toml` that is not about kinlint."""
+    import tomllib  # noqa: PLC0415  most runs have no configuration
+
+    try:
+        said: dict[str, Any] = tomllib.loads(path.read_text("utf-8"))
+    except OSError as error:
+        raise ConfigError(f"{shown(path)}: {error.strerror or error}") from None
+    except UnicodeDecodeError:
+        raise ConfigError(f"{shown(path)}: not UTF-8") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigError(f"{shown(path)}: not TOML: {error}") from None
+    if path.name != "pyproject.toml":
+        return said
+    tool = said.get("tool", {})
+    return tool.get("kinlint") if isinstance(tool, dict) else None

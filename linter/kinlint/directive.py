@@ -1,0 +1,150 @@
+"""The `kl:ignore` statements of models, read for what they silence.
+
+A value names rules by a literal or an IRI (`"UNI001"`, `rule:missing-unit`, `kl:UNI001`), or is
+a node that says so with `kl:rule`, says why with `kl:reason` and until when with `kl:until`.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from datetime import date
+
+from kinlint.document import Document
+from kinlint.errors import UsageError
+from kinlint.selection import Catalogue
+from kinlint.terms import Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
+from kinlint.text import Span
+from kinlint.vocabulary import KL, RULE, SRC
+
+IGNORE = iri(f"{KL}ignore")
+ABOUT = iri(f"{SRC}node")
+_RULE, _REASON, _UNTIL = (iri(f"{KL}{name}") for name in ("rule", "reason", "until"))
+_GRAPH_NAME = iri(f"{SRC}name")
+_NAMED_GRAPH = iri(f"{SRC}NamedGraph")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Directive:
+    """One `kl:ignore` on `node`, about one selector.
+
+    `codes` are the rules that `selector` names, none if it is unknown. `until` is the end as it
+    is written; `active` tells that it is not over. `whole_file` tells that `node` is the name of
+    the file's graph.
+    """
+
+    document: Document
+    statement: Triple
+    span: Span
+    selector: str
+    codes: frozenset[str]
+    reason: str | None = None
+    until: str | None = None
+    active: bool = True
+    whole_file: bool = False
+
+    @property
+    def node(self) -> Term:
+        """What the statement is about."""
+        return self.statement[0]
+
+    def names(self, codes: frozenset[str]) -> bool:
+        """Whether it silences one of *codes*."""
+        return not self.codes.isdisjoint(codes)
+
+    @property
+    def excuse(self) -> str:
+        """Why a finding is silent: the reason given, or where it is ignored."""
+        source = self.document.source
+        line = source.position(self.span.start).line
+        return self.reason or f"kl:ignore at {source.name}:{line}"
+
+
+def directives(
+    documents: Iterable[Document], catalogue: Catalogue, today: date
+) -> tuple[Directive, ...]:
+    """Every `kl:ignore` of *documents*, in their order."""
+    return tuple(
+        directive
+        for document in documents
+        if any(statement[1] == IGNORE for statement in document.statements)
+        for directive in _of(document, catalogue, today)
+    )
+
+
+def _of(document: Document, catalogue: Catalogue, today: date) -> Iterator[Directive]:
+    said: dict[tuple[Term, Term], list[Term]] = defaultdict(list)
+    for subject, predicate, value in document.statements:
+        if predicate in (_RULE, _REASON, _UNTIL):
+            said[subject, predicate].append(value)
+    graphs = _graph_names(document)
+    for statement in document.statements:
+        if statement[1] != IGNORE:
+            continue
+        value = statement[2]
+        until = next(iter(said.get((value, _UNTIL), ())), None)
+        reason = next(iter(said.get((value, _REASON), ())), None)
+        for named in [(value, _RULE, rule) for rule in said.get((value, _RULE), ())] or [statement]:
+            selector = _selector(named[2])
+            yield Directive(
+                document=document,
+                statement=statement,
+                span=_span(document, named, statement),
+                selector=selector,
+                codes=_codes(selector, catalogue),
+                reason=_text(reason),
+                until=_text(until),
+                active=until is None or _lasts(_text(until) or "", today),
+                whole_file=statement[0] in graphs,
+            )
+
+
+def _graph_names(document: Document) -> frozenset[Term]:
+    """The nodes that stand for the whole file."""
+    losses = {s for s, _, o in document.statements if o == _NAMED_GRAPH}
+    names = (o for s, p, o in document.statements if p == _GRAPH_NAME and s in losses)
+    return frozenset({document.graph, *names})
+
+
+def _span(document: Document, *statements: Triple) -> Span:
+    """The span of the first of *statements* that is located, else of its subject."""
+    spans: Mapping[Triple, Span] = document.map.triples
+    for statement in statements:
+        if span := spans.get(statement):
+            return span
+    node = document.map.nodes.get(statements[-1][0])
+    return node.best if node else Span(0, 0)
+
+
+def _selector(value: Term) -> str:
+    if is_literal(value):
+        return literal_value(value)
+    if not is_iri(value):
+        return ""
+    written = iri_value(value)
+    for namespace in (RULE, KL):
+        if written.startswith(namespace):
+            return written.removeprefix(namespace)
+    return written
+
+
+def _codes(selector: str, catalogue: Catalogue) -> frozenset[str]:
+    try:
+        return catalogue.find(selector)[1]
+    except UsageError:
+        return frozenset()
+
+
+def _text(value: Term | None) -> str | None:
+    if value is None:
+        return None
+    return literal_value(value) if is_literal(value) else value
+
+
+def _lasts(until: str, today: date) -> bool:
+    """Whether the day *until* is not over; what is no date is over."""
+    try:
+        return today <= date.fromisoformat(until)
+    except ValueError:
+        return False

@@ -1,0 +1,180 @@
+"""Finds the files to lint: what was named, and the models in directories and globs.
+
+In directories these are `.jsonld` files and those `.json` files that speak of a context; Turtle
+and N-Quads are as often shapes or vocabularies as models, so they are read only when they are
+named, or when a glob does not leave them out. Everything else is passed over.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from glob import glob
+from pathlib import Path
+
+from kinlint.errors import SourceError
+from kinlint.pathglob import MAGIC, Glob, absolute
+from kinlint.suggestion import did_you_mean
+
+SEARCHED = (".jsonld", ".json")
+GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
+SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
+"""What directories hold that is nobody's model; the default of `exclude`."""
+HEAD = 1 << 16
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """A file to read, called `name` in messages; standard input has no `path`.
+
+    `named` tells that the user meant this very file.
+    """
+
+    name: str
+    path: Path | None
+    named: bool = True
+
+
+@dataclass
+class Found:
+    """The inputs, what could not be looked at, and what was searched in vain."""
+
+    inputs: list[Input] = field(default_factory=list)
+    errors: list[SourceError] = field(default_factory=list)
+    barren: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Search:
+    """How to look for files.
+
+    `excluding` gives the patterns of what to pass over in a directory. They hold for what is
+    found, and with `force` for what is named, too. `stdin` is the name of what `-` stands for.
+    """
+
+    excluding: Callable[[Path], Sequence[Glob]]
+    force: bool = False
+    stdin: str = "<stdin>"
+
+    def find(self, paths: Sequence[str]) -> Found:
+        """The inputs that *paths* stand for, each file once, in their order."""
+        found, seen = Found(), set[str]()
+        # What comes by standard input is a newer state of the file of that name, if there is one.
+        for given in sorted(paths, key=lambda path: path != "-"):
+            before = len(found.errors)
+            inputs = list(self._expand(given, found.errors))
+            if not inputs and len(found.errors) == before and given != "-":
+                found.barren.append(given)
+            for one in inputs:
+                identity = os.path.realpath(one.path or one.name)
+                if identity not in seen:
+                    seen.add(identity)
+                    found.inputs.append(one)
+        return found
+
+    def _expand(self, given: str, errors: list[SourceError]) -> Iterator[Input]:
+        if given == "-":
+            yield Input(self.stdin, None)
+            return
+        path = absolute(Path(given).expanduser() if given.startswith("~") else given)
+        if path.is_dir():
+            yield from self._directory(path, errors)
+        elif os.path.lexists(path):
+            if not self._forced_out(path):
+                yield Input(shown(path, given), path)
+        elif MAGIC.search(given):
+            yield from self._glob(given, errors)
+        else:
+            errors.append(SourceError(printable(given), _missing(path)))
+
+    def _glob(self, pattern: str, errors: list[SourceError]) -> Iterator[Input]:
+        matches = sorted(glob(pattern, recursive=True))  # noqa: PTH207  may be absolute
+        if not matches:
+            errors.append(SourceError(printable(pattern), "no file matches"))
+        for match in matches:
+            path = absolute(match)
+            if any(self._excluded(each) for each in (path, *_below_fixed(pattern, path))):
+                continue
+            if path.is_dir() and not path.is_symlink() and "**" not in pattern:
+                yield from self._directory(path, errors)
+            elif path.is_file() and path.suffix.lower() in GLOBBED:
+                yield from self._candidate(path, errors)
+
+    def _directory(self, top: Path, errors: list[SourceError]) -> Iterator[Input]:
+        """Models below *top*, by name. Links to directories are not followed."""
+        if self._forced_out(top):
+            return
+
+        def unreadable(error: OSError) -> None:
+            where = shown(absolute(error.filename or top))
+            errors.append(SourceError(where, error.strerror or str(error)))
+
+        for here, folders, files in os.walk(top, onerror=unreadable):
+            base = Path(here)
+            folders[:] = sorted(name for name in folders if not self._excluded(base / name))
+            for name in sorted(files):
+                path = base / name
+                if path.suffix.lower() in SEARCHED and not self._excluded(path):
+                    yield from self._candidate(path, errors)
+
+    def _excluded(self, path: Path) -> bool:
+        return any(pattern.matches(path) for pattern in self.excluding(path.parent))
+
+    def _forced_out(self, path: Path) -> bool:
+        return self.force and any(pattern.covers(path) for pattern in self.excluding(path.parent))
+
+    def _candidate(self, path: Path, errors: list[SourceError]) -> Iterator[Input]:
+        name = shown(path)
+        try:
+            if path.suffix.lower() != ".json" or speaks_of_context(path):
+                yield Input(name, path, named=False)
+        except OSError as error:
+            errors.append(SourceError(name, error.strerror or str(error)))
+
+
+def _below_fixed(pattern: str, path: Path) -> list[Path]:
+    """The directories above *path* that wildcards of *pattern* stand for."""
+    parts = Path(pattern).parts
+    fixed = next(i for i, part in enumerate(parts) if MAGIC.search(part))
+    top = absolute(Path(*parts[:fixed]))
+    return [each for each in path.parents if each.is_relative_to(top) and each != top]
+
+
+def speaks_of_context(path: Path) -> bool:
+    """Whether the file at *path* may be JSON-LD, told without decoding or parsing it."""
+    if not path.is_file():
+        return False
+    wanted = b'"@context"'
+    with path.open("rb") as stream:
+        head = stream.read(HEAD)
+        if head.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] not in (b"{", b"["):
+            return False
+        while wanted not in head:
+            more = stream.read(HEAD)
+            if not more:
+                return False
+            head = head[-len(wanted) :] + more
+    return True
+
+
+def shown(path: Path, given: str = "") -> str:
+    """What *path* is called: from the working directory if below it, else as it was *given*."""
+    here = Path.cwd()
+    if path.is_relative_to(here):
+        return printable(path.relative_to(here).as_posix())
+    return printable(Path(given).as_posix() if given else path.as_posix())
+
+
+def printable(name: str) -> str:
+    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace")
+
+
+def _missing(path: Path) -> str:
+    """Why there is nothing at *path*, with what there is of a similar name."""
+    try:
+        beside = [printable(one.name) for one in path.parent.iterdir()]
+    except OSError:
+        beside = []
+    return f"no such file or directory{did_you_mean(printable(path.name), beside)}"

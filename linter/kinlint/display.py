@@ -1,0 +1,72 @@
+"""Terms as people read them: the abbreviations of the file, numbers without their datatype."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from kinlint.terms import (
+    RDF_TYPE,
+    XSD,
+    Term,
+    Triple,
+    iri_value,
+    is_blank,
+    is_literal,
+    literal_datatype,
+    literal_value,
+)
+from kinlint.vocabulary import DOCUMENT_BASE, KIN, KL, METAMODELS, QUANTITY_KIND, QUDT, SRC, UNIT
+
+BARE = (METAMODELS, KL, KIN, SRC, UNIT, QUANTITY_KIND, QUDT, DOCUMENT_BASE)
+"""Namespaces whose local names stand for themselves, as models write them."""
+
+NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
+
+
+@dataclass(frozen=True)
+class Display:
+    """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes."""
+
+    prefixes: Mapping[str, str] = field(default_factory=dict)
+    own: tuple[str, ...] = ()
+
+    def term(self, term: Term) -> str:
+        """*term* without the quotes, brackets and datatypes of N-Triples."""
+        if is_blank(term):
+            return "an anonymous node"
+        if is_literal(term):
+            return _number(term) if literal_datatype(term) in NUMBERS else literal_value(term)
+        return self.iri(iri_value(term))
+
+    def iri(self, iri: str) -> str:
+        """*iri* by its local name or a prefix, whichever the file would write; else whole."""
+        if iri.startswith(BARE):
+            return iri.replace("#", "/").rstrip("/").rpartition("/")[2]
+        fitting = [
+            (namespace, prefix)
+            for prefix, namespace in self.prefixes.items()
+            if namespace and iri.startswith(namespace) and iri != namespace
+        ]
+        if fitting:
+            namespace, prefix = max(fitting)
+            return f"{prefix}:{iri[len(namespace) :]}"
+        base = max((each for each in self.own if iri.startswith(each)), key=len, default="")
+        return iri[len(base) :] or iri
+
+    def triple(self, triple: Triple) -> str:
+        """*triple* as a phrase of three words."""
+        subject, predicate, value = triple
+        verb = "a" if predicate == RDF_TYPE else self.term(predicate)
+        return f"{self.term(subject)} {verb} {self.term(value)}"
+
+
+def _number(term: Term) -> str:
+    text = literal_value(term)
+    try:
+        number = float(text)
+    except ValueError:
+        return text
+    if literal_datatype(term).endswith("integer"):
+        return text
+    return f"{number:.15g}"

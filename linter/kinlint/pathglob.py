@@ -1,0 +1,92 @@
+"""Glob patterns over paths, anchored at the directory of whoever wrote them."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+MAGIC = re.compile(r"[*?\[]")
+
+
+@dataclass(frozen=True)
+class Glob:
+    """A pattern below `root`.
+
+    One without a slash matches a file or directory of that name at any depth, one with a slash
+    the path from `root`. `*` stays within a name, `**` spans directories, `{a,b}` is either. A
+    leading `!` turns the pattern round.
+    """
+
+    root: Path
+    pattern: str
+
+    def covers(self, path: Path) -> bool:
+        """Whether *path*, which is absolute, or a directory below `root` that holds it, matches."""
+        below = [each for each in path.parents if each.is_relative_to(self.root)]
+        return any(map(self._found, (path, *below))) is not self.pattern.startswith("!")
+
+    def matches(self, path: Path) -> bool:
+        """Whether *path* itself matches, wherever it lies."""
+        return self._found(path) is not self.pattern.startswith("!")
+
+    def _found(self, path: Path) -> bool:
+        return bool(self._regex.fullmatch(path.name if self._named else path.as_posix()))
+
+    @cached_property
+    def _named(self) -> bool:
+        return "/" not in self._plain
+
+    @cached_property
+    def _plain(self) -> str:
+        return self.pattern.removeprefix("!").removeprefix("./").rstrip("/")
+
+    @cached_property
+    def _regex(self) -> re.Pattern[str]:
+        if self._named:
+            return re.compile(translate(self._plain), re.DOTALL)
+        root, below = self.root, self._plain
+        if Path(below).is_absolute():
+            return re.compile(translate(below), re.DOTALL)
+        while below.startswith("../"):
+            root, below = root.parent, below[3:]
+        start = re.escape(root.as_posix().rstrip("/"))
+        return re.compile(f"{start}/{translate(below)}", re.DOTALL)
+
+
+def translate(pattern: str) -> str:
+    """The regular expression of a glob *pattern* over a path with forward slashes."""
+    return "".join(_pieces(pattern))
+
+
+def _pieces(pattern: str) -> Iterator[str]:
+    at, depth = 0, 0
+    while at < len(pattern):
+        char = pattern[at]
+        if pattern.startswith("**/", at):
+            yield "(?:.*/)?"
+            at += 3
+        elif pattern.startswith("**", at):
+            yield ".*"
+            at += 2
+        elif char == "[" and (end := pattern.find("]", at + 2)) > 0:
+            inside = pattern[at + 1 : end].replace("\\", "\\\\").replace("[", "\\[")
+            yield f"[{'^' + inside[1:] if inside[0] in '!^' else inside}]"
+            at = end + 1
+        elif char == "{" and pattern.find("}", at) > 0:
+            yield "(?:"
+            at, depth = at + 1, depth + 1
+        elif depth and char in ",}":
+            yield "|" if char == "," else ")"
+            at, depth = at + 1, depth - (char == "}")
+        else:
+            yield {"*": "[^/]*", "?": "[^/]"}.get(char) or re.escape(char)
+            at += 1
+
+
+def absolute(path: str | Path) -> Path:
+    """*path* from the root of the file system, without `.` and `..`, links kept."""
+    return Path(os.path.abspath(path))  # noqa: PTH100  Path.resolve would follow links

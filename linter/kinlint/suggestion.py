@@ -1,0 +1,56 @@
+"""The nearest of the known names, for "did you mean" in messages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def nearest(word: str, choices: Iterable[str]) -> str | None:
+    """The choice most like *word*, or None if none is like it.
+
+    Upper and lower case differ by nothing. A third of the letters may be inserted, deleted,
+    replaced or swapped with their neighbour; failing that, *word* may be the beginning of a
+    choice. Ties go to the longer common beginning, then to the alphabet.
+    """
+    wanted = word.casefold()
+    ranked = sorted(
+        (_distance(wanted, choice.casefold()), -_shared(wanted, choice.casefold()), choice)
+        for choice in set(choices)
+    )
+    if not wanted or not ranked:
+        return None
+    distance, _, choice = ranked[0]
+    if distance <= max(1, len(wanted) // 3) and distance < len(choice):
+        return choice
+    longer = sorted(choice for _, _, choice in ranked if choice.casefold().startswith(wanted))
+    return longer[0] if longer and len(wanted) > 1 else None
+
+
+def did_you_mean(word: str, choices: Iterable[str]) -> str:
+    """`, did you mean 'x'?` to put behind a message, or nothing."""
+    found = nearest(word, choices)
+    return f", did you mean '{found}'?" if found else ""
+
+
+def _shared(one: str, other: str) -> int:
+    length = 0
+    for a, b in zip(one, other, strict=False):
+        if a != b:
+            break
+        length += 1
+    return length
+
+
+def _distance(one: str, other: str) -> int:
+    """How many insertions, deletions, replacements and swaps of neighbours lie between."""
+    before: list[int] = []
+    last = list(range(len(other) + 1))
+    for i, a in enumerate(one, 1):
+        row = [i]
+        for j, b in enumerate(other, 1):
+            cost = min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (a != b))
+            if i > 1 and j > 1 and a == other[j - 2] and one[i - 2] == b:
+                cost = min(cost, before[j - 2] + 1)
+            row.append(cost)
+        before, last = last, row
+    return last[-1]

@@ -1,0 +1,95 @@
+"""What is wrong with suppressions, as findings of the rules in `rules/lint/`.
+
+Those rules have no SHACL check, since no graph tells what a run found; their files say
+`kl:reportedBy kl:suppression` and hold everything else: code, reason, severity, messages.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from datetime import date
+
+from kinlint.directive import Directive
+from kinlint.model import Finding, Location, Rule
+from kinlint.selection import Policies
+from kinlint.suggestion import nearest
+from kinlint.terms import iri_value, is_iri
+
+UNUSED = "unused-suppression"
+UNKNOWN = "suppression-of-unknown-rule"
+UNREASONED = "suppression-without-reason"
+EXPIRED = "expired-suppression"
+FAULTS = (UNUSED, UNKNOWN, UNREASONED, EXPIRED)
+"""The names of the rules that these findings belong to."""
+
+_VARIABLE = re.compile(r"\{[?$](\w+)\}")
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What the rule called `rule` has to say of `directive`; `values` fill its message."""
+
+    rule: str
+    directive: Directive
+    values: Mapping[str, str]
+
+
+def faults(
+    directives: Iterable[Directive], used: frozenset[Directive], policies: Policies
+) -> Iterator[Fault]:
+    """What is wrong with *directives*, of which *used* silenced something."""
+    for one in directives:
+        named = {"rule": one.selector}
+        if not one.codes:
+            suggestion = nearest(one.selector, policies.catalogue.selectors)
+            yield Fault(UNKNOWN, one, named | ({"suggestion": suggestion} if suggestion else {}))
+        elif one.until is not None and not one.active:
+            key = "until" if _is_date(one.until) else "written"
+            yield Fault(EXPIRED, one, named | {key: one.until})
+        elif one not in used and _could_be_used(one, policies):
+            yield Fault(UNUSED, one, named)
+        if one.reason is None and policies.settings.of(one.document.source.name).require_reason:
+            yield Fault(UNREASONED, one, named)
+
+
+def reported(fault: Fault, rules: Mapping[str, Rule]) -> Finding | None:
+    """The finding that states *fault*; None if the catalogue lacks its rule."""
+    rule = rules.get(fault.rule)
+    if rule is None:
+        return None
+    template = _template(rule, fault.values)
+    one = fault.directive
+    return Finding(
+        rule=rule,
+        severity=rule.severity,
+        message=_VARIABLE.sub(lambda found: fault.values[found[1]], template),
+        location=Location(one.document.source, one.span),
+        iri=iri_value(one.node) if is_iri(one.node) else one.node,
+        focus=one.node,
+        path=one.statement[1],
+        value=one.statement[2],
+        template=template,
+        arguments=tuple(fault.values[name] for name in dict.fromkeys(_VARIABLE.findall(template))),
+    )
+
+
+def _template(rule: Rule, values: Mapping[str, str]) -> str:
+    """The message of *rule* that says most of *values* and nothing else."""
+    sayable = [text for text in rule.messages if set(_VARIABLE.findall(text)) <= set(values)]
+    return max(sayable, key=lambda text: len(_VARIABLE.findall(text)), default=rule.title)
+
+
+def _could_be_used(directive: Directive, policies: Policies) -> bool:
+    """Whether a rule that *directive* names spoke at all in this run."""
+    names = (directive.document.source.name, *policies.settings.files)
+    return bool(directive.codes & policies.enabled(names))
+
+
+def _is_date(text: str) -> bool:
+    try:
+        date.fromisoformat(text)
+    except ValueError:
+        return False
+    return True

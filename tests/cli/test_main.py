@@ -1,0 +1,138 @@
+"""Whatever happens, the command ends in a code and at most a line."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from kinlint import __version__
+from kinlint.cli import commands
+from kinlint.errors import RuleInvalid, UsageError
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["--version"], ["-V"], ["version"], ["check", "--version"], ["version", "--"]],
+)
+def test_the_version(kinlint, arguments):
+    """By option and by command."""
+    assert kinlint(*arguments) == (0, f"kinlint {__version__}\n", "")
+
+
+@pytest.mark.parametrize(
+    ("word", "message"),
+    [("-q", "unknown option '-q'"), ("now", "unexpected argument 'now'")],
+)
+def test_the_version_takes_nothing(kinlint, word, message):
+    """An option or argument is a mistake."""
+    assert kinlint("version", word) == (2, "", f"kinlint: error: {message}\n")
+
+
+def test_the_version_imports_nothing_slow():
+    """Not even the parser of arguments."""
+    program = (
+        "import sys; from kinlint.cli.main import main; main(['--version']);"
+        "print(*{'argparse', 'json', 'dataclasses', 'pyoxigraph', 'rdflib'} & set(sys.modules))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], check=False, capture_output=True, text=True
+    )
+
+    assert done.stdout == f"kinlint {__version__}\n\n"
+
+
+@pytest.mark.parametrize(
+    ("error", "line"),
+    [
+        (UsageError("no such thing"), "kinlint: error: no such thing\n"),
+        (RuleInvalid("a.ttl: no Turtle"), "kinlint: error: a.ttl: no Turtle\n"),
+        (MemoryError(), "kinlint: error: out of memory\n"),
+    ],
+)
+def test_what_kinlint_raises_is_one_line(kinlint, monkeypatch, error, line):
+    """And exit code 2."""
+
+    def run(_):
+        raise error
+
+    monkeypatch.setattr(commands, "run", run)
+
+    assert kinlint("a.jsonld") == (2, "", line)
+
+
+def test_what_nobody_foresaw_is_one_line_and_a_request(kinlint, monkeypatch):
+    """No traceback, unless it is asked for."""
+
+    def run(_):
+        raise ZeroDivisionError("first\nsecond")
+
+    monkeypatch.setattr(commands, "run", run)
+    code, out, err = kinlint("a.jsonld")
+
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert err.startswith("kinlint: error: ZeroDivisionError: first second (")
+    assert "please report" in err
+
+    monkeypatch.setenv("KINLINT_TRACEBACK", "1")
+    with pytest.raises(ZeroDivisionError):
+        kinlint("a.jsonld")
+
+
+def test_an_interruption_is_quiet(kinlint, monkeypatch):
+    """The code is the one that shells give."""
+
+    def run(_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(commands, "run", run)
+
+    assert kinlint("a.jsonld") == (130, "", "")
+
+
+def test_a_reader_that_goes_away_is_no_error(write):
+    """`kinlint --show-files | head -0`."""
+    write("arm.jsonld")
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run(
+        check=False,
+        args=[sys.executable, "-m", "kinlint", "--show-files"],
+        stdout=writing,
+        stderr=subprocess.PIPE,
+    )
+    os.close(writing)
+
+    assert (done.returncode, done.stderr) == (141, b"")
+
+
+def test_names_that_cannot_be_printed_are_escaped(here):
+    """Where the locale knows ASCII alone."""
+    done = subprocess.run(
+        check=False,
+        args=[sys.executable, "-m", "kinlint", "grün.jsonld"],
+        env={**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"},
+        cwd=here,
+        capture_output=True,
+    )
+
+    assert done.returncode == 2
+    assert b"gr\\u00fcn.jsonld: no such file" in done.stdout + done.stderr
+
+
+def test_help_tells_of_every_command_and_option_group(kinlint):
+    """On standard output, and with success."""
+    code, out, err = kinlint("--help")
+
+    assert (code, err) == (0, "")
+    for word in (*commands.COMMANDS, "--select", "--sarif-output", "Exit code"):
+        assert word in out
+
+
+@pytest.mark.parametrize("command", ["check", "rule", "test-rules"])
+def test_every_command_has_help(kinlint, command):
+    """Of its own."""
+    code, out, err = kinlint(command, "-h")
+
+    assert (code, err) == (0, "")
+    assert "usage: kinlint" in out

@@ -1,0 +1,110 @@
+"""What is read: models that were named, and what a search found that is one."""
+
+import os
+
+import pytest
+
+from kinlint.cli.reading import is_context, read
+from kinlint.config import Settings
+from kinlint.discovery import Input
+
+ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'
+PACKAGE = '{"@context": "https://doi.org/10.5063/schema/codemeta-2.0", "@type": "X"}'
+
+
+def outcome(*inputs, settings=None):
+    sources, errors = read(inputs, settings or Settings())
+    return [source.name for source in sources], [str(error) for error in errors]
+
+
+def given(write, name, text, *, named=True):
+    return Input(name, write(name, text), named=named)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "found"),
+    [
+        ("a.json", ROBOT, True),
+        ("a.jsonld", ROBOT, True),
+        ("a.json", PACKAGE, False),
+        ("a.jsonld", PACKAGE, True),
+        ("a.json", '{"a": {"@context": "kinlint"}}', False),
+        ("a.json", '{"@context": {"a": "https://w3id.org/kinlint/"}}', False),
+        ("a.jsonld", '{"@context": {"a": "https://w3id.org/kinlint/"}}', False),
+        ("a.ttl", "# empty", True),
+    ],
+)
+def test_what_a_search_found_is_read_if_it_is_a_model(write, name, text, found):
+    """Other JSON-LD and contexts are passed over in silence."""
+    assert outcome(given(write, name, text, named=False)) == ([name] if found else [], [])
+
+
+@pytest.mark.parametrize(
+    "name_and_text", [("a.json", PACKAGE), ("a.jsonld", '{"@context": {}}'), ("a.ttl", "")]
+)
+def test_what_is_named_is_read(write, name_and_text):
+    """Whoever names a file means it."""
+    assert outcome(given(write, *name_and_text)) == ([name_and_text[0]], [])
+
+
+@pytest.mark.parametrize("name_and_text", [("a.json", '{"name": "x"}'), ("a.txt", "robot")])
+def test_what_is_named_and_no_model_is_an_error(write, name_and_text):
+    """With what kinlint reads."""
+    sources, errors = outcome(given(write, *name_and_text))
+
+    assert sources == []
+    assert errors[0].startswith(f"{name_and_text[0]}: not a robot model: kinlint reads JSON-LD")
+
+
+def test_contexts_of_ones_own_make_a_model(write, here):
+    """Those that the configuration adds."""
+    mine = given(write, "a.json", '{"@context": "https://acme.example/c.json", "@id": "x:y"}')
+    found = Input(mine.name, mine.path, named=False)
+    write("c.json", '{"@context": {}}')
+    settings = Settings(extra_contexts={"https://acme.example/c.json": here / "c.json"})
+
+    assert outcome(found) == ([], [])
+    assert outcome(found, settings=settings) == (["a.json"], [])
+
+
+def test_what_is_no_file_is_an_error(write, here):
+    """Pipes, links to nothing, what may not be read; others are read all the same."""
+    os.mkfifo(here / "pipe.jsonld")
+    (here / "link.jsonld").symlink_to("nowhere")
+    names = ["pipe.jsonld", "link.jsonld", "gone.jsonld"]
+    inputs = [Input(name, here / name) for name in names]
+
+    assert outcome(*inputs, given(write, "a.jsonld", ROBOT)) == (
+        ["a.jsonld"],
+        [
+            "pipe.jsonld: not a regular file; for a pipe, use - as the path",
+            "link.jsonld: a link to nothing",
+            "gone.jsonld: No such file or directory",
+        ],
+    )
+
+
+def test_what_is_no_text_is_an_error(here):
+    """With the place of the first byte that is none."""
+    (here / "a.jsonld").write_bytes(b'{"\xff": 1}')
+    sources, errors = outcome(Input("a.jsonld", here / "a.jsonld"))
+
+    assert sources == []
+    assert errors[0].startswith("a.jsonld:1:3: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ('{"@context": {"a": "b:c"}}', True),
+        (' {\n "@context" : [ "a", {} ]\n}\n', True),
+        ('{"@context": {}, "@graph": []}', False),
+        ('{"@graph": [], "@context": {}}', False),
+        ('{"@context": {', False),
+        ("[]", False),
+        ("", False),
+    ],
+)
+def test_documents_that_are_a_context(text, answer):
+    """They have nothing else in them."""
+    assert is_context(text) is answer

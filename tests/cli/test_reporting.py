@@ -1,0 +1,131 @@
+"""What `kinlint check` says, in which form and where."""
+
+import json
+
+from kinlint.errors import SourceError
+
+
+def test_suppressed_findings_are_shown_on_request(kinlint, pipeline, write):
+    """They never decide the exit code."""
+    write("arm.jsonld")
+    pipeline.suppressed = ["UNI002"]
+
+    code, out, _ = kinlint("arm.jsonld", "--output-format", "concise")
+    assert (code, "UNI002" in out) == (0, False)
+    code, out, _ = kinlint("arm.jsonld", "--output-format", "concise", "--show-suppressed")
+    assert (code, "UNI002" in out) == (0, True)
+
+
+def test_machine_formats_have_standard_output_for_themselves(kinlint, pipeline, write):
+    """What cannot be read is told on standard error."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+    pipeline.errors = [SourceError("leg.jsonld", "empty", 1, 1)]
+    code, out, err = kinlint("arm.jsonld", "--output-format", "json")
+
+    assert code == 2
+    assert [one["code"] for one in json.loads(out)] == ["UNI002", None]
+    assert err.startswith("kinlint: error: leg.jsonld:1:1: empty\nFound 1 error")
+    assert kinlint("arm.jsonld", "--output-format", "json", "-q")[2].count("\n") == 1
+
+
+def test_the_format_comes_from_option_environment_or_configuration(
+    kinlint, pipeline, write, monkeypatch
+):
+    """In this order."""
+    write("arm.jsonld")
+    write("kinlint.toml", 'output-format = "json-lines"')
+    pipeline.found = ["UNI002"]
+
+    assert kinlint()[1].startswith("{")
+    monkeypatch.setenv("KINLINT_OUTPUT_FORMAT", "github")
+    assert kinlint()[1].startswith("::")
+    assert kinlint("--output-format", "json")[1].startswith("[")
+    monkeypatch.setenv("KINLINT_OUTPUT_FORMAT", "githb")
+    assert "KINLINT_OUTPUT_FORMAT: 'githb' is not one of" in kinlint()[2]
+
+
+def test_the_output_file(kinlint, pipeline, write, here, monkeypatch):
+    """From option or environment; standard output stays empty."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+
+    code, out, _ = kinlint("-o", "out.json", "--output-format", "json")
+    assert (code, out) == (1, "")
+    assert json.loads((here / "out.json").read_text("utf-8"))[0]["code"] == "UNI002"
+
+    monkeypatch.setenv("KINLINT_OUTPUT_FILE", "env.txt")
+    assert kinlint()[1] == ""
+    assert "UNI002" in (here / "env.txt").read_text("utf-8")
+
+
+def test_copies_beside_standard_output(kinlint, pipeline, write, here):
+    """In as many formats as there are; also when nothing is said aloud."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+    names = ("full", "concise", "json", "json-lines", "sarif", "github")
+    options = [f"--{name}-output={name}.out" for name in names]
+    _, out, _ = kinlint("arm.jsonld", *options)
+
+    assert "UNI002" in out
+    for name in names:
+        assert "UNI002" in (here / f"{name}.out").read_text("utf-8")
+
+    (here / "json.out").unlink()
+    assert kinlint("arm.jsonld", "-s", "--json-output=json.out")[1:] == ("", "")
+    assert (here / "json.out").exists()
+
+
+def test_an_output_that_cannot_be_written(kinlint, pipeline, write):
+    """One line, exit code 2."""
+    write("arm.jsonld")
+    code, _, err = kinlint("arm.jsonld", "-o", "no/where.txt")
+
+    assert code == 2
+    assert err == "kinlint: error: cannot write no/where.txt: No such file or directory\n"
+
+
+def test_statistics(kinlint, pipeline, write):
+    """A table instead of the findings; beside a machine's format on standard error."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002", "UNI002", "UNI001"]
+
+    code, out, _ = kinlint("arm.jsonld", "--statistics")
+    assert code == 1
+    assert out.splitlines()[0].split()[:2] == ["2", "UNI002"]
+    assert "arm.jsonld" not in out
+    _, out, err = kinlint("arm.jsonld", "--statistics", "--output-format", "json")
+    assert len(json.loads(out)) == 3
+    assert "UNI002" in err
+
+
+def test_quiet_and_silent(kinlint, pipeline, write):
+    """Findings without a summary, and nothing at all."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+
+    assert "Found 1 error" in kinlint("arm.jsonld")[1]
+    assert "Found" not in kinlint("arm.jsonld", "-q")[1]
+    assert kinlint("arm.jsonld", "-s")[1:] == ("", "")
+
+
+def test_verbose(kinlint, pipeline, write):
+    """Says by what the run goes, on standard error."""
+    write("arm.jsonld")
+    write("kinlint.toml", 'ignore = ["LD"]')
+    _, _, err = kinlint("arm.jsonld", "-v", "--select", "UNI", "--no-cache")
+
+    assert err.splitlines() == [
+        "kinlint: rules chosen by kinlint.toml, command line",
+        "kinlint: contexts of release ba7e601, engine oxigraph, rules compiled anew",
+    ]
+
+
+def test_color(kinlint, pipeline, write, monkeypatch):
+    """`always` beats NO_COLOR; files get none."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+    monkeypatch.setenv("NO_COLOR", "1")
+
+    assert "\x1b[" not in kinlint("arm.jsonld")[1]
+    assert "\x1b[" in kinlint("arm.jsonld", "--color", "always")[1]

@@ -1,0 +1,127 @@
+from __future__ import annotations
+
+import sys
+from collections import Counter
+
+import pytest
+from benchmarks import robot
+from benchmarks.checking import Subject, compared, deeply
+from benchmarks.defects import DEFECTS, STEP, expected
+from benchmarks.processes import Workplace
+from benchmarks.table import Row, markdown
+from rdflib import Graph
+
+from kinlint import lint
+from kinlint.config import Settings
+from kinlint.report import Report
+from kinlint.rulebook import Rulebook, load
+from kinlint.text import SourceText
+
+
+@pytest.fixture(scope="module")
+def catalogue() -> Rulebook:
+    return load()
+
+
+def linted(text: str, catalogue: Rulebook) -> Report:
+    return lint.run([SourceText("chain.jsonld", text)], [], Settings(), catalogue)
+
+
+@pytest.mark.parametrize("joints", [1, 7, 70])
+def test_a_clean_chain_has_no_findings(joints, catalogue):
+    """What the benchmark spoils was right before."""
+    report = linted(robot.chain(joints), catalogue)
+
+    assert report.findings == ()
+    assert report.errors == ()
+
+
+@pytest.mark.parametrize("joints", [1, 7, 70])
+def test_a_spoiled_chain_has_the_findings_that_were_put_in(joints, catalogue):
+    """Each injected defect is found once, and nothing else is."""
+    report = linted(robot.chain(joints, spoiled=True), catalogue)
+
+    found = Counter(each.rule.code for each in report.findings)
+
+    assert found == expected(joints)
+
+
+def test_seventy_joints_have_every_kind_of_defect():
+    """The longest chain that tests and a default run check leaves no kind out."""
+    assert {code for code, _ in DEFECTS} <= set(expected(70))
+    assert len(DEFECTS) * STEP <= 70
+
+
+def test_both_engines_find_the_same_in_a_spoiled_chain(catalogue):
+    """The benchmark compares like with like."""
+    assert all(seconds > 0 for seconds in compared(1, catalogue, runs=1))
+
+
+def test_engines_that_disagree_are_no_comparison(catalogue, monkeypatch):
+    """A peer that finds nothing may be as slow as it likes."""
+    monkeypatch.setattr(Subject, "theirs", lambda _: Graph())
+
+    with pytest.raises(AssertionError, match=r"only ours: .*missing-unit"):
+        compared(1, catalogue, runs=1)
+
+
+def test_recursion_may_go_deep_where_rdflib_needs_it():
+    """A path over ten thousand joints ends, and the limit is as before."""
+    limit = sys.getrecursionlimit()
+    reached = []
+
+    def dive(depth: int) -> int:
+        return 1 + dive(depth - 1) if depth else 0
+
+    deeply(lambda: reached.append(dive(10_000)))
+
+    assert reached == [10_000]
+    assert sys.getrecursionlimit() == limit
+
+
+def test_an_error_in_the_deep_comes_up():
+    """A failed measurement is no measurement."""
+    with pytest.raises(ZeroDivisionError):
+        deeply(lambda: 1 // 0)
+
+
+def test_a_process_that_fails_is_not_timed(tmp_path):
+    """Exit codes 0 and 1 are a lint; any other, or a word on standard error, is not."""
+    place = Workplace(tmp_path)
+    place.run([sys.executable, "-c", "raise SystemExit(1)"])
+
+    with pytest.raises(RuntimeError):
+        place.run([sys.executable, "-c", "raise SystemExit(2)"])
+    with pytest.raises(RuntimeError, match="alas"):
+        place.run([sys.executable, "-c", "import sys; sys.stderr.write('alas')"])
+
+
+@pytest.mark.parametrize(
+    ("row", "met", "line"),
+    [
+        (
+            Row("ours", "theirs", (0.5, 600.0), "faster", 1000),
+            True,
+            "| ours | theirs | 500 ms | 600 s | 1,200 times faster | ≥ 1,000 |",
+        ),
+        (
+            Row("ours", "theirs", (0.5, 60.0), "faster", 1000),
+            False,
+            "| ours | theirs | 500 ms | 60 s | 120 times faster | ≥ 1,000 **missed** |",
+        ),
+        (
+            Row("ours", "theirs", (0.03, 0.01), "ratio", 3.5),
+            True,
+            "| ours | theirs | 30 ms | 10 ms | 3.00 times as long | ≤ 3.5 |",
+        ),
+        (
+            Row("ours", "theirs", (0.03, 0.01)),
+            True,
+            "| ours | theirs | 30 ms | 10 ms | 3.00 times as long |  |",
+        ),
+    ],
+)
+def test_a_row_says_its_ratio_and_whether_the_target_is_met(row, met, line):
+    """What the README quotes is what was measured."""
+    assert row.met is met
+    assert [*markdown([row])][-1] == line
