@@ -1,0 +1,1 @@
+"""Measures kinlint against named peers. Run it with `python tests/benchmarks`."""

@@ -1,0 +1,86 @@
+"""The benchmark's command line: measures, and prints a table with the command that made it."""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import shlex
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.metadata import version
+from pathlib import Path
+
+from benchmarks.processes import Workplace
+from benchmarks.stages import stages
+from benchmarks.table import Row, markdown
+from kinlint import rulebook
+from kinlint.rulebook import Rulebook
+
+SIZES = (7, 70, 700)
+PACKAGES = ("pyoxigraph", "pyld", "pyshacl", "rdflib", "owlrl")
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Measure and print; 1 if a target was missed."""
+    options = _parser().parse_args(arguments)
+    catalogue = rulebook.load()
+    rows = []
+    for row in _rows(options, catalogue):
+        sys.stderr.write(f"measured: {row.ours}\n")
+        rows.append(row)
+    joints = 70 if options.quick else 700
+    lines = [
+        *markdown(rows),
+        "",
+        _shares(joints, stages(joints, catalogue, options.runs)),
+        "",
+        _made(arguments, catalogue),
+    ]
+    sys.stdout.writelines(f"{line}\n" for line in lines)
+    return int(not all(row.met for row in rows))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python tests/benchmarks", description=__doc__)
+    parser.add_argument(
+        "--joints",
+        type=int,
+        choices=SIZES,
+        default=70,
+        help="the longest chain that pySHACL checks: 70 takes it 2 minutes, 700 an hour",
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="only chains of 7, 70 and 700, of 7 for pySHACL"
+    )
+    parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
+    return parser
+
+
+def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
+    with tempfile.TemporaryDirectory() as directory:
+        place = Workplace(Path(directory))
+        place.warm()
+        yield from place.rows(options.runs, quick=options.quick)
+    from benchmarks.checking import compared  # noqa: PLC0415  rdflib weighs on what is timed
+
+    for joints in SIZES:
+        if joints <= (SIZES[0] if options.quick else options.joints):
+            seconds = compared(joints, catalogue, options.runs)
+            target = 1000 if joints == SIZES[-1] else None
+            yield Row(f"checking {joints} joints", "pySHACL", seconds, "faster", target)
+
+
+def _shares(joints: int, seconds: Mapping[str, float]) -> str:
+    total = sum(seconds.values())
+    shares = ", ".join(f"{name} {took / total:.0%}" for name, took in seconds.items())
+    return f"Where the time goes at {joints} joints: {shares}."
+
+
+def _made(arguments: Sequence[str], catalogue: Rulebook) -> str:
+    command = shlex.join(["python", "tests/benchmarks", *arguments])
+    used = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    return (
+        f"Made by `{command}`: {len(catalogue.rules)} rules,"
+        f" {len(catalogue.constraints)} constraints; Python {platform.python_version()}, {used}."
+    )

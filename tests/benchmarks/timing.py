@@ -1,0 +1,30 @@
+"""Times things side by side, so that what else the machine does hits all of them alike."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from statistics import median
+
+PATIENCE = 90.0
+"""Seconds after which what has run at least once is not run again."""
+
+
+def interleaved(actions: Sequence[Callable[[], object]], runs: int) -> tuple[float, ...]:
+    """The median seconds of each of *actions*, which take turns in *runs* rounds.
+
+    One that has taken longer than `PATIENCE` in all sits out the rounds that remain.
+    """
+    taken: list[list[float]] = [[] for _ in actions]
+    for _ in range(runs):
+        for action, seconds in zip(actions, taken, strict=True):
+            if sum(seconds) < PATIENCE:
+                seconds.append(timed(action))
+    return tuple(median(seconds) for seconds in taken)
+
+
+def timed(action: Callable[[], object]) -> float:
+    """The seconds that *action* takes."""
+    started = time.perf_counter()
+    action()
+    return time.perf_counter() - started
