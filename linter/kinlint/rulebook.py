@@ -23,6 +23,8 @@ from kinlint.terms import RDF_TYPE, Term, iri, is_iri
 from kinlint.vocabulary import SRC
 
 PREFIXES = "prefixes.ttl"
+KEPT = 8
+"""How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
 DESCRIBED = iri(f"{SRC}describedIn")
 
 
@@ -198,3 +200,6 @@ def _write(stored: Path, compiled: dict[str, Any]) -> None:
         with os.fdopen(handle, "w", encoding="utf-8") as stream:
             json.dump(compiled, stream)
         Path(temporary).replace(stored)
+        kept = sorted(stored.parent.glob("catalogue-*.json"), key=lambda each: each.stat().st_mtime)
+        for stale in kept[:-KEPT]:
+            stale.unlink()
