@@ -13,7 +13,8 @@ RULE = Path(__file__).parents[1] / "rules/units/missing-unit.ttl"
 SHAPE = """
 @prefix ex: <https://example.org/shapes#> .
 @prefix sh: <http://www.w3.org/ns/shacl#> .
-ex:NamedJoint a sh:NodeShape ; sh:targetClass ex:Joint ; sh:nodeKind sh:IRI ; sh:severity sh:Warning .
+ex:NamedJoint a sh:NodeShape ;
+    sh:targetClass ex:Joint ; sh:nodeKind sh:IRI ; sh:severity sh:Warning .
 """
 
 
@@ -92,21 +93,19 @@ def test_rules_do_not_share_codes_and_names(tmp_path, code, name, cause):
         rulebook.load([tmp_path])
 
 
+KL = "@prefix kl: <https://w3id.org/kinlint/ns#> . "
+ONE = 'kl:a a kl:Rule ; kl:code "A001" . '
+TWO = 'kl:b a kl:Rule ; kl:code "B001" . '
+OTHER = '<https://example.org/other> a kl:Rule ; kl:code "A001" . '
+
+
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
-        ("@prefix kl: <https://w3id.org/kinlint/ns#", "no Turtle"),
-        ("@prefix kl: <https://w3id.org/kinlint/ns#> . kl:a a kl:Rule .", "has no kl:code"),
-        (
-            '@prefix kl: <https://w3id.org/kinlint/ns#> . kl:a a kl:Rule ; kl:code "A001" .'
-            ' kl:b a kl:Rule ; kl:code "B001" .',
-            "2 rules in one file",
-        ),
-        (
-            "@prefix kl: <https://w3id.org/kinlint/ns#> ."
-            ' <https://example.org/other> a kl:Rule ; kl:code "A001" .',
-            "its file must be other.ttl",
-        ),
+        (KL[:30], "no Turtle"),
+        (KL + "kl:a a kl:Rule .", "has no kl:code"),
+        (KL + ONE + TWO, "2 rules in one file"),
+        (KL + OTHER, "its file must be other.ttl"),
     ],
 )
 def test_a_wrong_rule_file_is_refused_with_its_cause(tmp_path, text, cause):

@@ -9,7 +9,7 @@ import re
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -23,6 +23,9 @@ from kinlint.terms import RDF_TYPE, Term, iri, is_iri
 from kinlint.vocabulary import SRC
 
 PREFIXES = "prefixes.ttl"
+SHIPPED = Path(__file__).parent / "catalogue"
+"""Where a wheel carries the compiled built-in catalogue; a checkout has none."""
+
 KEPT = 8
 """How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
 DESCRIBED = iri(f"{SRC}describedIn")
@@ -77,14 +80,19 @@ def load(
     files = (*_turtle(resources.data("rules")), *_rule_files(rules))
     extra = tuple(_existing(shapes))
     inputs = (ours / PREFIXES, *vocabulary, *files, *extra)
-    stored = cache / f"catalogue-{_digest(inputs)}.json" if cache is not None else None
-    compiled = _read(stored) if stored is not None else None
+    name = f"catalogue-{_digest(inputs)}.json"
+    stored = cache / name if cache is not None else None
+    compiled = _read(SHIPPED / name) or (_read(stored) if stored is not None else None)
     if compiled is None:
         compiled = _compile(files, extra, vocabulary, ours / PREFIXES)
         if stored is not None:
             _write(stored, compiled)
     return Rulebook(
-        *_revive(compiled), vocabulary=vocabulary, shapes=(ours / PREFIXES, *files, *extra)
+        rules=tuple(_rule(values, (*files, *extra)) for values in compiled["rules"]),
+        constraints=tuple(Constraint.from_json(values) for values in compiled["constraints"]),
+        axioms=tuple(Axiom.from_json(values) for values in compiled["axioms"]),
+        vocabulary=vocabulary,
+        shapes=(ours / PREFIXES, *files, *extra),
     )
 
 
@@ -102,7 +110,9 @@ def _compile(
     strangers = sorted({each.owner for each in constraints} - owners)
     rules += [_shape_rule(number, owner, constraints) for number, owner in enumerate(strangers, 1)]
     return {
-        "rules": [asdict(rule) for rule in sorted(rules, key=lambda rule: rule.code)],
+        "rules": [
+            asdict(replace(rule, path="")) for rule in sorted(rules, key=lambda rule: rule.code)
+        ],
         "constraints": [constraint.to_json() for constraint in constraints],
         "axioms": [axiom.to_json() for axiom in compile_axioms(list(vocabulary))],
     }
@@ -137,24 +147,16 @@ def _distinct(rules: Iterable[Rule]) -> None:
                 raise RuleInvalid(f"{rule.path}: {identity} is taken by {other.path}")
 
 
-def _revive(
-    compiled: dict[str, Any],
-) -> tuple[tuple[Rule, ...], tuple[Constraint, ...], tuple[Axiom, ...]]:
-    return (
-        tuple(_rule(values) for values in compiled["rules"]),
-        tuple(Constraint.from_json(values) for values in compiled["constraints"]),
-        tuple(Axiom.from_json(values) for values in compiled["axioms"]),
-    )
-
-
-def _rule(values: dict[str, Any]) -> Rule:
-    plural = {
-        name: tuple(value) for name, value in values.items() if isinstance(value, list | tuple)
+def _rule(values: dict[str, Any], files: Iterable[Path]) -> Rule:
+    """The rule that was compiled; its file is where it is now, not where it was then."""
+    plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list | tuple)}
+    home = next((str(file) for file in files if file.stem == values["name"]), "")
+    changed = {
+        "examples": tuple(Example(**example) for example in values["examples"]),
+        "severity": Severity(values["severity"]),
+        "path": home,
     }
-    examples = tuple(Example(**example) for example in values["examples"])
-    return Rule(
-        **{**values, **plural, "examples": examples, "severity": Severity(values["severity"])}
-    )
+    return Rule(**{**values, **plural, **changed})
 
 
 def _turtle(directory: Path) -> list[Path]:
