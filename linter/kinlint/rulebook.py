@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import re
-import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
@@ -196,6 +195,8 @@ def _read(stored: Path) -> dict[str, Any] | None:
 
 def _write(stored: Path, compiled: dict[str, Any]) -> None:
     """Keep *compiled*; a cache that cannot be written costs time, never the run."""
+    import tempfile  # noqa: PLC0415  a run that finds its catalogue does without
+
     with suppress(OSError):
         stored.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=stored.parent, suffix=".tmp")
