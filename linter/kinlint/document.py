@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
-from kinlint.terms import Term, Triple
+from kinlint.terms import Term, Triple, iri
 from kinlint.text import SourceText, Span
+from kinlint.vocabulary import SRC
+
+ABOUT = iri(f"{SRC}node")
 
 
 class NodeSpans(NamedTuple):
@@ -44,3 +48,8 @@ class Document:
     statements: Sequence[Triple] = field(repr=False)
     map: SourceMap = field(repr=False)
     prefixes: Mapping[str, str] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def about(self) -> Mapping[Term, Term]:
+        """The domain node that each statement of the source layer speaks of."""
+        return {s: o for s, p, o in self.statements if p == ABOUT}

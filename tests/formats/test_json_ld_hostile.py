@@ -114,12 +114,12 @@ def test_contexts_nested_deep() -> None:
 @pytest.mark.parametrize(
     ("content", "line", "cause"),
     [
-        ({"p": [{"@id": "https://e.org/b"}, {"@id": 5}]}, 9, "@id value must be a string"),
-        ({"@type": [5]}, 1, "@type value must be"),
-        ({"p": {"@value": [1]}}, 5, "@value"),
-        ({"p": {"@value": "x", "@language": 1}}, 5, "@language"),
+        ({"p": [{"@id": "https://e.org/b"}, {"@id": 5}]}, 10, "@id value must be a string"),
+        ({"@type": [5]}, 5, "@type value must be"),
+        ({"p": {"@value": [1]}}, 6, "@value"),
+        ({"p": {"@value": "x", "@language": 1}}, 7, "@language"),
         ({"p": {"@list": [], "q": 1, "p": 2}}, 5, "@list"),
-        ({"@reverse": 1}, 1, "@reverse"),
+        ({"@reverse": 1}, 5, "@reverse"),
     ],
 )
 def test_json_that_breaks_the_rules_of_json_ld(content: Any, line: int, cause: str) -> None:

@@ -137,7 +137,7 @@ def test_a_prefix_that_nobody_defined() -> None:
 def test_a_term_defined_with_a_prefix_that_nobody_defined() -> None:
     context = {**EX, "lost": "geom:p", "blank": "_:p", "name": "urn:p"}
     read = document(model({"@id": "ex:a", "lost": 1, "blank": 2, "name": 3}, context=context))
-    assert losses(read) == [("UndefinedPrefix", '"lost"')]
+    assert losses(read) == [("UndefinedPrefix", '"lost"'), ("DroppedKey", '"blank"')]
     assert details(read, '"lost"')["prefix"] == ["geom"]
 
 

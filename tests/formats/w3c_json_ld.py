@@ -14,6 +14,7 @@ from data import locate_data
 from pyld import jsonld
 
 from kinlint.formats.json_text.parser import parse
+from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.jsonld.triples import Quads, Triples
 from kinlint.formats.naming import BlankNodes
@@ -127,7 +128,9 @@ def run_ours(test: W3CTest, *, strict: bool = True) -> Any:
     """What our reader makes of it, positions riding along."""
     parsed = parse(test.source)
     mode = test.option.get("processingMode", "json-ld-1.1").removeprefix("json-ld-")
-    processor = Processor(SuiteContexts(), test.base, strict=strict, mode=mode)
+    processor = Processor(
+        Memory(SuiteContexts(), strict=strict), test.base, strict=strict, mode=mode
+    )
     expanded = processor.expand_document(parsed, test.context)
     if test.suite == "expand":
         return expanded

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -34,13 +34,15 @@ class ReadOptions:
 
     `releases` are all releases to which a lost term is compared. `base` is what relative IRIs
     are resolved against; an IRI below the default was relative where it was written. `format`
-    overrides what the file's name and content say.
+    overrides what the file's name and content say. `memory` is what a front end keeps from one
+    file for the next.
     """
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
     releases: tuple[str, ...] = RELEASES
     base: str = DOCUMENT_BASE
     format: str | None = None
+    memory: dict[Hashable, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @classmethod
     def of(cls, settings: Settings) -> ReadOptions:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeAlias
 
 from pyld.jsonld import JsonLdError, frozendict
 
 from kinlint.formats.json_text.values import Array, Key, Object, Text
+from kinlint.formats.jsonld.memory import Memory, unplaced
 from kinlint.formats.jsonld.record import Problem, Record, Shadow
-from kinlint.formats.jsonld.resolver import Resolved, Resolver
-from kinlint.formats.options import ContextLibrary
+from kinlint.formats.jsonld.resolver import Resolved
+from kinlint.formats.jsonld.schemes import REGISTERED
 from kinlint.text import Span
 
 Context: TypeAlias = Any
@@ -39,9 +40,10 @@ class ActiveContexts:
 
     record: Record
 
-    def __init__(self, library: ContextLibrary, *, strict: bool) -> None:
+    def __init__(self, memory: Memory, *, strict: bool) -> None:
         self.strict = strict
-        self.resolver = Resolver(library, strict=strict)
+        self.memory = memory
+        self.resolver = memory.resolver
         self.site: Span | None = None
         # Results with their problem, and the keys' objects, which must live as long as their ids.
         self._known: dict[Any, tuple[Context, Problem | None, Any]] = {}
@@ -70,9 +72,8 @@ class ActiveContexts:
         if any(isinstance(entry, Mapping) and "@propagate" in entry for entry in local[1:]):
             return self._entry(active_ctx, local, process, options, flags)
         owners: dict[str, str] = {}
-        for index, entry in enumerate(local):
-            if isinstance(local, Array):
-                self.site = local.element_span(index)
+        for entry, site in _entries(local):
+            self.site = site or self.site
             result = self._entry(active_ctx, entry, process, options, flags)
             if isinstance(entry, Text) and len(local) > 1:
                 self._compare(active_ctx, result, entry, options, owners)
@@ -87,9 +88,19 @@ class ActiveContexts:
         about = (id(active), name, flags.get("override_protected"), flags.get("propagate", True))
         known = self._known.get(about)
         if known is None:
-            result, problem = self._processed(active, entry, process, options)
-            known = self._known[about] = (result, problem, (active, entry))
-        result, problem, _ = known
+            shared = self.memory.key(active, entry)
+            key = shared and (*shared, *about[2:])
+            if shared and (result := self.memory.known(key)) is not None:
+                return result
+            result, problem = self._processed(
+                active, entry, process, options, shared=shared is not None
+            )
+            if key and not problem:
+                self.memory.keep(key, result, entry)
+            else:
+                self._known[about] = (result, problem, (active, entry))
+        else:
+            result, problem, _ = known
         if problem:
             self.record.problem(problem._replace(span=self._place(entry, problem.span)))
         return result
@@ -98,14 +109,15 @@ class ActiveContexts:
         return entry.span if isinstance(entry, Text) else otherwise
 
     def _processed(
-        self, active: Context, entry: Any, process: _Process, options: Any
+        self, active: Context, entry: Any, process: _Process, options: Any, *, shared: bool
     ) -> tuple[Context, Problem | None]:
         span = getattr(entry, "span", None) or self.site or Span(0, 0)
         iri = str(entry) if isinstance(entry, str) else None
         try:
             if not self.strict and isinstance(entry, Object) and "@context" in entry:
                 raise JsonLdError("'@context' cannot stand in a context", "jsonld.SyntaxError")
-            found = self.resolver.resolve(active, entry, options["base"])
+            given = unplaced(entry) if shared else entry
+            found = self.resolver.resolve(active, given, options["base"])
             documents = [context.document for context in found]
             result = _frozen(process(active, documents[0] if len(documents) == 1 else documents))
         except FAULTS as fault:
@@ -114,9 +126,22 @@ class ActiveContexts:
             problem = Problem("InvalidContext", iri, _reason(fault), span)
             return self._salvaged(active, entry, process, problem)
         missing = next((context.missing for context in found if context.missing), None)
+        if isinstance(entry, Object):
+            self._datatypes(entry, result)
         if missing:
             return _blind(result), Problem("UnresolvedContext", iri, missing, span)
         return result, None
+
+    def _datatypes(self, entry: Object, result: Context) -> None:
+        """Notes datatypes in a context of the file that no prefix makes an IRI."""
+        for term, definition in entry.items():
+            written = definition.get("@type") if isinstance(definition, Mapping) else None
+            mapping = result["mappings"].get(term)
+            if isinstance(written, Text) and mapping and mapping.get("@type") == written:
+                scheme, colon, rest = written.partition(":")
+                named = scheme in ("", "_") or scheme.lower() in REGISTERED
+                if colon and not named and not rest.startswith("//"):
+                    self.record.undefine(written)
 
     def _salvaged(
         self, active: Context, entry: Any, process: _Process, problem: Problem
@@ -165,6 +190,15 @@ class ActiveContexts:
                 if old and new and old != new:
                     self.record.redefine(Shadow(str(term), str(entry), owners[term], new, old))
             owners[str(term)] = str(entry)
+
+
+def _entries(array: list[Any]) -> Iterator[tuple[Any, Span | None]]:
+    """The contexts in an array and in arrays within it, each with its place."""
+    for index, entry in enumerate(array):
+        if isinstance(entry, list):
+            yield from _entries(entry)
+        else:
+            yield entry, array.element_span(index) if isinstance(array, Array) else None
 
 
 def _frozen(context: Context) -> Context:

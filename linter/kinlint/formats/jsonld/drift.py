@@ -8,6 +8,7 @@ from typing import Any
 from kinlint.formats.json_text.values import Text
 from kinlint.formats.jsonld.active import FAULTS, Context
 from kinlint.formats.jsonld.marks import Origin
+from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.options import ReadOptions
 
@@ -19,7 +20,7 @@ class OtherRelease:
 
     def __init__(self, release: str, options: ReadOptions) -> None:
         self.release = release
-        self._processor = Processor(options.contexts.at_release(release), options.base)
+        self._processor = Processor(Memory.of(options, release), options.base)
         self._at: dict[Origin, tuple[Context, Context]] = {}
 
     def maps_key(self, key: Text, origin: Origin) -> bool:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kinlint.formats.jsonld.literals import malformed
 from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach
 from kinlint.formats.jsonld.schemes import REGISTERED
 from kinlint.terms import Term, iri, literal
 from kinlint.text import Span
+
+_FALLEN = frozenset({Reach.DOCUMENT_BASE, Reach.NOWHERE})
 
 
 class Detail(NamedTuple):
@@ -62,8 +64,11 @@ class LossWatch:
 
     def seen(self, written: Iri, role: str, node: Term | None, prop: Term | None = None) -> None:
         """*written* stands for a node, a property, a datatype or a value."""
-        if written.resolution.reach is Reach.DOCUMENT_BASE and not written.resolution.blind:
+        if written.resolution.reach in _FALLEN and not written.resolution.blind:
             self._reference(written, role, node, prop)
+        elif role == "property" and written.startswith("_:"):
+            details = said(key=written.token)
+            self.losses.append(Loss("DroppedKey", written.span, node, details))
         self._absolute(written, node)
 
     def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
@@ -96,6 +101,13 @@ class LossWatch:
             if not written.startswith("_:"):
                 self.losses.append(Loss("NamedGraph", written.span, None, (name,)))
 
+    def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
+        """The literal at *span* is none; of impossible datatypes is spoken elsewhere."""
+        if "@language" in item and item.get("@type") is None:
+            reason = f"'{item['@language']}' is no language tag"
+            details = said(written=str(item["@value"]), reason=reason)
+            self.losses.append(Loss("LostValue", span, node, details))
+
     def _reference(self, written: Iri, role: str, node: Term | None, prop: Term | None) -> None:
         details = (*said(written=written.token), *_target(written), *said(role=role))
         if role == "value" and prop is not None:
@@ -114,6 +126,6 @@ class LossWatch:
 
 
 def _target(written: Iri) -> tuple[Detail, ...]:
-    if malformed(written):
+    if malformed(written) or written.resolution.reach is Reach.NOWHERE:
         return ()
     return (Detail("iri", iri(written)),)

@@ -61,25 +61,37 @@ class Iri(str):
 class Origin:
     """An object of the text on its way through expansion.
 
-    `subject` becomes the term of the node it describes, once that is known; an object that is
-    no node (a value, a list, a reverse map) leaves it to its parent.
+    `subject` becomes the term of the node it describes, once something is stated about that.
     """
 
-    __slots__ = ("element", "parent", "prop", "subject")
+    __slots__ = ("content", "element", "identifier", "naming", "parent", "prop", "subject")
 
     def __init__(self, element: Object, parent: Origin | None, prop: str | None) -> None:
         self.element = element
         self.parent = parent
         self.prop = prop
         self.subject: str | None = None
+        self.naming: Key | None = None
+        """Its key that means `@id`."""
+        self.identifier: str | None = None
+        """What its `@id` expands to, kept for objects of which nothing is stated."""
+        self.content: Key | None = None
+        """Its key that means `@value`, `@list` or `@set`."""
+
+    def identify(self, written: Text, iri: str) -> None:
+        """*written* means *iri*: if it is the `@id`, that names the node."""
+        if self.naming is not None and self.element.get(self.naming) is written:
+            self.identifier = iri
 
     @property
-    def node(self) -> str | None:
-        """The term of the node that this object describes or belongs to."""
-        origin: Origin | None = self
-        while origin is not None and origin.subject is None:
+    def owner(self) -> Origin:
+        """The object of the node that this object describes or belongs to."""
+        origin = self
+        while origin.parent is not None and origin.subject is None:
+            if origin.content is None and origin.prop != "@reverse":
+                break
             origin = origin.parent
-        return origin.subject if origin else None
+        return origin
 
 
 class Expanded(dict[str, Any]):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, TypeAlias
 
 from pyld.jsonld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 
-from kinlint.formats.json_text.values import Array, Key, Object, Parsed, Text
+from kinlint.formats.json_text.values import Array, Integer, Key, Object, Parsed, Real, Text
 from kinlint.formats.jsonld.active import ActiveContexts, Context
 from kinlint.formats.jsonld.marks import (
     Expanded,
@@ -19,11 +19,14 @@ from kinlint.formats.jsonld.marks import (
     Resolution,
     value_span,
 )
+from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.record import Record
-from kinlint.formats.options import ContextLibrary
 from kinlint.text import Span
 
+_Bases: TypeAlias = tuple[Any, str]
+"""What relative IRIs are resolved against, if they are, and the base of the document."""
 _KEYWORDS = frozenset(KEYWORDS)
+_CONTENT = frozenset({"@value", "@list", "@set"})
 _LIKE_KEYWORD = re.compile(KEYWORD_PATTERN)
 _ABSOLUTE = re.compile(r"([A-Za-z][A-Za-z0-9+-.]*|_):[^\s]*$")
 
@@ -38,9 +41,9 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     """
 
     def __init__(
-        self, library: ContextLibrary, base: str, *, strict: bool = False, mode: str = "1.1"
+        self, memory: Memory, base: str, *, strict: bool = False, mode: str = "1.1"
     ) -> None:
-        ActiveContexts.__init__(self, library, strict=strict)
+        ActiveContexts.__init__(self, memory, strict=strict)
         JsonLdProcessor.__init__(self, on_property_dropped=self._on_dropped)
         self.record = Record()
         self.trail: list[Origin] = []
@@ -55,6 +58,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         }
         self._meanings: dict[tuple[int, bool, str | None], dict[str, Resolution]] = {}
         self._kept: list[Context] = []
+        memory.begin(self._get_initial_context(self.options))
 
     def expand_document(self, parsed: Parsed, context: Any = None) -> list[Any]:
         """The expanded form of a JSON text; *context* is in force from the start.
@@ -76,29 +80,56 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         if isinstance(expanded, Iri):
             self.record.drop(expanded.token, self.trail[-1], blind=expanded.resolution.blind)
 
-    def _expand(
-        self, active_ctx: Context, active_property: Any, element: Any, options: Any, **state: Any
-    ) -> Any:
+    # The flags are spelled out: Python 3.12 counts a call with ** against a limit of its own.
+    def _expand(  # noqa: PLR0913  the signature is PyLD's
+        self, active_ctx: Context, active_property: Any, element: Any, options: Any,
+        *, inside_list: bool = False, inside_index: bool = False, type_scoped_ctx: Any = None,
+    ) -> Any:  # fmt: skip
         if isinstance(element, list):
-            return self._expand_array(active_ctx, active_property, element, options, **state)
+            return self._expand_array(
+                active_ctx, active_property, element, options,
+                inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
+            )  # fmt: skip
         if isinstance(element, Object):
             parent = self.trail[-1] if self.trail else None
             origin = Origin(element, parent, active_property)
             self.trail.append(origin)
             if element.overwritten is not None:
                 self.repeated[id(element)] = origin
-            result = super()._expand(active_ctx, active_property, element, options, **state)
+            result = super()._expand(
+                active_ctx, active_property, element, options,
+                inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
+            )  # fmt: skip
             # Not in a `finally`: after an error the trail tells where it happened.
             self.trail.pop()
+            if result is None and origin.content and element.get(origin.content) is not None:
+                self.record.float(element[origin.content], element.span)
             return Expanded(result, element.span, origin) if type(result) is dict else result
-        result = super()._expand(active_ctx, active_property, element, options, **state)
+        result = super()._expand(
+            active_ctx, active_property, element, options,
+            inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
+        )  # fmt: skip
         if isinstance(element, bool) and type(result) is dict:
             return Expanded(result, value_span(active_property) or self.trail[-1].element.span)
+        if result is None and isinstance(element, (Text, Integer, Real)):
+            self.record.float(element, element.span)
         return result
 
-    def _expand_array(
+    def _expand_index_map(
+        self, active_ctx: Context, active_property: Any, value: dict[str, Any], *rest: Any
+    ) -> Any:
+        """Literals carry no place, but arrays know those of their elements."""
+        placed = dict(value)
+        for key, item in value.items():
+            if isinstance(item, bool) and isinstance(key, Key):
+                placed[key] = Array(key.value_start)
+                placed[key].literals = {0: key.value_span}
+                placed[key].append(item)
+        return super()._expand_index_map(active_ctx, active_property, placed, *rest)
+
+    def _expand_array(  # noqa: PLR0913
         self, active_ctx: Context, active_property: Any, element: list[Any], options: Any,
-        *, inside_list: bool = False, **state: Any,
+        *, inside_list: bool, inside_index: bool, type_scoped_ctx: Any,
     ) -> ExpandedArray:  # fmt: skip
         """PyLD's own loop, save that it knows which element it is at."""
         place = element.span if isinstance(element, Array) else self._around(active_property)
@@ -109,8 +140,9 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         take = on_node or result.append
         for index, item in enumerate(element):
             expanded = self._expand(
-                active_ctx, active_property, item, options, inside_list=inside_list, **state
-            )
+                active_ctx, active_property, item, options,
+                inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
+            )  # fmt: skip
             if expanded is None:
                 continue
             if isinstance(expanded, list):
@@ -162,32 +194,46 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         if meaning is None:
             plain = str(value)
             iri = super()._expand_iri(active_ctx, plain, base, vocab)
-            reach = _reach(active_ctx, plain, iri, base, vocab=bool(vocab))
+            bases = (base, self.options["base"])
+            reach = _reach(active_ctx, plain, iri, bases, vocab=bool(vocab))
             meaning = meanings[plain] = Resolution(iri, reach, bool(active_ctx.get("_blind")))
-        if meaning.iri is None:
-            if isinstance(value, Key) and _LIKE_KEYWORD.match(value) and self.trail:
-                self.record.drop(value, self.trail[-1], blind=False)
-            return None
-        if meaning.iri in _KEYWORDS:
+        if meaning.iri is None or meaning.iri in _KEYWORDS:
+            if self.trail:
+                self._reserved(value, meaning.iri, self.trail[-1])
             return meaning.iri
         if self.record.shadows:
             self.record.resolved(value, meaning)
         result = Iri(meaning.iri)
         result.token = value
         result.resolution = meaning
+        if base is not None and self.trail:
+            self.trail[-1].identify(value, result)
         return result
+
+    def _reserved(self, token: Text, keyword: str | None, origin: Origin) -> None:
+        """Notes what the keyword *token* does to its object, or that it is none."""
+        if not isinstance(token, Key):
+            if keyword != "@json" and (keyword or _LIKE_KEYWORD.match(token)):
+                self.record.reserve(token, origin)
+        elif keyword is None:
+            if _LIKE_KEYWORD.match(token):
+                self.record.drop(token, origin, blind=False)
+        elif keyword in _CONTENT:
+            origin.content = token
+        elif keyword == "@id":
+            origin.naming = token
 
 
 def _element_span(array: list[Any], index: int) -> Any:
     return array.element_span(index) if isinstance(array, Array) else None
 
 
-def _reach(context: Context, value: str, iri: Any, base: Any, *, vocab: bool) -> Reach:
+def _reach(context: Context, value: str, iri: Any, bases: _Bases, *, vocab: bool) -> Reach:
     """By which of its steps IRI expansion (JSON-LD 1.1 API, 5.2) came to *iri*."""
     if vocab and value in context["mappings"]:
         return Reach.TERM
     return _reach_of_compact(context, value) or _reach_of_relative(
-        context, iri == value, base, vocab=vocab
+        context, iri == value, bases, vocab=vocab
     )
 
 
@@ -205,11 +251,16 @@ def _reach_of_compact(context: Context, value: str) -> Reach | None:
     return Reach.SCHEME if _ABSOLUTE.match(value) else None
 
 
-def _reach_of_relative(context: Context, unchanged: bool, base: Any, *, vocab: bool) -> Reach:  # noqa: FBT001
-    author = context.get("@base")
+def _reach_of_relative(
+    context: Context,
+    unchanged: bool,  # noqa: FBT001
+    bases: _Bases,
+    *,
+    vocab: bool,
+) -> Reach:
+    author, (base, document) = context.get("@base"), bases
     if vocab and "@vocab" in context:
-        vocabulary = context["@vocab"]
-        fell = isinstance(base, str) and base and str(vocabulary).startswith(base)
+        fell = document and str(context["@vocab"]).startswith(document)
         return Reach.DOCUMENT_BASE if fell else Reach.VOCAB
     if base is None or unchanged or ("@base" in context and author is None):
         return Reach.NOWHERE

@@ -14,9 +14,10 @@ from pyld.jsonld import JsonLdError
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.json_text.parser import parse
-from kinlint.formats.json_text.values import Parsed
+from kinlint.formats.json_text.values import Object, Parsed
 from kinlint.formats.jsonld.active import FAULTS, complaint
 from kinlint.formats.jsonld.losses import LossWatch
+from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.jsonld.report import LossReport
 from kinlint.formats.jsonld.triples import Triples
@@ -45,7 +46,8 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
         place = source.position(parsed.span.start)
         cause = "not JSON-LD: neither an object nor an array"
         raise SourceError(source.name, cause, place.line, place.column)
-    processor = Processor(options.contexts, options.base)
+    _check_contexts(parsed, source)
+    processor = Processor(Memory.of(options, options.contexts.release), options.base)
     graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossWatch()
     triples = Triples(blanks, watch)
     processor.on_node = lambda node: triples.add([node], parsed.span)
@@ -54,7 +56,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     layer = SourceLayer(graph, blanks)
     layer.file(FORMAT, source.name, Span(0, len(source.text)))
     layer.described(triples.nodes)
-    report = LossReport(processor.record, watch, options)
+    report = LossReport(processor.record, watch, triples, options)
     report.state_uses(layer)
     for loss in report.losses(parsed.repeats, processor.repeated):
         details = [(detail.name, detail.value) for detail in loss.details]
@@ -67,13 +69,33 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     return Document(source, graph, tuple(spans), places, processor.record.prefixes)
 
 
+def _check_contexts(parsed: Parsed, source: SourceText) -> None:
+    """Refuses a file whose outermost `@context` is a number, or true, or false."""
+    outermost = parsed.value if isinstance(parsed.value, list) else [parsed.value]
+    for node in outermost:
+        if not isinstance(node, Object) or not isinstance(node.get("@context"), (int, float)):
+            continue
+        if (key := node.key("@context")) is not None:
+            place = source.position(key.value_start)
+            cause = "not JSON-LD: a context must be an object, an IRI, an array of these or null"
+            raise SourceError(source.name, cause, place.line, place.column)
+
+
 def _expanded(processor: Processor, parsed: Parsed, source: SourceText) -> list[Any]:
     try:
         return processor.expand_document(parsed)
     except FAULTS as fault:
-        trail = processor.trail
-        place = source.position(trail[-1].element.start if trail else parsed.span.start)
+        place = source.position(_blamed(fault, processor, parsed))
         raise SourceError(source.name, _cause(fault), place.line, place.column) from fault
+
+
+def _blamed(fault: BaseException, processor: Processor, parsed: Parsed) -> int:
+    """Where the value stands that PyLD complains of, or the object it was at."""
+    details = getattr(fault, "details", None) or {}
+    start = getattr(details.get("value"), "start", None)
+    if start is None:
+        start = processor.trail[-1].element.start if processor.trail else parsed.span.start
+    return int(start)
 
 
 def _cause(fault: BaseException) -> str:

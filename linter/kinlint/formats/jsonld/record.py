@@ -19,6 +19,16 @@ class Drop(NamedTuple):
     blind: bool
 
 
+class Stray(NamedTuple):
+    """A value without effect: a would-be keyword where an IRI belongs, or a value of nothing."""
+
+    kind: str
+    span: Span
+    origin: Origin | None
+    written: str
+    reason: str
+
+
 class Problem(NamedTuple):
     """A context that is missing or broken: its IRI if it has one, and where it is named."""
 
@@ -48,10 +58,28 @@ class Record:
     shadows: dict[str, Shadow] = field(default_factory=dict)
     shadow_uses: dict[Shadow, Text] = field(default_factory=dict)
     prefixes: dict[str, str] = field(default_factory=dict)
+    strays: dict[Span, Stray] = field(default_factory=dict)
+    unprefixed: dict[int, Text] = field(default_factory=dict)
 
     def drop(self, key: Text, origin: Origin, *, blind: bool) -> None:
         """*key* in *origin* means nothing."""
         self.drops.setdefault(key.start, Drop(key, origin, blind))
+
+    def reserve(self, value: Text, origin: Origin) -> None:
+        """*value* should be an IRI, but JSON-LD reserves such words and ignores them."""
+        reason = "JSON-LD reserves words that begin with an at sign"
+        self.strays.setdefault(value.span, Stray("MalformedIri", value.span, origin, value, reason))
+
+    def float(self, value: Any, span: Span) -> None:
+        """*value* stands where nodes do, and so is the value of no property."""
+        reason = "it is the value of no property"
+        plain = isinstance(value, (str, int, float))
+        written = f"{value}" if plain and not isinstance(value, bool) else "value"
+        self.strays.setdefault(span, Stray("LostValue", span, None, written, reason))
+
+    def undefine(self, datatype: Text) -> None:
+        """A context in the file gives a term a *datatype* with an unknown prefix."""
+        self.unprefixed.setdefault(datatype.start, datatype)
 
     def use(self, entry: Any) -> None:
         """The file names a context, if *entry* is an IRI written in it."""

@@ -7,6 +7,7 @@ from kinlint.formats.jsonld.drift import OtherRelease
 from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
 from kinlint.formats.jsonld.marks import Origin
 from kinlint.formats.jsonld.record import Record
+from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.terms import Term, iri, literal
@@ -16,19 +17,22 @@ from kinlint.vocabulary import METAMODELS
 class LossReport:
     """All losses of one file; *origins* tell which object of the text describes which node."""
 
-    def __init__(self, record: Record, watch: LossWatch, options: ReadOptions) -> None:
+    def __init__(
+        self, record: Record, watch: LossWatch, triples: Triples, options: ReadOptions
+    ) -> None:
         self._record = record
         self._watch = watch
+        self._triples = triples
         self._options = options
         self._releases: list[OtherRelease] | None = None
 
     def losses(self, repeats: list[Object], origins: dict[int, Origin]) -> list[Loss]:
         """The losses in the order of the text."""
         found = [*self._watch.losses, *self._watch.references(), *self._types()]
-        found += [*self._dropped(), *self._contexts(), *self._shadows()]
+        found += [*self._dropped(), *self._strays(), *self._contexts(), *self._shadows()]
         for repeated in repeats:
             origin = origins.get(id(repeated))
-            found += _duplicates(repeated, origin.node if origin else None)
+            found += _duplicates(repeated, self._triples.named(origin) if origin else None)
         return sorted(found, key=_place)
 
     def state_uses(self, layer: SourceLayer) -> None:
@@ -50,7 +54,8 @@ class LossReport:
         losses = []
         for drop in self._record.drops.values():
             kind = "UnreadKey" if drop.blind else "DroppedKey"
-            loss = Loss(kind, drop.key.span, drop.origin.node, said(key=drop.key))
+            node = self._triples.named(drop.origin)
+            loss = Loss(kind, drop.key.span, node, said(key=drop.key))
             if not drop.blind:
                 loss = loss.with_details(
                     Detail("mappedInRelease", literal(other.release))
@@ -58,6 +63,21 @@ class LossReport:
                     if other.maps_key(drop.key, drop.origin)
                 )
             losses.append(loss)
+        return losses
+
+    def _strays(self) -> list[Loss]:
+        losses = [
+            Loss(
+                stray.kind,
+                stray.span,
+                self._triples.named(stray.origin) if stray.origin else None,
+                said(written=stray.written, reason=stray.reason),
+            )
+            for stray in self._record.strays.values()
+        ]
+        for datatype in self._record.unprefixed.values():
+            details = said(prefix=datatype.partition(":")[0], written=datatype)
+            losses.append(Loss("UndefinedPrefix", datatype.span, None, details))
         return losses
 
     def _types(self) -> list[Loss]:

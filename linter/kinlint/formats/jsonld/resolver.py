@@ -39,8 +39,7 @@ class Resolver:
         self._library = library
         self._strict = strict
         self._remote: dict[str, list[Resolved]] = {}
-        # The contexts are kept, or the identities of those gone would be used again.
-        self._objects: dict[int, tuple[Any, Resolved]] = {}
+        self._documents: dict[tuple[str, str], Any] = {}
 
     def resolve(
         self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
@@ -60,11 +59,7 @@ class Resolver:
             return [Resolved(None)]
         if not isinstance(entry, Mapping):
             raise _error("a context must be an object, an IRI or null", "invalid local context", "")
-        known = self._objects.get(id(entry))
-        if known is None:
-            known = (entry, self._with_import(active, entry, base))
-            self._objects[id(entry)] = known
-        return [known[1]]
+        return [self._with_import(active, entry, base)]
 
     def _with_import(self, active: Mapping[str, Any], context: Any, base: str) -> Resolved:
         # PyLD merges into the imported document itself, and so into later uses of it.
@@ -98,7 +93,12 @@ class Resolver:
         return self._remote[iri]
 
     def _fetched(self, iri: str, written: str) -> Any:
-        """The context in the document at *iri*, its references made absolute."""
+        """The context in the document at *iri*, its references made absolute; always the same."""
+        if (iri, written) not in self._documents:
+            self._documents[iri, written] = self._read(iri, written)
+        return self._documents[iri, written]
+
+    def _read(self, iri: str, written: str) -> Any:
         document = self._library.document(iri) or self._library.document(written)
         if document is None:
             return None

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import Any, Protocol
 
 from kinlint.document import NodeSpans
-from kinlint.formats.json_text.values import Array
 from kinlint.formats.jsonld.literals import malformed, value_literal
 from kinlint.formats.jsonld.marks import Expanded, Iri, Origin, value_span
 from kinlint.formats.naming import BlankNodes
@@ -35,6 +34,10 @@ class Watch(Protocol):
 
     def graph(self, written: Iri) -> None:
         """*written* names a graph."""
+        ...
+
+    def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
+        """The expanded value *item* at *span* cannot be a value in RDF."""
         ...
 
 
@@ -75,6 +78,13 @@ class Triples:
         for node in nodes:
             if "@value" not in node:
                 self._node(node, getattr(node, "span", around))
+
+    def named(self, origin: Origin) -> Term:
+        """The node that an object describes or belongs to, be it only in name."""
+        owner = origin.owner
+        if owner.subject is None:
+            owner.subject = self._term(owner.identifier) or self._blanks.fresh()
+        return owner.subject
 
     def _emit(
         self, subject: Term | None, prop: Term | None, value: Term | None, span: Span
@@ -203,7 +213,10 @@ class Triples:
             if "@language" in item:
                 self._emit(compound, iri(f"{RDF}language"), literal(item["@language"]), span)
             return compound, span
-        return value_literal(item, directed=self._direction == "i18n-datatype"), span
+        value = value_literal(item, directed=self._direction == "i18n-datatype")
+        if value is None and self._watch is not None:
+            self._watch.value(item, subject, span)
+        return value, span
 
     def _list(
         self, subject: Term | None, prop: Term | None, item: dict[str, Any], stands: Span
@@ -213,10 +226,12 @@ class Triples:
         if not elements:
             return NIL, span
         cells = [*(self._blanks.fresh() for _ in elements), NIL]
+        held = subject is not None and prop is not None
         for element, cell, following in zip(elements, cells, cells[1:], strict=False):
             value, place = self._value(subject, prop, element, span)
-            self._emit(cell, FIRST, value, place)
-            self._emit(cell, REST, following, span)
+            if held:
+                self._emit(cell, FIRST, value, place)
+                self._emit(cell, REST, following, span)
         return cells[0], span
 
 
@@ -236,26 +251,15 @@ def _place(entry: tuple[int, str, Any]) -> int:
 
 
 def _value_token(item: dict[str, Any]) -> Span | None:
-    value = item["@value"]
-    span: Span | None = getattr(value, "span", None)
+    span: Span | None = getattr(item["@value"], "span", None)
     if span is not None or not isinstance(item, Expanded):
         return span
-    if item.origin is None:
-        return item.span
-    for key, written in item.origin.element.items():
-        if written is value:
-            return value_span(key)
-    return item.span
+    return (value_span(item.origin.content) if item.origin else None) or item.span
 
 
 def _list_span(item: dict[str, Any]) -> Span | None:
     if isinstance(item, Expanded):
-        if item.origin is None:
-            return item.span
-        for value in item.origin.element.values():
-            if isinstance(value, Array):
-                return value.span
-        return item.span
+        return (value_span(item.origin.content) if item.origin else None) or item.span
     elements = item["@list"]
     span: Span | None = getattr(elements, "span", None)
     if span is None and len(elements) == 1:
