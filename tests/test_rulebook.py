@@ -69,6 +69,16 @@ def test_users_add_rules(tmp_path):
     assert rulebook.load([tmp_path]).by_code["ACME001"].name == "unit-left-out"
 
 
+def test_a_built_in_rule_given_again_is_the_same_rule(tmp_path):
+    """A copy of a built-in rule stands for it instead of clashing with it."""
+    copy = tmp_path / RULE.name
+    copy.write_bytes(RULE.read_bytes())
+    book = rulebook.load([tmp_path])
+
+    assert book.by_code["UNI001"].path == str(copy)
+    assert len(book.rules) == len(rulebook.load([RULE]).rules) == len(rulebook.load().rules)
+
+
 def test_shapes_without_a_rule_get_one(tmp_path):
     """A user's shape is reported under a code of its own, with the shape's severity."""
     file = tmp_path / "shapes.ttl"
@@ -102,7 +112,7 @@ OTHER = '<https://example.org/other> a kl:Rule ; kl:code "A001" . '
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
-        (KL[:30], "no Turtle"),
+        (KL[:30], "wrong.ttl:1"),
         (KL + "kl:a a kl:Rule .", "has no kl:code"),
         (KL + ONE + TWO, "2 rules in one file"),
         (KL + OTHER, "its file must be other.ttl"),

@@ -1,12 +1,43 @@
 """Every rule keeps the promises its own file makes."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from kinlint import resources, rule_test, rulebook
+from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.errors import RuleInvalid
+from kinlint.rule_file import read_rules
 
 BOOK = rulebook.load()
+
+USERS = """
+@prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
+@prefix kl:   <https://w3id.org/kinlint/ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix rule: <https://w3id.org/kinlint/rules/> .
+@prefix sh:   <http://www.w3.org/ns/shacl#> .
+
+rule:space-in-identifier a kl:Rule, sh:NodeShape ;
+    kl:code "ID900" ;
+    rdfs:label "space in an identifier" ;
+    rdfs:comment "Simulators allow no spaces in names and rewrite them. A script asks for the old one in vain." ;
+    kl:since "0.1.0" ; kl:format "jsonld" ; rdfs:seeAlso <https://www.rfc-editor.org/rfc/rfc3987> ;
+    sh:severity sh:Warning ;
+    sh:targetClass kc:Joint ;
+    sh:sparql [
+        sh:message "The identifier of joint '{$this}' has a space in it." ;
+        sh:prefixes kl:prefixes ;
+        sh:select '''SELECT $this WHERE { FILTER (CONTAINS(STR($this), "%20")) }''' ] ;
+    kl:example [
+        kl:bad '''{
+            "@context": "https://w3id.org/kinlint/composable.json",
+            "@id": [|"https://example.org/arm#left%20elbow"|], "@type": "Joint" }'''^^kl:jsonld ;
+        kl:good '''{
+            "@context": "https://w3id.org/kinlint/composable.json",
+            "@id": "https://example.org/arm#left-elbow", "@type": "Joint" }'''^^kl:jsonld ] .
+"""
 
 
 @pytest.mark.parametrize("rule", BOOK.rules, ids=lambda rule: rule.name)
@@ -28,3 +59,66 @@ def test_marks_are_taken_out_and_remembered():
 
     assert text == '{"a": 1, "b": ["x"]}'
     assert [text[span.start : span.end] for span in spans] == ["1", '"x"']
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Writes a user's rule file, and gives what it promises and does not keep."""
+    file = tmp_path / "space-in-identifier.ttl"
+
+    def failures(text):
+        file.write_text(text)
+        (rule,) = read_rules(file)
+        files = (resources.data("shapes") / rulebook.PREFIXES, file)
+        constraints = compile_shapes(files)
+        book = replace(BOOK, rules=(rule,), constraints=constraints, shapes=files)
+        return list(rule_test.failures(rule, book))
+
+    return failures
+
+
+def test_a_rule_of_a_user_that_is_right_passes(written):
+    """What the next tests break is whole."""
+    assert written(USERS) == []
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "said"),
+    [
+        ("a space in it.", "a space in it", "does not end in a period"),
+        ("'{$this}'", "{$this}", "outside single quotes"),
+        ("'{$this}' has", "'{$this}' has '{?none}',", "a variable of the message is empty"),
+        ("[|", "", "marks nothing"),
+        ('"%20"', '"%21"', "is marked and not found"),
+        ("#left-elbow", "#left%20elbow", "good example 1 is flagged at 3:"),
+        ("^^kl:jsonld", "", "example 1 is neither ^^kl:jsonld nor ^^kl:turtle"),
+        ('"Joint" }', '"Joint"', "example 1 cannot be read: example.jsonld:"),
+        ("rdfs:label", "rdfs:seeAlso", "A rule has one rdfs:label"),
+        ("{ FILTER", "{ $this a ?type FILTER", "shows why the query needs ?this rdf:type ?type"),
+        ("{ FILTER", "{ FILTER (isIRI($this)) FILTER", "needs FILTER ( isIRI ( ?this ) )"),
+        ("SELECT $this WHERE {", "SELECT $this WHERE { OPTIONAL { $this a kc:Joint }", "kc:Joint"),
+    ],
+)
+def test_what_a_rule_promises_and_does_not_keep_is_said(written, right, wrong, said):
+    """Each fault of a rule file is named in a sentence."""
+    assert said in " ".join(written(USERS.replace(right, wrong)))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "said"),
+    [
+        ('    kl:code "ID900" ;\n', "", "rule space-in-identifier has no kl:code"),
+        ("rule:space-in", "rule:spaces-in", "so its file must be spaces-in-identifier.ttl"),
+        ('"%20"))', '"%20")', "not SPARQL 1.1 near"),
+        ("FILTER", "$this foo:bar 1 . FILTER", "the prefix 'foo:' is not declared"),
+        ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:12: A dot is expected"),
+        ("targetClass kc:", "targetClass zz:", ".ttl:14: The prefix zz: has not been declared"),
+    ],
+)
+def test_what_is_no_rule_is_refused(written, right, wrong, said):
+    """A rule file that cannot be used is refused in one line with its cause."""
+    with pytest.raises(RuleInvalid) as refusal:
+        written(USERS.replace(right, wrong))
+
+    assert said in str(refusal.value)
+    assert "\n" not in str(refusal.value)

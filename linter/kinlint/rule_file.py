@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections import deque
 from pathlib import Path
 from textwrap import dedent
 from typing import TYPE_CHECKING
+
+import pyoxigraph as ox
 
 from kinlint.errors import RuleInvalid
 from kinlint.model import Example, Rule, Severity
@@ -29,14 +32,24 @@ def read_rules(file: Path) -> tuple[Rule, ...]:
     """
     from rdflib import RDF, Graph, URIRef  # noqa: PLC0415
 
-    try:
-        graph = Graph().parse(file, format="turtle")
-    except Exception as error:
-        raise RuleInvalid(f"{file}: no Turtle: {' '.join(str(error).split())}") from error
+    graph = Graph().parse(data=_turtle(file), format="turtle", publicID=file.absolute().as_uri())
     rules = sorted(graph.subjects(RDF.type, URIRef(f"{KL}Rule")), key=str)
     if len(rules) > 1:
         raise RuleInvalid(f"{file}: {len(rules)} rules in one file; a rule file holds one")
     return tuple(_rule(graph, rule, file) for rule in rules)
+
+
+def _turtle(file: Path) -> str:
+    """The text of *file*, once Oxigraph has parsed it: its errors say line and cause."""
+    try:
+        text = file.read_text("utf-8-sig")
+        deque(ox.parse(text, ox.RdfFormat.TURTLE, base_iri=file.absolute().as_uri()), maxlen=0)
+    except UnicodeDecodeError as error:
+        raise RuleInvalid(f"{file}: not UTF-8, from byte {error.start} on") from error
+    except SyntaxError as error:
+        cause = str(error.msg).split(": ", 1)[-1]
+        raise RuleInvalid(f"{file}:{error.lineno}: {cause}") from error
+    return text
 
 
 def _rule(graph: Graph, subject: Node, file: Path) -> Rule:

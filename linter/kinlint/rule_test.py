@@ -1,4 +1,4 @@
-"""Holds rules to what their own files promise: form, examples, messages, engines."""
+"""Holds rules to what their own files promise: form, examples, messages, engines, mutation."""
 
 from __future__ import annotations
 
@@ -12,9 +12,11 @@ from kinlint import lint, resources
 from kinlint.config import FileSettings, Settings
 from kinlint.engine.check import check
 from kinlint.engine.store import Store
+from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.model import Finding, Rule
+from kinlint.model import Example, Finding, Rule
+from kinlint.rule_mutation import Bench, idle
 from kinlint.rulebook import PREFIXES, Rulebook
 from kinlint.text import SourceText, Span
 
@@ -36,16 +38,44 @@ def unmarked(text: str) -> tuple[str, list[Span]]:
 
 def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """What *rule* promises and does not keep, a sentence each. Nothing if all is well."""
+    found = list(_broken(rule, rulebook))
+    yield from found
+    if not found:
+        examples = (each for example in rule.examples for each in _texts(example))
+        yield from idle(Bench.of(rule, rulebook, examples))
+
+
+def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     yield from form(rule)
     yield from messages(rule)
     if not rule.examples:
         yield "it has no example"
     for number, example in enumerate(rule.examples, 1):
-        if example.bad is not None:
-            yield from _bad(rule, rulebook, number, example.format, example.bad)
-        if example.good is not None:
-            for finding in found(rule, rulebook, example.format, example.good):
-                yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
+        if example.format not in SUFFIXES:
+            yield f"example {number} is neither ^^kl:jsonld nor ^^kl:turtle"
+            continue
+        try:
+            yield from _judged(rule, rulebook, number, example)
+        except SourceError as error:
+            yield f"example {number} cannot be read: {error}"
+
+
+def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> Iterator[str]:
+    if example.bad is not None:
+        yield from _bad(rule, rulebook, number, example.format, example.bad)
+    if example.good is not None:
+        for finding in found(rule, rulebook, example.format, example.good):
+            yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
+
+
+def _texts(example: Example) -> Iterator[SourceText]:
+    for text in (example.bad, example.good):
+        if text is not None:
+            yield _source(example.format, unmarked(text)[0])
+
+
+def _source(language: str, text: str) -> SourceText:
+    return SourceText("example" + SUFFIXES[language], text)
 
 
 def _bad(rule: Rule, rulebook: Rulebook, number: int, language: str, marked: str) -> Iterator[str]:
@@ -60,6 +90,8 @@ def _bad(rule: Rule, rulebook: Rulebook, number: int, language: str, marked: str
         if finding.location.span not in expected:
             where = f"{_place(finding)} without a mark"
             yield f"bad example {number}: found at {where}: {finding.message}"
+        if "''" in finding.message:
+            yield f"bad example {number}: a variable of the message is empty: {finding.message}"
     judged = results(rule, rulebook, language, text, "oxigraph")
     if judged != results(rule, rulebook, language, text, "pyshacl"):
         yield f"bad example {number}: the engines disagree"
@@ -89,7 +121,7 @@ def _lint(
     text: str,
     engine: Literal["oxigraph", "pyshacl"],
 ) -> list[Finding]:
-    source = SourceText("example" + SUFFIXES.get(language, f".{language}"), text)
+    source = _source(language, text)
     own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)

@@ -76,7 +76,8 @@ def load(
     """
     ours = resources.data("shapes")
     vocabulary = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
-    files = (*_turtle(resources.data("rules")), *_rule_files(rules))
+    given = tuple(_rule_files(rules))
+    files = (*_others(_turtle(resources.data("rules")), given), *given)
     extra = tuple(_existing(shapes))
     inputs = (ours / PREFIXES, *vocabulary, *files, *extra)
     name = f"catalogue-{_digest(inputs)}.json"
@@ -165,6 +166,15 @@ def _turtle(directory: Path) -> list[Path]:
 def _rule_files(given: Iterable[Path]) -> Iterator[Path]:
     for path in _existing(given):
         yield from _turtle(path) if path.is_dir() else [path]
+
+
+def _others(files: Iterable[Path], given: Sequence[Path]) -> Iterator[Path]:
+    """Those *files* that are not *given* as well, by the same path or as a copy."""
+    named = {file.name: file for file in given}
+    for file in files:
+        twin = named.get(file.name)
+        if twin is None or twin.read_bytes() != file.read_bytes():
+            yield file
 
 
 def _existing(given: Iterable[Path]) -> Iterator[Path]:

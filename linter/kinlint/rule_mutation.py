@@ -1,0 +1,117 @@
+"""Mutation of rules: whatever a query asks for, some example must show that it matters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.document import Document
+from kinlint.engine.check import check
+from kinlint.engine.closure import close
+from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.graph import ShapesGraph
+from kinlint.engine.compiler.graph import read as read_shapes
+from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.parse import parse
+from kinlint.engine.compiler.prefixes import declared
+from kinlint.engine.compiler.syntax import render
+from kinlint.engine.compiler.tokens import tokens
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.store import Store
+from kinlint.errors import RuleInvalid
+from kinlint.findings import findings
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
+from kinlint.model import Rule
+from kinlint.rule_mutant import mutants
+from kinlint.rulebook import PREFIXES, Rulebook
+from kinlint.terms import literal_value
+from kinlint.text import SourceText, Span
+
+Outcome = tuple[tuple[Span, str, str], ...]
+"""Where the findings of an example are, about what, and what they say."""
+
+
+@dataclass(frozen=True)
+class Bench:
+    """The examples of a rule, read and closed, ready for any version of it."""
+
+    rule: Rule
+    rulebook: Rulebook
+    examples: tuple[tuple[Document, Store], ...]
+
+    @classmethod
+    def of(cls, rule: Rule, rulebook: Rulebook, texts: Iterable[SourceText]) -> Bench:
+        """The bench for the examples *texts* of *rule*."""
+        return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
+
+    def outcomes(self, constraints: tuple[Constraint, ...]) -> list[Outcome]:
+        """What *constraints* find in each example."""
+        return [
+            tuple(
+                sorted(
+                    (finding.location.span, finding.iri, finding.message)
+                    for finding in findings(
+                        check(store, constraints), [document], store, self.rulebook
+                    )
+                )
+            )
+            for document, store in self.examples
+        ]
+
+
+def _closed(text: SourceText, rulebook: Rulebook) -> tuple[Document, Store]:
+    document = read(text, ReadOptions())
+    store = Store()
+    store.load([document])
+    store.load_vocabulary(rulebook.vocabulary)
+    close(store, rulebook.axioms)
+    return document, store
+
+
+def idle(bench: Bench) -> Iterator[str]:
+    """What could be deleted from the queries of a rule without any example noticing.
+
+    Nothing for a rule that only the reference engine can judge.
+    """
+    rule = bench.rule
+    text = Path(rule.path).read_text("utf-8-sig")
+    prefixes = next(file for file in bench.rulebook.shapes if file.name == PREFIXES)
+    graph = read_shapes([prefixes, (rule.path, text)])
+
+    def compiled(version: str) -> tuple[Constraint, ...]:
+        found = compile_shapes([prefixes, (rule.path, version)])
+        return tuple(each for each in found if each.owner == rule.iri)
+
+    constraints = compiled(text)
+    if any(each.deferred is not None for each in constraints):
+        return
+    whole = bench.outcomes(constraints)
+    for query, known in _queries(graph):
+        for deleted, mutant in mutants(parse(tokens(query, known))):
+            try:
+                matters = bench.outcomes(compiled(_replaced(text, query, render(mutant)))) != whole
+            except RuleInvalid:
+                matters = True
+            if not matters:
+                yield f"no example shows why the query needs {_short(deleted, known)}"
+
+
+def _queries(graph: ShapesGraph) -> Iterator[tuple[str, dict[str, str]]]:
+    for subject in graph.subjects():
+        for query in graph.values(subject, sh("select")):
+            yield literal_value(query), declared(graph, subject)
+
+
+def _replaced(text: str, query: str, by: str) -> str:
+    """The rule file *text* with *query* in it replaced."""
+    written = query if query in text else query.replace("\\", "\\\\")
+    return text.replace(written, by.replace("\\", "\\\\"))
+
+
+def _short(text: str, prefixes: dict[str, str]) -> str:
+    for prefix, namespace in prefixes.items():
+        text = re.sub(f"<{re.escape(namespace)}([\\w-]+)>", rf"{prefix}:\1", text)
+    return text
