@@ -21,6 +21,9 @@ from kinlint.vocabulary import DOCUMENT_BASE, KIN, KL, METAMODELS, QUANTITY_KIND
 BARE = (METAMODELS, KL, KIN, SRC, UNIT, QUANTITY_KIND, QUDT, DOCUMENT_BASE)
 """Namespaces whose local names stand for themselves, as models write them."""
 
+LONGEST, TAIL = 160, 40
+"""How much of a term a message repeats, and how much of that is its end."""
+
 NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
 
 
@@ -32,12 +35,13 @@ class Display:
     own: tuple[str, ...] = ()
 
     def term(self, term: Term) -> str:
-        """*term* without the quotes, brackets and datatypes of N-Triples."""
+        """*term* without the quotes, brackets and datatypes of N-Triples, in one line."""
         if is_blank(term):
             return "an anonymous node"
         if is_literal(term):
-            return _number(term) if literal_datatype(term) in NUMBERS else literal_value(term)
-        return self.iri(iri_value(term))
+            number = literal_datatype(term) in NUMBERS
+            return _short(_number(term) if number else literal_value(term))
+        return _short(self.iri(iri_value(term)))
 
     def iri(self, iri: str) -> str:
         """*iri* by its local name or a prefix, whichever the file would write; else whole."""
@@ -59,6 +63,20 @@ class Display:
         subject, predicate, value = triple
         verb = "a" if predicate == RDF_TYPE else self.term(predicate)
         return f"{self.term(subject)} {verb} {self.term(value)}"
+
+
+def _short(text: str) -> str:
+    """*text* with its control characters as escapes, its middle left out if it is very long."""
+    if len(text) > LONGEST:
+        text = f"{text[: LONGEST - TAIL]}…{text[-TAIL:]}"
+    if text.isprintable():
+        return text
+    return "".join(char if char.isprintable() else _escape(char) for char in text)
+
+
+def _escape(char: str) -> str:
+    named = {"\n": "\\n", "\r": "\\r", "\t": "\\t"}
+    return named.get(char) or f"\\u{ord(char):04x}"
 
 
 def _number(term: Term) -> str:

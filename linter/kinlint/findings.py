@@ -7,19 +7,31 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from kinlint.anonymous import AnonymousNodes
 from kinlint.display import Display
 from kinlint.document import Document
+from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import because
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.model import Finding, Location, Premise, Related, Rule
 from kinlint.rulebook import Rulebook
-from kinlint.terms import RDF_TYPE, Term, iri, iri_value, is_iri, is_literal, literal_value
+from kinlint.terms import (
+    RDF_TYPE,
+    Term,
+    iri,
+    iri_value,
+    is_blank,
+    is_iri,
+    is_literal,
+    literal_value,
+)
 from kinlint.text import Span
 from kinlint.vocabulary import SRC
 
+PLAIN = re.compile(r"<[^<>]*>")
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
-NODE, DOCUMENT, OWN = (iri(f"{SRC}{name}") for name in ("node", "document", "ownNamespace"))
+OWN = iri(f"{SRC}ownNamespace")
 CONSTRAINT = "ConstraintComponent"
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "message"})
 
@@ -38,6 +50,13 @@ class Locator:
         for document in self.documents:
             for node in document.map.nodes:
                 homes.setdefault(node, []).append(document)
+        shared = {node: found for node, found in homes.items() if len(found) > 1}
+        if shared:
+            typed = {
+                (d.graph, s) for d in self.documents for s, p, _ in d.statements if p == RDF_TYPE
+            }
+            for node, found in shared.items():
+                found.sort(key=lambda document, node=node: (document.graph, node) not in typed)  # type: ignore[misc]
         return homes
 
     def node(self, node: Term) -> Location | None:
@@ -66,6 +85,44 @@ class Locator:
             if said is not None:
                 return said[0]
         return self.node(result.focus) or Location(self.documents[0].source, Span(0, 0))
+
+    @cached_property
+    def _inferred(self) -> frozenset[Term]:
+        """The properties, and the classes, of which something was inferred."""
+        return frozenset(o if p == RDF_TYPE else p for _, p, o in self.store.inferred())
+
+    def may_be_inferred(self, constraint: Constraint) -> bool:
+        """Whether something that *constraint* matches may have been inferred."""
+        if constraint not in self._judged:
+            self._judged[constraint] = bool(self._inferred) and any(
+                not PLAIN.fullmatch(p)
+                or p in self._inferred
+                or (p == RDF_TYPE and (o[0] == "?" or o in self._inferred))
+                for _, p, o in constraint.premises
+            )
+        return self._judged[constraint]
+
+    @cached_property
+    def _judged(self) -> dict[Constraint, bool]:
+        return {}
+
+    def about(self, focus: Term) -> Term:
+        """The entity concerned: what a statement of the source layer speaks of, or *focus*."""
+        if not is_blank(focus):
+            return focus
+        found = (document.about.get(focus) for document in self.documents)
+        return next((node for node in found if node is not None), focus)
+
+    def anonymous(self, node: Term, location: Location) -> Term:
+        """A label for a blank node that survives edits of other nodes."""
+        for document in self.documents:
+            if document.source is location.source:
+                return self._anonymous[document.graph].label(node)
+        return node
+
+    @cached_property
+    def _anonymous(self) -> Mapping[Term, AnonymousNodes]:
+        return {document.graph: AnonymousNodes(document) for document in self.documents}
 
     def display(self, location: Location) -> Display:
         """How the file of *location* abbreviates."""
@@ -112,13 +169,13 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     }
     names = list(dict.fromkeys(PLACEHOLDER.findall(template)))
     shown = {name: display.term(term) if (term := terms.get(name)) else "" for name in names}
-    about = result.bindings.get("node", result.focus)
+    about = locator.about(result.focus)
     return Finding(
         rule=rule,
         severity=rule.severity,
         message=PLACEHOLDER.sub(lambda match: shown[match[1]], template),
         location=location,
-        iri=iri_value(about) if is_iri(about) else display.term(about),
+        iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
         focus=result.focus,
         path=result.path,
         value=result.value,
@@ -155,6 +212,8 @@ def _because(
     result: Result, locator: Locator, rulebook: Rulebook, display: Display
 ) -> Iterator[Premise]:
     """The proof of a result in which something inferred took part; nothing otherwise."""
+    if not locator.may_be_inferred(result.constraint):
+        return
     steps = because(locator.store, rulebook.axioms, result.constraint, result)
     if not any(step.axiom for step in steps):
         return

@@ -91,7 +91,7 @@ class Store:
                 )
                 text = "".join([f"{s} {p} {o} {ASSERTED_GRAPH} .\n" for s, p, o in blank]).encode()
                 self.oxigraph.extend(ox.parse(text, ox.RdfFormat.N_QUADS, lenient=True))
-        except (SyntaxError, UnicodeEncodeError):
+        except (SyntaxError, UnicodeEncodeError, MemoryError):
             if len(statements) == 1:
                 return statements
             half = len(statements) // 2

@@ -1,0 +1,73 @@
+"""What a finding says of the terms it names, and where it says that it is."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinlint import rulebook
+from kinlint.config import Settings
+from kinlint.display import LONGEST, Display
+from kinlint.lint import run
+from kinlint.model import Finding
+from kinlint.terms import XSD, iri, literal
+from kinlint.text import SourceText
+
+CONTEXT = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
+
+
+def found(*texts: str, code: str) -> list[Finding]:
+    sources = [SourceText(f"{index}.jsonld", text) for index, text in enumerate(texts)]
+    report = run(sources, (), Settings(), rulebook.load())
+    return [finding for finding in report.findings if finding.rule.code == code]
+
+
+@pytest.mark.parametrize(
+    ("term", "shown"),
+    [
+        (literal('a "b"\n\tc'), 'a "b"\\n\\tc'),
+        (literal("Arm", language="de"), "Arm"),
+        (literal("\N{ROBOT FACE}\u2028\x7f"), "\N{ROBOT FACE}\\u2028\\u007f"),
+        (literal("1.0E-1", f"{XSD}double"), "0.1"),
+        (literal("12345678901234567890", f"{XSD}integer"), "12345678901234567890"),
+        (literal("true", f"{XSD}boolean"), "true"),
+        (iri("https://e.org/#arm"), "ex:arm"),
+        (iri("https://else.org/"), "https://else.org/"),
+        ("_:d1n1", "an anonymous node"),
+    ],
+)
+def test_terms_as_people_read_them(term: str, shown: str) -> None:
+    assert Display({"ex": "https://e.org/#"}).term(term) == shown
+
+
+def test_of_very_long_terms_both_ends_are_shown() -> None:
+    shown = Display().term(literal("a" * 10_000 + "z"))
+    assert len(shown) == LONGEST + 1
+    assert shown[0] == "a"
+    assert shown[-1] == "z"
+
+
+def test_a_node_in_several_files_is_where_its_type_is() -> None:
+    """What a node lacks is reported where somebody says what it is."""
+    mentions = f'{{{CONTEXT}, "@id": "ex:p", "of": "ex:a"}}'
+    says = f'{{{CONTEXT}, "@id": "ex:p", "@type": "Position", "with-respect-to": "ex:b"}}'
+    typed = f'{{{CONTEXT}, "@id": "ex:q", "@type": "Position", "of": "ex:p"}}'
+    more = f'{{{CONTEXT}, "@id": "ex:q", "quantity-kind": "Length"}}'
+    assert not found(mentions, says, code="FRM001")
+    places = {finding.location.source.name for finding in found(more, typed, code="FRM001")}
+    assert places == {"1.jsonld"}
+
+
+def names(*nodes: str) -> list[str]:
+    text = (
+        f'{{{CONTEXT}, "@id": "ex:arm", "@type": "KinematicChain", "joints": [{", ".join(nodes)}]}}'
+    )
+    return [finding.iri for finding in found(text, code="LD007")]
+
+
+def test_anonymous_nodes_have_names_of_their_own_that_last() -> None:
+    """Their names do not change when other things are written elsewhere."""
+    joint = '{"@type": "Joint", "between-attachments": []}'
+    two = names(joint, joint)
+    assert len(set(two)) == 2
+    assert all(name.startswith("_:") for name in two)
+    assert names(joint, joint, '"ex:elbow"') == two
