@@ -21,15 +21,20 @@ def rule(code, name, *messages):
     return Rule(iri_, code, name, f"about {name}", "", Severity.WARNING, ("AP5",), (), (), messages)
 
 
+UNUSED_MESSAGES = (
+    "The suppression of '{?rule}' silences nothing.",
+    "The suppression of '{?rule}' for '{?place}' silences nothing.",
+)
 UNIT, DROPPED = rule("UNI001", "missing-unit"), rule("LD001", "dropped-term")
 RULES = (
     UNIT,
     DROPPED,
-    rule("LNT001", "unused-suppression", "The suppression of '{?rule}' silences nothing."),
+    rule("LNT001", "unused-suppression", *UNUSED_MESSAGES),
     rule(
         "LNT002",
         "suppression-of-unknown-rule",
         "No rule is called '{?rule}'.",
+        "This suppression names no rule.",
         "No rule is called '{?rule}', the nearest is '{?suggestion}'.",
     ),
     rule("LNT003", "suppression-without-reason", "'{?rule}' has no reason."),

@@ -141,7 +141,7 @@ def test_extending_puts_one_configuration_on_another(tmp_path):
     [
         ({"kinlint.toml": 'extend = "kinlint.toml"'}, "extends itself"),
         ({"kinlint.toml": 'extend = "b.toml"', "b.toml": 'extend = "kinlint.toml"'}, "itself"),
-        ({"kinlint.toml": 'extend = "no.toml"'}, "no.toml: No such file"),
+        ({"kinlint.toml": 'extend = "no.toml"'}, "no.toml: no such file"),
         ({"kinlint.toml": 'extend = "pyproject.toml"', "pyproject.toml": ""}, "no .tool.kinlint."),
     ],
 )
@@ -170,7 +170,7 @@ def test_an_extension_that_leads_nowhere(tmp_path, files, message):
         ("extra-contexts = 3", r"extra-contexts: expected a directory or a table"),
         ("extra-contexts = {a = 3}", r"extra-contexts: 'a': expected a string"),
         ("rules = {}", r"rules: expected a list of strings, got a table"),
-        ("x = \ny = 1", r"not TOML: .*line 1"),
+        ("x = \ny = 1", r"kinlint\.toml:1:5: not TOML: Invalid value"),
     ],
 )
 def test_what_is_wrong_is_told_by_file_key_and_expectation(tmp_path, text, message):
@@ -193,3 +193,41 @@ def test_the_file_is_named_from_the_working_directory(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
     assert load(tmp_path / "conf" / "kinlint.toml").origin == "conf/kinlint.toml"
+
+
+def test_an_entry_knows_where_it_stands(tmp_path):
+    """Line ends and a byte order mark are left as they are."""
+    text = "\ufeff# x\r\nper-file-ignores = {'<urn:x>' = [\"UNI\"]}\r\n"
+    (tmp_path / "kinlint.toml").write_bytes(text.encode())
+    (entry,) = load(tmp_path / "kinlint.toml").per_file_ignores
+    source, span = entry.place
+
+    assert source[span] == "'<urn:x>'"
+    assert source.bom
+    assert source.position(span.start) == (2, 21)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[tool]\nkinlint = 3", "pyproject.toml: tool.kinlint: expected a table"),
+        ("[tool.kinlint.tool.kinlint]\nselect = []", "unknown key 'tool'; keys of kinlint"),
+        ("[tool.kinlint.lint]\nselect = []", "unknown key 'lint'; keys of kinlint"),
+        ("[tool.kinlint]\nxyzzy = 1", "unknown key 'xyzzy'; there are extend, select, "),
+        ("[tool.kinlint", r"pyproject\.toml:1:14: not TOML: "),
+        ("kinlint = " + "[" * 100_000, "pyproject.toml:?.*: not TOML: "),
+    ],
+)
+def test_what_is_wrong_with_a_pyproject(tmp_path, text, message):
+    """No value of another tool's making is trusted."""
+    (tmp_path / "pyproject.toml").write_text(text, "utf-8")
+
+    with pytest.raises(ConfigError, match=message):
+        Configs().of(tmp_path)
+
+
+def test_a_pyproject_that_says_nothing_of_kinlint_is_not_judged(tmp_path):
+    """Not even if it is no TOML: that is for others to tell."""
+    (tmp_path / "pyproject.toml").write_text("[tool", "utf-8")
+
+    assert Configs().of(tmp_path) is None

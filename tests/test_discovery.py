@@ -228,3 +228,54 @@ def test_the_look_at_a_file(here, data, answer):
 
     assert speaks_of_context(here / "a.json") is answer
     assert not speaks_of_context(here)
+
+
+def test_globs_end_where_links_make_loops(here):
+    """`**` follows no link; a wildcard that stands for one does."""
+    files(here, "m/a.jsonld", "m/deep/b.jsonld")
+    for name in ("self", "again", "once-more"):
+        (here / "m" / name).symlink_to(here / "m")
+
+    assert names("**/*.jsonld") == ["m/a.jsonld", "m/deep/b.jsonld"]
+    assert names("**/**/**/b.jsonld") == ["m/deep/b.jsonld"]
+    assert names("m/s*/a.jsonld") == ["m/self/a.jsonld"]
+
+
+def test_globs_pass_over_what_searches_pass_over(here):
+    """Unless the pattern spells it out."""
+    files(here, "node_modules/m/a.jsonld", ".b.jsonld", "m/node_modules/c.jsonld")
+
+    assert names("**/*.jsonld") == []
+    assert names("*/node_modules/*.jsonld") == ["m/node_modules/c.jsonld"]
+    assert names(".b*", patterns=()) == [".b.jsonld"]
+    assert names("*.jsonld", patterns=()) == []
+
+
+def test_globs_have_alternatives(here):
+    """As the patterns of the configuration do."""
+    files(here, "m/a.jsonld", "n/b.jsonld", "n/c.jsonld")
+
+    assert names("{m,n}/{a,b}.jsonld") == ["m/a.jsonld", "n/b.jsonld"]
+    assert names("{m/a,n/b}.*") == ["m/a.jsonld", "n/b.jsonld"]
+
+
+def test_a_virtual_environment_is_passed_over_whatever_its_name(here):
+    """Unless it is named."""
+    files(here, "mine/lib/a.jsonld", "mine/pyvenv.cfg", "b.jsonld")
+
+    assert names(".") == ["b.jsonld"]
+    assert names("mine") == ["mine/lib/a.jsonld"]
+
+
+@pytest.mark.parametrize("path", ["a" * 5_000, "*" + "a" * 5_000, "a\0b", "~nobody/a", "~nobody/*"])
+def test_impossible_paths_are_errors(path):
+    """One for each."""
+    assert len(causes(path)) == 1
+
+
+def test_a_common_suffix_makes_no_name_alike(here):
+    """Only what is in front of it."""
+    files(here, "latin.jsonld", "skeleton.jsonld")
+
+    assert causes("nothing.jsonld") == ["nothing.jsonld: no such file or directory"]
+    assert causes("skeletn.jsonld")[0].endswith("did you mean 'skeleton.jsonld'?")

@@ -54,3 +54,12 @@ def test_matching_is_about_the_path_itself():
     """`matches` leaves out the directories above."""
     assert not Glob(ROOT, "models").matches(ROOT / "models" / "arm.jsonld")
     assert Glob(ROOT, "models").matches(ROOT / "models")
+
+
+@pytest.mark.parametrize("pattern", ["[z-a]", "a[z-a]b", "[", "[]", "[!]", "[^]", "[[]", "[\\]"])
+def test_a_class_that_is_none_means_itself(tmp_path, pattern):
+    """No pattern is an error."""
+    glob = Glob(tmp_path, pattern)
+
+    assert glob.covers(tmp_path / pattern) or pattern in {"[[]", "[\\]"}
+    assert not glob.covers(tmp_path / "zz")

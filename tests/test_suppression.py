@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from suppressing import ARM, DROPPED, LEG, UNIT, applied, document, finding, kl, noted, told
 
-from kinlint.config import FileSettings, Ignore
+from kinlint.config import Choice, FileSettings, Ignore
 from kinlint.terms import iri, literal
-from kinlint.text import Span
+from kinlint.text import SourceText, Span
 from kinlint.vocabulary import KL, RULE, SRC
 
 
@@ -172,3 +172,40 @@ def test_findings_are_kept_as_they_are():
     outcome = applied([one], [document((ARM, kl("ignore"), literal("UNI001")))])
 
     assert replace(outcome[0], suppressed=None) == one
+
+
+CONFIG = SourceText("kinlint.toml", 'per-file-ignores = {"the key" = ["UNI", "LD"]}')
+
+
+def _placed(**place):
+    """An entry of a configuration file, about two families of rules."""
+    entry = Ignore(("UNI", "LD"), "the key", "kinlint.toml", place=(CONFIG, Span(20, 29)), **place)
+    return FileSettings(ignores=(entry,))
+
+
+@pytest.mark.parametrize("place", [{"iri": ARM[1:-1]}, {"pointer": "/a"}])
+def test_what_configuration_silences_in_vain_is_reported(place):
+    """Where it says so, for each selector that silenced nothing."""
+    text = '{"a": "01234567890"}'
+    found = [finding(UNIT, text=text, span=Span(7, 9))]
+    outcome = applied(found, [document(text=text)], default=_placed(**place))
+
+    assert told(outcome) == ["-UNI001", "LNT001"]
+    assert outcome[1].message == "The suppression of 'LD' for 'the key' silences nothing."
+    assert outcome[1].location.source[outcome[1].location.span] == '"the key"'
+    assert outcome[1].location.source.name == "kinlint.toml"
+
+
+def test_what_configuration_silences_in_files_need_not_be_in_all():
+    """Nor anything if only a part was read, if the rules did not speak, or without a file."""
+    entity = {"iri": ARM[1:-1]}
+    silent = replace(_placed(**entity), choices=(Choice(ignore=("UNI", "LD")),))
+    given = [document()]
+
+    assert told(applied([], given, default=_placed(**entity))) == ["LNT001", "LNT001"]
+    assert told(applied([], given, default=_placed())) == []
+    assert told(applied([], given, default=_placed(**entity), partial=True)) == []
+    assert told(applied([], given, default=_placed(**entity), complete=False)) == []
+    assert told(applied([], given, default=silent)) == []
+    assert told(applied([], given, default=_configured(**entity))) == []
+    assert told(applied([], given, files={"leg.jsonld": _placed(**entity)})) == []

@@ -64,9 +64,9 @@ def test_a_suppression_of_a_rule_that_was_not_asked_is_not_unused():
     [
         (literal("UNI01"), "No rule is called 'UNI01', the nearest is 'UNI001'."),
         (literal("zebra"), "No rule is called 'zebra'."),
-        (literal(""), "No rule is called ''."),
+        (literal(""), "This suppression names no rule."),
         (iri("https://example.org/x"), "No rule is called 'https://example.org/x'."),
-        ("_:empty", "No rule is called ''."),
+        ("_:empty", "This suppression names no rule."),
     ],
 )
 def test_an_unknown_rule_is_reported(value, message):

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from kinlint.model import Severity
+from kinlint.text import SourceText, Span
 
 Engine: TypeAlias = Literal["oxigraph", "pyshacl"]
 
@@ -37,7 +38,7 @@ class Ignore:
     """Rules that configuration silences in one file.
 
     In all of it, or below the JSON Pointer `pointer`, or on the entity `iri` (an absolute IRI).
-    `key` is what the configuration says, for messages.
+    `key` is what the configuration says, for messages, and `place` where in its file.
     """
 
     selectors: tuple[str, ...]
@@ -45,6 +46,7 @@ class Ignore:
     origin: str = "command line"
     pointer: str | None = None
     iri: str | None = None
+    place: tuple[SourceText, Span] | None = None
 
 
 @dataclass(frozen=True, slots=True)

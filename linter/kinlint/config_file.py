@@ -7,16 +7,20 @@ Relative paths and patterns start at the directory of the file that says them.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
 from kinlint.config import Choice
-from kinlint.config_keys import check
+from kinlint.config_keys import ALIASES, check
+from kinlint.config_text import ConfigText, quoted, read
 from kinlint.errors import ConfigError
 from kinlint.model import Severity
 from kinlint.pathglob import Glob, absolute
+from kinlint.pathname import missing, shown
+from kinlint.text import SourceText, Span
 
 NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")
 
@@ -31,6 +35,7 @@ class PerFile:
     selectors: tuple[str, ...]
     pointer: str | None = None
     iri: str | None = None
+    place: tuple[SourceText, Span] | None = None
 
 
 @dataclass(frozen=True)
@@ -72,28 +77,29 @@ class Config:
         return replace(self, **changes)
 
 
-def shown(path: Path) -> str:
-    """*path* as people see it: from the working directory if it lies below."""
-    here = Path.cwd()
-    return path.relative_to(here).as_posix() if path.is_relative_to(here) else path.as_posix()
-
-
-def config_of(values: Mapping[str, Any], origin: str, root: Path) -> Config:
+def config_of(
+    values: Mapping[str, Any], origin: str, root: Path, source: SourceText | None = None
+) -> Config:
     """The configuration that *values* state, read from *origin*; paths start at *root*.
 
-    Raises `ConfigError` for unknown keys and values of the wrong kind.
+    *source* is the text of a file that states them. Raises `ConfigError` for unknown keys and
+    values of the wrong kind.
     """
     said = check(values, origin)
     contexts = said.get("extra-contexts")
+    ignores, more = (
+        _per_file(said.get(key), origin, root, source)
+        for key in ("per-file-ignores", "extend-per-file-ignores")
+    )
     return Config(
         origin=origin,
         choices=_choices(said, origin),
         exclude=_globs(said.get("exclude"), root),
         extend_exclude=_globs(said.get("extend-exclude"), root) or (),
-        per_file_ignores=_per_file(said.get("per-file-ignores"), origin, root),
-        extend_per_file_ignores=_per_file(said.get("extend-per-file-ignores"), origin, root) or (),
+        per_file_ignores=ignores,
+        extend_per_file_ignores=more or (),
         require_reason=said.get("require-reason"),
-        fail_on=said.get("fail-on"),
+        fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
         output_format=said.get("output-format"),
         contexts=said.get("contexts"),
         extra_contexts=_table(contexts, root) if isinstance(contexts, dict) else None,
@@ -113,7 +119,7 @@ def _choices(said: Mapping[str, Any], origin: str) -> tuple[Choice, ...]:
         extend_select=tuple(said.get("extend-select", ())),
         ignore=tuple(said.get("ignore", ())),
         severity=tuple(
-            (selector, Severity[word.upper()])
+            (selector, Severity[ALIASES.get(word, word).upper()])
             for selector, word in said.get("severity", {}).items()
         ),
     )
@@ -128,19 +134,27 @@ def _paths(said: str | list[str] | None, root: Path) -> tuple[Path, ...] | None:
     if said is None:
         return None
     listed = [said] if isinstance(said, str) else said
-    return tuple(absolute(root / Path(path).expanduser()) for path in listed)
+    return tuple(_path(path, root) for path in listed)
 
 
 def _table(said: Mapping[str, str], root: Path) -> Mapping[str, Path]:
-    return {iri: absolute(root / Path(path).expanduser()) for iri, path in said.items()}
+    return {iri: _path(path, root) for iri, path in said.items()}
+
+
+def _path(said: str, root: Path) -> Path:
+    return absolute(root / os.path.expanduser(said))  # noqa: PTH111  never fails
 
 
 def _per_file(
-    said: Mapping[str, list[str]] | None, origin: str, root: Path
+    said: Mapping[str, list[str]] | None, origin: str, root: Path, source: SourceText | None
 ) -> tuple[PerFile, ...] | None:
     if said is None:
         return None
-    return tuple(per_file(key, tuple(sels), origin, root) for key, sels in said.items())
+    entries = (per_file(key, tuple(sels), origin, root) for key, sels in said.items())
+    return tuple(
+        replace(entry, place=None if source is None else (source, quoted(source, entry.key)))
+        for entry in entries
+    )
 
 
 def per_file(key: str, selectors: tuple[str, ...], origin: str, root: Path) -> PerFile:
@@ -176,47 +190,33 @@ class Configs:
 def _in(directory: Path) -> Config | None:
     for name in NAMES:
         path = directory / name
-        if path.is_file() and (values := _values(path)) is not None:
-            return _extended(path, values, ())
+        if path.is_file() and (said := read(path)) is not None:
+            return _extended(path, said, ())
     return None
 
 
 def load(path: Path) -> Config:
     """The configuration in the file at *path*, which must have one."""
-    values = _values(path)
-    if values is None:
-        raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
-    return _extended(path, values, ())
-
-
-def _extended(path: Path, values: Mapping[str, Any], seen: tuple[Path, ...]) -> Config:
-    """The configuration of *values* on top of what it extends; *seen* came before."""
-    config = config_of(values, shown(path), path.parent)
-    if "extend" not in values:
-        return config
-    base = absolute(path.parent / Path(values["extend"]).expanduser())
-    if base in (*seen, path):
-        raise ConfigError(f"{shown(path)}: extend: '{values['extend']}' extends itself")
-    said = _values(base)
+    said = read(path)
     if said is None:
-        raise ConfigError(f"{shown(path)}: extend: {shown(base)} has no [tool.kinlint]")
-    below = _extended(base, said, (*seen, path))
+        raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
+    return _extended(path, said, ())
+
+
+def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
+    """The configuration that *said* states on top of what it extends; *seen* came before."""
+    config = config_of(said.values, shown(path), path.parent, said.source)
+    if "extend" not in said.values:
+        return config
+    base = _path(said.values["extend"], path.parent)
+    origin = f"{shown(path)}: extend"
+    if base in (*seen, path):
+        raise ConfigError(f"{origin}: '{said.values['extend']}' extends itself")
+    if not base.is_file():
+        cause = "not a file" if base.exists() else missing(base)
+        raise ConfigError(f"{origin}: {shown(base)}: {cause}")
+    more = read(base)
+    if more is None:
+        raise ConfigError(f"{origin}: {shown(base)} has no [tool.kinlint]")
+    below = _extended(base, more, (*seen, path))
     return replace(below.under(config), origin=config.origin)
-
-
-def _values(path: Path) -> Mapping[str, Any] | None:
-    """What the file says, unchecked; None for a `pyproject.toml` that is not about kinlint."""
-    import tomllib  # noqa: PLC0415  most runs have no configuration
-
-    try:
-        said: dict[str, Any] = tomllib.loads(path.read_text("utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{shown(path)}: {error.strerror or error}") from None
-    except UnicodeDecodeError:
-        raise ConfigError(f"{shown(path)}: not UTF-8") from None
-    except tomllib.TOMLDecodeError as error:
-        raise ConfigError(f"{shown(path)}: not TOML: {error}") from None
-    if path.name != "pyproject.toml":
-        return said
-    tool = said.get("tool", {})
-    return tool.get("kinlint") if isinstance(tool, dict) else None

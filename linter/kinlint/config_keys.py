@@ -12,6 +12,8 @@ OUTPUT_FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
 ENGINES = ("oxigraph", "pyshacl")
 THRESHOLDS = ("error", "warning", "info", "none")
 SEVERITIES = THRESHOLDS[:-1]
+ALIASES = {"note": "info"}
+"""Other words for severities: SARIF and compilers say note."""
 
 
 def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
@@ -21,11 +23,17 @@ def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
     """
     for key, value in values.items():
         if key not in KEYS:
-            message = f"{origin}: unknown key '{key}'{did_you_mean(key, KEYS)}"
-            raise ConfigError(message)
+            raise ConfigError(f"{origin}: unknown key '{key}'{_hint(key, value)}")
         if problem := KEYS[key](value):
             raise ConfigError(f"{origin}: {key}: {problem}")
     return values
+
+
+def _hint(key: str, value: object) -> str:
+    """What may have been meant by the unknown *key*."""
+    if isinstance(value, dict) and (key == "tool" or KEYS.keys() & value.keys()):
+        return "; keys of kinlint stand in no table here"
+    return did_you_mean(key, KEYS) or f"; there are {', '.join(KEYS)}"
 
 
 def _expected(what: str, value: object) -> str:
@@ -76,7 +84,8 @@ def _one_of(choices: tuple[str, ...]) -> Callable[[object], str]:
     def problem(value: object) -> str:
         if not isinstance(value, str):
             return _expected("one of " + ", ".join(choices), value)
-        return unknown(value, choices)
+        alias = ALIASES.get(value)
+        return "" if alias in choices else unknown(value, choices)
 
     return problem
 

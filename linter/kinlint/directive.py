@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from datetime import date
+from typing import TYPE_CHECKING
 
 from kinlint.document import Document
 from kinlint.errors import UsageError
@@ -17,6 +17,9 @@ from kinlint.selection import Catalogue
 from kinlint.terms import Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.text import Span
 from kinlint.vocabulary import KL, RULE, SRC
+
+if TYPE_CHECKING:
+    from datetime import date
 
 IGNORE = iri(f"{KL}ignore")
 ABOUT = iri(f"{SRC}node")
@@ -62,9 +65,9 @@ class Directive:
 
 
 def directives(
-    documents: Iterable[Document], catalogue: Catalogue, today: date
+    documents: Iterable[Document], catalogue: Catalogue, today: date | None = None
 ) -> tuple[Directive, ...]:
-    """Every `kl:ignore` of *documents*, in their order."""
+    """Every `kl:ignore` of *documents*, in their order; *today* is the day of the run."""
     return tuple(
         directive
         for document in documents
@@ -73,7 +76,7 @@ def directives(
     )
 
 
-def _of(document: Document, catalogue: Catalogue, today: date) -> Iterator[Directive]:
+def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterator[Directive]:
     said: dict[tuple[Term, Term], list[Term]] = defaultdict(list)
     for subject, predicate, value in document.statements:
         if predicate in (_RULE, _REASON, _UNTIL):
@@ -142,9 +145,11 @@ def _text(value: Term | None) -> str | None:
     return literal_value(value) if is_literal(value) else value
 
 
-def _lasts(until: str, today: date) -> bool:
+def _lasts(until: str, today: date | None) -> bool:
     """Whether the day *until* is not over; what is no date is over."""
+    from datetime import date  # noqa: PLC0415  few models have such a day
+
     try:
-        return today <= date.fromisoformat(until)
+        return (today or date.today()) <= date.fromisoformat(until)  # noqa: DTZ011
     except ValueError:
         return False

@@ -10,17 +10,19 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from glob import glob
 from pathlib import Path
 
 from kinlint.errors import SourceError
+from kinlint.globbing import ANY_DEPTH, matches
 from kinlint.pathglob import MAGIC, Glob, absolute
-from kinlint.suggestion import did_you_mean
+from kinlint.pathname import missing, printable, shown
 
 SEARCHED = (".jsonld", ".json")
 GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
 """What directories hold that is nobody's model; the default of `exclude`."""
+ENVIRONMENT = "pyvenv.cfg"
+"""What marks a directory as a virtual environment of Python, whatever it is called."""
 HEAD = 1 << 16
 
 
@@ -77,7 +79,14 @@ class Search:
         if given == "-":
             yield Input(self.stdin, None)
             return
-        path = absolute(Path(given).expanduser() if given.startswith("~") else given)
+        try:
+            yield from self._path(given, errors)
+        except (OSError, ValueError) as error:  # such as a name longer than any may be
+            cause = getattr(error, "strerror", None) or str(error)
+            errors.append(SourceError(printable(given), cause))
+
+    def _path(self, given: str, errors: list[SourceError]) -> Iterator[Input]:
+        path = absolute(os.path.expanduser(given))  # noqa: PTH111  never fails
         if path.is_dir():
             yield from self._directory(path, errors)
         elif os.path.lexists(path):
@@ -86,17 +95,14 @@ class Search:
         elif MAGIC.search(given):
             yield from self._glob(given, errors)
         else:
-            errors.append(SourceError(printable(given), _missing(path)))
+            errors.append(SourceError(printable(given), missing(path)))
 
     def _glob(self, pattern: str, errors: list[SourceError]) -> Iterator[Input]:
-        matches = sorted(glob(pattern, recursive=True))  # noqa: PTH207  may be absolute
-        if not matches:
+        found = matches(pattern, self._excluded, _teller(pattern, errors))
+        if not found:
             errors.append(SourceError(printable(pattern), "no file matches"))
-        for match in matches:
-            path = absolute(match)
-            if any(self._excluded(each) for each in (path, *_below_fixed(pattern, path))):
-                continue
-            if path.is_dir() and not path.is_symlink() and "**" not in pattern:
+        for path in found:
+            if path.is_dir() and not path.is_symlink() and ANY_DEPTH not in pattern:
                 yield from self._directory(path, errors)
             elif path.is_file() and path.suffix.lower() in GLOBBED:
                 yield from self._candidate(path, errors)
@@ -105,13 +111,11 @@ class Search:
         """Models below *top*, by name. Links to directories are not followed."""
         if self._forced_out(top):
             return
-
-        def unreadable(error: OSError) -> None:
-            where = shown(absolute(error.filename or top))
-            errors.append(SourceError(where, error.strerror or str(error)))
-
-        for here, folders, files in os.walk(top, onerror=unreadable):
+        for here, folders, files in os.walk(top, onerror=_teller(str(top), errors)):
             base = Path(here)
+            if ENVIRONMENT in files and base != top:
+                folders.clear()
+                continue
             folders[:] = sorted(name for name in folders if not self._excluded(base / name))
             for name in sorted(files):
                 path = base / name
@@ -133,12 +137,14 @@ class Search:
             errors.append(SourceError(name, error.strerror or str(error)))
 
 
-def _below_fixed(pattern: str, path: Path) -> list[Path]:
-    """The directories above *path* that wildcards of *pattern* stand for."""
-    parts = Path(pattern).parts
-    fixed = next(i for i, part in enumerate(parts) if MAGIC.search(part))
-    top = absolute(Path(*parts[:fixed]))
-    return [each for each in path.parents if each.is_relative_to(top) and each != top]
+def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:
+    """What adds to *errors* that a directory cannot be looked into."""
+
+    def tell(error: OSError) -> None:
+        where = shown(absolute(error.filename or given))
+        errors.append(SourceError(where, error.strerror or str(error)))
+
+    return tell
 
 
 def speaks_of_context(path: Path) -> bool:
@@ -156,25 +162,3 @@ def speaks_of_context(path: Path) -> bool:
                 return False
             head = head[-len(wanted) :] + more
     return True
-
-
-def shown(path: Path, given: str = "") -> str:
-    """What *path* is called: from the working directory if below it, else as it was *given*."""
-    here = Path.cwd()
-    if path.is_relative_to(here):
-        return printable(path.relative_to(here).as_posix())
-    return printable(Path(given).as_posix() if given else path.as_posix())
-
-
-def printable(name: str) -> str:
-    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes."""
-    return os.fsencode(name).decode("utf-8", "backslashreplace")
-
-
-def _missing(path: Path) -> str:
-    """Why there is nothing at *path*, with what there is of a similar name."""
-    try:
-        beside = [printable(one.name) for one in path.parent.iterdir()]
-    except OSError:
-        beside = []
-    return f"no such file or directory{did_you_mean(printable(path.name), beside)}"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-MAGIC = re.compile(r"[*?\[]")
+MAGIC = re.compile(r"[*?\[{]")
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,7 @@ def _pieces(pattern: str) -> Iterator[str]:
             yield ".*"
             at += 2
         elif char == "[" and (end := pattern.find("]", at + 2)) > 0:
-            inside = pattern[at + 1 : end].replace("\\", "\\\\").replace("[", "\\[")
-            yield f"[{'^' + inside[1:] if inside[0] in '!^' else inside}]"
+            yield _class(pattern[at + 1 : end])
             at = end + 1
         elif char == "{" and pattern.find("}", at) > 0:
             yield "(?:"
@@ -85,6 +84,17 @@ def _pieces(pattern: str) -> Iterator[str]:
         else:
             yield {"*": "[^/]*", "?": "[^/]"}.get(char) or re.escape(char)
             at += 1
+
+
+def _class(inside: str) -> str:
+    """The regular expression of `[inside]`; what is no range, such as `z-a`, means itself."""
+    escaped = inside.replace("\\", "\\\\").replace("[", "\\[")
+    made = f"[{'^' + escaped[1:] if inside[0] in '!^' else escaped}]"
+    try:
+        re.compile(made)
+    except re.error:
+        return re.escape(f"[{inside}]")
+    return made
 
 
 def absolute(path: str | Path) -> Path:

@@ -59,7 +59,8 @@ class Catalogue:
         codes = frozenset(rule.code for rule in self.rules if rule.code.startswith(selector))
         if not selector or not codes:
             message = f"unknown rule selector '{selector}'"
-            raise UsageError(message + did_you_mean(selector, self.selectors))
+            meant = did_you_mean(selector, self.selectors)
+            raise UsageError(message + (meant or "; kinlint rule --all shows what there is"))
         if selector in self.families:
             return (2, 0), codes
         return (1 if selector.isalpha() else 3, len(selector)), codes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 
@@ -10,7 +11,8 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
 
     Upper and lower case differ by nothing. A third of the letters may be inserted, deleted,
     replaced or swapped with their neighbour; failing that, *word* may be the beginning of a
-    choice. Ties go to the longer common beginning, then to the alphabet.
+    choice, or a part of it between hyphens, and then the shortest is meant. Ties go to the longer
+    common beginning, then to the alphabet.
     """
     wanted = word.casefold()
     ranked = sorted(
@@ -22,8 +24,14 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     distance, _, choice = ranked[0]
     if distance <= max(1, len(wanted) // 3) and distance < len(choice):
         return choice
-    longer = sorted(choice for _, _, choice in ranked if choice.casefold().startswith(wanted))
-    return longer[0] if longer and len(wanted) > 1 else None
+    part = wanted.lstrip("-")
+    if len(part) <= 1:
+        return None
+    names = [choice for _, _, choice in ranked]
+    longer = [name for name in names if name.casefold().startswith(wanted)] or [
+        name for name in names if part in re.split("[-_]", name.casefold())
+    ]
+    return min(longer, key=lambda name: (len(name), name), default=None)
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:

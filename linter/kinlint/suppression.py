@@ -9,18 +9,19 @@ Pointer in a file, or for an entity's IRI (`config.Ignore`). Nothing here remove
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from datetime import date
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from kinlint import pointer
-from kinlint.config import Ignore
 from kinlint.directive import ABOUT, Directive, directives
 from kinlint.document import Document
-from kinlint.model import Finding, Rule
+from kinlint.ignores import Ignores
+from kinlint.model import Finding
 from kinlint.selection import Policies
 from kinlint.suppression_fault import FAULTS, UNUSED, Fault, faults, reported
-from kinlint.terms import Term, iri
-from kinlint.text import Span
+from kinlint.terms import Term
+
+if TYPE_CHECKING:
+    from datetime import date
 
 
 def apply(
@@ -34,12 +35,13 @@ def apply(
     """The *findings*, silenced where they are to be, and those about the suppressions.
 
     *findings* are judged already (`Policies.judged`). *complete* tells that everything was
-    read and checked; otherwise no suppression is called unused. *today* decides what expired.
+    read and checked; otherwise no suppression is called unused. *today* decides what
+    expired; by default it is the day of the run.
     """
     settings = policies.settings
     if settings.ignore_suppressions:
         return list(findings)
-    stated = directives(documents, policies.catalogue, today or date.today())  # noqa: DTZ011
+    stated = directives(documents, policies.catalogue, today)
     about = _about(documents) if stated else {}
     marked, used = _silence(findings, stated, about)
     wrong = [
@@ -47,8 +49,12 @@ def apply(
         for fault in faults(stated, used, policies)
         if fault.rule != UNUSED or (complete and not settings.partial)
     ]
-    late = _own(wrong, stated, used, policies, about)
-    return [*_configured(marked, policies), *_configured(late, policies)]
+    ignores = Ignores(policies)
+    found = [*ignores.silence(marked), *ignores.silence(_own(wrong, stated, used, policies, about))]
+    if complete and not settings.partial:
+        rules = {rule.name: rule for rule in policies.rules}
+        found += ignores.unused((document.source.name for document in documents), rules)
+    return found
 
 
 def _own(
@@ -102,45 +108,3 @@ def _silence(
 def _about(documents: Iterable[Document]) -> dict[Term, Term]:
     """The domain node that each statement of the source layer speaks of."""
     return {s: o for document in documents for s, p, o in document.statements if p == ABOUT}
-
-
-@dataclass(frozen=True)
-class _Pointers:
-    """What JSON Pointers lead to, keys included, each looked up once."""
-
-    known: dict[tuple[str, str], Span | None]
-
-    def covers(self, path: str, finding: Finding) -> bool:
-        source, span = finding.location.source, finding.location.span
-        key = (source.name, path)
-        if key not in self.known:
-            place = pointer.locate(source.text, path)
-            self.known[key] = place and place.member
-        whole = self.known[key]
-        return whole is not None and whole.start <= span.start and span.end <= whole.end
-
-
-def _configured(findings: Iterable[Finding], policies: Policies) -> list[Finding]:
-    """*findings* with those marked that the configuration silences."""
-    pointers = _Pointers({})
-    out = []
-    for finding in findings:
-        name = finding.location.source.name
-        for ignore in policies.settings.of(name).ignores:
-            if finding.suppressed is None and _matches(ignore, finding, policies, pointers):
-                excuse = f"ignored by {ignore.origin}: {ignore.key}"
-                finding = replace(finding, suppressed=excuse)  # noqa: PLW2901
-        out.append(finding)
-    return out
-
-
-def _matches(ignore: Ignore, finding: Finding, policies: Policies, pointers: _Pointers) -> bool:
-    if not any(_names(selector, finding.rule, policies) for selector in ignore.selectors):
-        return False
-    if ignore.iri is not None:
-        return iri(ignore.iri) == finding.focus or ignore.iri == finding.iri
-    return ignore.pointer is None or pointers.covers(ignore.pointer, finding)
-
-
-def _names(selector: str, rule: Rule, policies: Policies) -> bool:
-    return rule.code in policies.catalogue.find(selector)[1]

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from datetime import date
 
 from kinlint.directive import Directive
 from kinlint.model import Finding, Location, Rule
@@ -41,7 +40,7 @@ def faults(
 ) -> Iterator[Fault]:
     """What is wrong with *directives*, of which *used* silenced something."""
     for one in directives:
-        named = {"rule": one.selector}
+        named = {"rule": one.selector} if one.selector else {}
         if not one.codes:
             suggestion = nearest(one.selector, policies.catalogue.selectors)
             yield Fault(UNKNOWN, one, named | ({"suggestion": suggestion} if suggestion else {}))
@@ -59,20 +58,28 @@ def reported(fault: Fault, rules: Mapping[str, Rule]) -> Finding | None:
     rule = rules.get(fault.rule)
     if rule is None:
         return None
-    template = _template(rule, fault.values)
+    message, template, arguments = filled(rule, fault.values)
     one = fault.directive
     return Finding(
         rule=rule,
         severity=rule.severity,
-        message=_VARIABLE.sub(lambda found: fault.values[found[1]], template),
+        message=message,
         location=Location(one.document.source, one.span),
         iri=iri_value(one.node) if is_iri(one.node) else one.node,
         focus=one.node,
         path=one.statement[1],
         value=one.statement[2],
         template=template,
-        arguments=tuple(fault.values[name] for name in dict.fromkeys(_VARIABLE.findall(template))),
+        arguments=arguments,
     )
+
+
+def filled(rule: Rule, values: Mapping[str, str]) -> tuple[str, str, tuple[str, ...]]:
+    """The message of *rule* that says most of *values*, its template, and what fills that."""
+    template = _template(rule, values)
+    names = dict.fromkeys(_VARIABLE.findall(template))
+    message = _VARIABLE.sub(lambda found: values[found[1]], template)
+    return message, template, tuple(values[name] for name in names)
 
 
 def _template(rule: Rule, values: Mapping[str, str]) -> str:
@@ -88,6 +95,8 @@ def _could_be_used(directive: Directive, policies: Policies) -> bool:
 
 
 def _is_date(text: str) -> bool:
+    from datetime import date  # noqa: PLC0415  few models have such a day
+
     try:
         date.fromisoformat(text)
     except ValueError:

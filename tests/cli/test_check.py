@@ -102,6 +102,7 @@ def test_options_become_settings(kinlint, pipeline, write, here):
     """Those of the run, and a layer of rule selection."""
     write("arm.jsonld")
     write("r/x.ttl", "")
+    write("s.ttl", "")
     kinlint(
         *("arm.jsonld", "--select", "UNI,LD001", "--select", "AP5", "--ignore", "UNI001"),
         *("--extend-select", "LIM", "--error", "UNI001", "--info", "LD", "--engine", "pyshacl"),
@@ -187,6 +188,7 @@ def test_show_settings(kinlint, pipeline, write):
     write("m/kinlint.toml", 'ignore = ["UNI"]\nrequire-reason = true')
     write("kinlint.toml", 'severity = {LD = "info"}\nper-file-ignores = {"*" = ["LIM"]}')
     write("x.json", "{}")
+    write("s.ttl", "")
     extra = 'extra-contexts = {"x:y" = "x.json"}'
     code, out, err = kinlint("--show-settings", "--config", extra, "--shapes", "s.ttl")
 

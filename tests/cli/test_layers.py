@@ -47,6 +47,8 @@ def test_files_must_agree_on_the_graph(kinlint, pipeline, write, arm, leg):
     """All files of a run are one graph, so they are told to be linted apart."""
     write("arm/kinlint.toml", arm)
     write("arm/a.jsonld")
+    for folder in ("c", "arm/c"):
+        write(f"{folder}/contexts.json", "{}")
     write("leg/kinlint.toml", leg)
     write("leg/b.jsonld")
     code, _, err = kinlint()
@@ -93,6 +95,8 @@ def test_rules_and_shapes_of_the_command_line_are_added(kinlint, pipeline, write
     """To those of the configuration."""
     write("kinlint.toml", 'rules = "r"')
     write("arm.jsonld")
+    for name in ("r", "more", "most"):
+        write(f"{name}/a.ttl", "")
     kinlint("--rules", "more", "--rules", "most")
 
     assert [path.name for path in pipeline.settings.rules] == ["r", "more", "most"]

@@ -22,7 +22,10 @@ def test_the_version(kinlint, arguments):
 
 @pytest.mark.parametrize(
     ("word", "message"),
-    [("-q", "unknown option '-q'"), ("now", "unexpected argument 'now'")],
+    [
+        ("-q", "unknown option '-q'; kinlint version --help lists them"),
+        ("now", "unexpected argument 'now'"),
+    ],
 )
 def test_the_version_takes_nothing(kinlint, word, message):
     """An option or argument is a mistake."""

@@ -11,6 +11,19 @@ import pytest
         (["--zzzzzz"], "unknown option '--zzzzzz'"),
         (["-Z"], "unknown option '-Z'"),
         (["--select"], "--select: expected one argument"),
+        (["--select", ""], "--select: expected a value, got ''"),
+        (["--ignore", ","], "--ignore: expected a value, got ','"),
+        (["--select", "XX"], "unknown rule selector 'XX'; kinlint rule --all shows what there is"),
+        (["--format", "json"], "unknown option '--format', did you mean '--output-format'?"),
+        (["--json", "x"], "unknown option '--json', did you mean '--json-output'?"),
+        (["--quiet=3"], "takes no value, but has '3'"),
+        (["--rules", "armm"], "--rules: armm: no such file or directory"),
+        (["--shapes", "kon.toml"], "no such file or directory, did you mean 'kin.toml'?"),
+        (["--config", ""], "--config: expected a value, got ''"),
+        (["--config", "."], "--config: '.' is neither a file nor KEY=VALUE"),
+        (["--config", "kon.toml"], "neither a file nor KEY=VALUE, did you mean 'kin.toml'?"),
+        (["--config", 'extend="k.toml"'], "extend is for configuration files"),
+        (["--config", 'extra-contexts="no"'], "extra-contexts: no: no such file"),
         (["--output-format", "jsn"], "did you mean 'json'?"),
         (["--fail-on", "warn"], "did you mean 'warning'?"),
         (["--engine", "oxygraph"], "did you mean 'oxigraph'?"),
@@ -34,6 +47,7 @@ import pytest
 def test_mistakes_are_told_with_a_suggestion(kinlint, model, write, arguments, message):
     """One line, exit code 2, nothing linted."""
     write("k.toml", "")
+    write("kin.toml", "")
     code, out, err = kinlint("arm.jsonld", *arguments)
 
     assert (code, out) == (2, "")
@@ -59,3 +73,24 @@ def test_a_path_that_looks_like_a_command(kinlint, pipeline, write, arguments, m
 
     assert code == 2
     assert message in out + err
+
+
+def test_a_slip_of_a_command_is_told_in_one_line(kinlint, pipeline):
+    """What follows is not looked for."""
+    assert kinlint("ruel", "UNI002") == (
+        2,
+        "",
+        "kinlint: error: 'ruel' is neither a command nor a path, did you mean 'rule'?\n",
+    )
+    assert pipeline.settings is None
+
+
+def test_note_is_another_word_for_info(kinlint, model, write):
+    """Where a severity is expected."""
+    model.found = ["LIM009"]
+
+    assert kinlint("--fail-on", "note")[0] == 1
+    assert kinlint("--fail-on", "warning")[0] == 0
+    write("kinlint.toml", 'fail-on = "note"\nseverity.UNI = "note"')
+    assert kinlint()[0] == 1
+    assert model.settings.default.choices[0].severity[0][1].label == "info"

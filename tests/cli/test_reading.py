@@ -1,12 +1,15 @@
 """What is read: models that were named, and what a search found that is one."""
 
+import json
 import os
 
 import pytest
 
-from kinlint.cli.reading import is_context, read
+from kinlint.cli.reading import read
+from kinlint.cli.recognition import is_model
 from kinlint.config import Settings
 from kinlint.discovery import Input
+from kinlint.text import SourceText
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'
 PACKAGE = '{"@context": "https://doi.org/10.5063/schema/codemeta-2.0", "@type": "X"}'
@@ -93,18 +96,32 @@ def test_what_is_no_text_is_an_error(here):
     assert errors[0].startswith("a.jsonld:1:3: ")
 
 
+GEOMETRY = "https://comp-rob2b.github.io/metamodels/geometry/structural-entities#"
+
+
 @pytest.mark.parametrize(
-    ("text", "answer"),
+    ("said", "answer"),
     [
-        ('{"@context": {"a": "b:c"}}', True),
-        (' {\n "@context" : [ "a", {} ]\n}\n', True),
-        ('{"@context": {}, "@graph": []}', False),
-        ('{"@graph": [], "@context": {}}', False),
-        ('{"@context": {', False),
-        ("[]", False),
-        ("", False),
+        ({"@context": {"a": f"{GEOMETRY}Point"}}, False),
+        ({"@context": [GEOMETRY, {}], "@graph": []}, True),
+        ({"@graph": [], "@context": {"Frame": {"@id": f"{GEOMETRY}Frame"}}}, True),
+        ({"a": [{"@context": GEOMETRY}], "@context": {}}, True),
+        ({"@context": {"@version": 1.1}, "@type": [f"{GEOMETRY}Frame"]}, True),
+        ({"@context": {"@version": 1.1}, f"{GEOMETRY}origin": "x"}, True),
+        ({"@context": "https://w3id.org/codemeta/3.0", "name": GEOMETRY}, False),
+        ({"@context": "https://schema.org", "url": "https://comp-rob2b.github.io"}, False),
+        ([{"@context": GEOMETRY}], True),
     ],
 )
-def test_documents_that_are_a_context(text, answer):
-    """They have nothing else in them."""
-    assert is_context(text) is answer
+def test_the_context_makes_json_a_model(said, answer):
+    """Not what else it speaks of; a context for others is none."""
+    assert is_model(SourceText("a.json", json.dumps(said))) is answer
+
+
+def test_json_that_cannot_be_parsed_is_a_model_if_it_might_be():
+    """So that what is wrong with a model that was cut off is told."""
+    for broken in (f'{{"@context": "{GEOMETRY}", "a": ', '{"@context": ' * 100_000 + GEOMETRY):
+        assert is_model(SourceText("a.json", broken))
+    assert not is_model(SourceText("a.json", '{"@context": "https://schema.org", "a": '))
+    deep = f'{{"@context": "https://schema.org", "a": "{GEOMETRY}", "b": {"[" * 900 + "]" * 900}}}'
+    assert not is_model(SourceText("a.json", deep))

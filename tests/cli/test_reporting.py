@@ -2,6 +2,9 @@
 
 import json
 
+import pytest
+
+from kinlint import __version__
 from kinlint.errors import SourceError
 
 
@@ -82,7 +85,7 @@ def test_an_output_that_cannot_be_written(kinlint, pipeline, write):
     code, _, err = kinlint("arm.jsonld", "-o", "no/where.txt")
 
     assert code == 2
-    assert err == "kinlint: error: cannot write no/where.txt: No such file or directory\n"
+    assert err.endswith(": --output-file: cannot write no/where.txt: there is no directory no\n")
 
 
 def test_statistics(kinlint, pipeline, write):
@@ -110,15 +113,70 @@ def test_quiet_and_silent(kinlint, pipeline, write):
 
 
 def test_verbose(kinlint, pipeline, write):
-    """Says by what the run goes, on standard error."""
+    """Says by what the run goes and what it came to, on standard error."""
     write("arm.jsonld")
     write("kinlint.toml", 'ignore = ["LD"]')
     _, _, err = kinlint("arm.jsonld", "-v", "--select", "UNI", "--no-cache")
+    lines = [line.removeprefix("kinlint: ").partition(": ") for line in err.splitlines()]
+    told = {head: text for head, _, text in lines if text}
 
-    assert err.splitlines() == [
-        "kinlint: rules chosen by kinlint.toml, command line",
-        "kinlint: contexts of release ba7e601, engine oxigraph, rules compiled anew",
-    ]
+    assert lines[0][0].startswith(f"kinlint {__version__}, Python 3.")
+    assert told["configuration"] == "kinlint.toml"
+    assert told["contexts"] == "release ba7e601 (2025-04)"
+    assert told["engine"].startswith("pyoxigraph ")
+    assert told["catalogue"] == "4 rules with 0 constraints, compiled anew"
+    assert told["read"] == "1 file with 0 triples"
+    assert told["applied"] == "0 of 4 rules"
+
+
+def test_verbose_without_configuration(kinlint, model):
+    """There is none to name."""
+    assert "kinlint: configuration: none, so the defaults hold\n" in kinlint("-v")[2]
+
+
+@pytest.mark.parametrize(
+    ("options", "problem"),
+    [
+        (("-o", "arm.jsonld"), "--output-file: arm.jsonld is read in this run"),
+        (("--sarif-output", "link.jsonld"), "--sarif-output: link.jsonld is read in this run"),
+        (("-o", "x", "--json-output=./x"), "--json-output: x is written by another option, too"),
+        (("--json-output=x", "--sarif-output=x"), "--sarif-output: x is written by another"),
+        (("--json-output=-",), "--json-output: '-' is no file; for standard output, --output-for"),
+        (("--json-output=no/x",), "--json-output: cannot write no/x: there is no directory no"),
+        (("--json-output=.",), "--json-output: cannot write .: Is a directory"),
+        (("-o", ""), "-o/--output-file: expected a value, got ''"),
+    ],
+)
+def test_outputs_that_exclude_each_other(kinlint, model, here, options, problem):
+    """Nothing is lost, and nothing is done before."""
+    (here / "link.jsonld").symlink_to("arm.jsonld")
+    before = (here / "arm.jsonld").read_text("utf-8")
+    code, out, err = kinlint("arm.jsonld", *options)
+
+    assert (code, out) == (2, "")
+    assert err.startswith(f"kinlint: error: {problem}")
+    assert len(err.splitlines()) == 1
+    assert (here / "arm.jsonld").read_text("utf-8") == before
+    assert not (here / "x").exists()
+
+
+def test_devices_may_be_named_twice(kinlint, model):
+    """They take everything."""
+    assert kinlint("-o", "/dev/null", "--json-output=/dev/null")[0] == 0
+
+
+def test_a_dash_is_standard_output(kinlint, model, here):
+    """As for input."""
+    assert kinlint("arm.jsonld", "-o", "-")[1] == "All checks passed!\n"
+    assert not (here / "-").exists()
+
+
+def test_names_in_messages_cannot_steer_the_terminal(kinlint, model, write):
+    """Escape sequences and line ends are shown, not obeyed."""
+    name = "a\x1b]0;x\nb.jsonld"
+    _, _, err = kinlint(name, "--output-format", "json")
+
+    assert err.startswith("kinlint: error: a\\u001b]0;x\\u000ab.jsonld: no such file")
 
 
 def test_color(kinlint, pipeline, write, monkeypatch):

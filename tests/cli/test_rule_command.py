@@ -29,6 +29,15 @@ def test_a_rule_in_markdown(kinlint):
     assert kinlint("rule", "LD001", "--output-format", "markdown")[1].startswith("# LD001 ")
 
 
+def test_all_rules_in_markdown(kinlint):
+    """Are one page."""
+    out = kinlint("rule", "--all", "--output-format", "markdown")[1]
+
+    assert out.count("\n# ") == 0
+    assert out.startswith("# The rules of kinlint\n")
+    assert all(f"\n## {rule.code} {rule.name}\n" in out for rule in RULES)
+
+
 def test_one_rule_is_an_object_and_several_are_an_array(kinlint):
     """In JSON; several by their code, by a beginning, or all."""
 
@@ -63,6 +72,7 @@ def test_color_for_a_rule(kinlint):
         ([], "name a rule, such as UNI002, or use --all"),
         (["UNI02"], "unknown rule selector 'UNI02', did you mean 'UNI002'?"),
         (["LD001", "--output-format", "txt"], "did you mean 'text'?"),
+        (["UNI002", "--all"], "--all is every rule, 'UNI002' among them: give one of both"),
         (["--al"], "unknown option '--al', did you mean '--all'?"),
     ],
 )

@@ -72,9 +72,22 @@ def test_a_linked_working_tree_shares_the_configuration(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("url", ["/home/me/robots.git", "../b", ""])
-def test_a_remote_on_this_machine_is_not_told(tmp_path: Path, url: str) -> None:
-    checkout(tmp_path, url)
-    assert provenance(str(tmp_path)) is None
+def test_a_repository_on_no_server_is_called_by_its_directory(tmp_path: Path, url: str) -> None:
+    top = tmp_path / "my robots"
+    checkout(top, url)
+    found = provenance(str(top))
+    assert found is not None
+    assert found["repositoryUri"] == "urn:kinlint:repository:my%20robots"
+    assert found["revisionId"] == REVISION
+
+
+def test_any_remote_on_a_server_will_do(tmp_path: Path) -> None:
+    git = checkout(tmp_path, "../b")
+    with (git / "config").open("a") as stream:
+        stream.write('[remote "upstream"]\n\turl = https://github.com/c/d.git\n')
+    found = provenance(str(tmp_path))
+    assert found is not None
+    assert found["repositoryUri"] == "https://github.com/c/d"
 
 
 def test_an_unreadable_repository_is_none(tmp_path: Path) -> None:

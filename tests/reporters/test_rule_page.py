@@ -78,15 +78,22 @@ def test_the_object_has_examples_without_marks_and_where_they_were() -> None:
     assert example["marks"] == [{"row": 2, "column": 17, "end_row": 2, "end_column": 33}]
 
 
-def test_the_index_lists_rules_by_code_and_links_their_files() -> None:
-    assert rule_page.index(reversed(RULES)) == (
-        "| Code | Name | Severity | Anti-patterns | What it finds |\n"
-        "|---|---|---|---|---|\n"
-        "| INE007 | [inertia-seen-by-foreign-frame](inertia/inertia-seen-by-foreign-frame.ttl) "
+def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -> None:
+    page = "".join(rule_page.catalogue(reversed(RULES)))
+    table = "| Code | Name | Severity | Anti-patterns | What it finds |\n|---|---|---|---|---|\n"
+    assert page.startswith("# The rules of kinlint\n")
+    assert (
+        f"\n### inertia (INE)\n\n{table}"
+        "| INE007 | [inertia-seen-by-foreign-frame](#ine007-inertia-seen-by-foreign-frame) "
         "| error | AP3 | inertia is seen by a frame of another body |\n"
-        "| UNI002 | unit-quantity-mismatch "
-        "| warning | AP5, AP6 | unit does not fit its quantity |\n"
-    )
+        f"\n### other (UNI)\n\n{table}"
+    ) in page
+    assert page.count("\n## ") == 1 + len(RULES)
+    section = page.partition("\n## INE007 inertia-seen-by-foreign-frame\n\n")[2]
+    assert section.startswith("**inertia is seen by a frame of another body**\n\nSeverity: error")
+    file = "inertia/inertia-seen-by-foreign-frame.ttl"
+    assert f"\n\nRule file: [{file}]({file})\n" in section
+    assert "\n\n\n" not in page
 
 
 def test_a_rule_that_says_little_has_a_page() -> None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from typing import Any
 
 from hypothesis import given
-from reported import reports
+from reported import here, report, reports, unit_finding
 from sarif_reader import (
     LINK,
     by_column,
@@ -132,12 +133,26 @@ def test_6_columns_are_announced_as_utf16(made: Report) -> None:
 
 @given(reports())
 def test_7_each_result_has_both_fingerprints(made: Report) -> None:
+    identities = []
     for finding, result in pairs(made):
-        location = finding.location
-        assert result["partialFingerprints"] == {
-            "kinlintFinding/v1": finding.fingerprint,
-            "primaryLocationLineHash": LineHashes(location.source).of(location.start.line),
-        }
+        location, fingerprints = finding.location, dict(result["partialFingerprints"])
+        line_hash = LineHashes(location.source).of(location.start.line)
+        identities.append(fingerprints.pop("kinlintFinding/v1"))
+        assert fingerprints == {"primaryLocationLineHash": line_hash}
+        assert identities[-1].partition(":")[0] == finding.fingerprint
+    assert len(set(identities)) == len(identities)
+
+
+def test_7_a_finding_about_a_file_keeps_its_identity_where_the_file_goes() -> None:
+    """Also, it is no logical location that the file has a name."""
+    made = []
+    for name in ("a.jsonld", "b/c.jsonld"):
+        place = here('{"a": 1}', 1, 4, name=name)
+        finding = replace(unit_finding(place), iri=f"urn:kinlint:document:{name}")
+        (result,) = results(log(report(finding)))
+        made.append(result["partialFingerprints"]["kinlintFinding/v1"])
+        assert "logicalLocations" not in result["locations"][0]
+    assert made[0] == made[1]
 
 
 @given(reports())

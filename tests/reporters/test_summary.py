@@ -3,7 +3,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from reported import BOTH, here, report, unit_finding
+from reported import BOTH, RULES, here, report, unit_finding
 
 from kinlint.errors import SourceError
 from kinlint.model import Severity
@@ -48,7 +48,7 @@ def test_little_time_is_told_more_exactly() -> None:
 
 
 def test_a_clean_run_says_so_and_how_much_was_checked_if_asked() -> None:
-    made = Report(files=("a", "b"), triples=1204, applied=16, seconds=0.4)
+    made = Report(files=("a", "b"), rules=RULES, triples=1204, applied=16, seconds=0.4)
     assert said(made) == "All checks passed!\n"
     assert said(made, verbose=True) == (
         "All checks passed! (2 files, 1,204 triples, 0.4 s, 16 rules applied)\n"
@@ -65,13 +65,18 @@ def test_what_is_shown_though_suppressed_is_no_finding() -> None:
     ("made", "expected"),
     [
         (Report(), "No files were checked."),
-        (Report(errors=(UNREAD,)), "1 file could not be read; no findings in the others."),
+        (Report(errors=(UNREAD,)), "1 file could not be read."),
         (
-            Report(files=("x.jsonld",), unapplied=("x.jsonld",)),
+            Report(files=("x.jsonld",), errors=(UNREAD,)),
+            "1 file could not be read; no findings in the others.",
+        ),
+        (Report(files=("x.jsonld",)), "Nothing was checked: no rule is selected."),
+        (
+            Report(files=("x.jsonld",), unapplied=("x.jsonld",), rules=RULES),
             "x.jsonld: 0 rules applied: no known vocabulary\nNothing was checked: no rule applies.",
         ),
         (
-            Report(files=("x.jsonld", "y.jsonld"), unapplied=("x.jsonld",)),
+            Report(files=("x.jsonld", "y.jsonld"), unapplied=("x.jsonld",), rules=RULES),
             "x.jsonld: 0 rules applied: no known vocabulary\nAll checks passed!",
         ),
     ],

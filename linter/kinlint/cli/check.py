@@ -5,24 +5,25 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 
 from kinlint import __version__, rulebook
 from kinlint.cli.commands import hint
+from kinlint.cli.destinations import check_destinations, destinations
 from kinlint.cli.options import parser
-from kinlint.cli.outputs import Outputs
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.parser import HelpShown
 from kinlint.cli.settings import Layers, cache_directory
 from kinlint.config import Settings
-from kinlint.config_file import Config
-from kinlint.config_keys import OUTPUT_FORMATS, unknown
-from kinlint.discovery import Found, Search, shown
-from kinlint.errors import SourceError, UsageError
+from kinlint.discovery import Found, Search
+from kinlint.errors import UsageError
 from kinlint.model import Severity
 from kinlint.pathglob import absolute
+from kinlint.pathname import shown
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
 from kinlint.selection import Policies
@@ -48,15 +49,18 @@ def run(arguments: Sequence[str]) -> int:
     settings = _settings(options, layers, found)
     project = layers.project(found.inputs)
     fail_on = project.fail_on or THRESHOLD
-    outputs = _outputs(options, project)
+    outputs = destinations(options, project)
+    check_destinations(outputs, (*_paths(found), *settings.rules, *settings.shapes))
     book = rulebook.load(settings.rules, settings.shapes, settings.cache)
     Policies(settings, book.rules).check()
     if options.show_settings:
         more = {"output-format": outputs.main, "fail-on": fail_on}
         return _show_settings(settings, more, found, book)
     if options.verbose:
-        _tell(settings, book)
+        _tell(account().before(settings, book, map(layers.origin, found.inputs)))
     report = _lint(settings, found, book)
+    if options.verbose:
+        _tell(account().after(report, book))
     if not options.silent:
         _warn(found)
     if options.show_suppressed:
@@ -84,11 +88,18 @@ def _find(options: Namespace, layers: Layers) -> Found:
         stdin=shown(absolute(stdin), stdin) if stdin else "<stdin>",
     )
     paths = options.paths or (["-"] if stdin else ["."])
-    found = search.find(paths)
-    for number, error in enumerate(found.errors):
-        if error.name in paths and "did you mean" not in error.cause:
-            found.errors[number] = SourceError(error.name, error.cause + hint(error.name))
-    return found
+    _no_command(paths[0])
+    return search.find(paths)
+
+
+def _no_command(word: str) -> None:
+    """Raise `UsageError` if *word* is no path but may be the slip of a command."""
+    if not os.path.lexists(word) and (meant := hint(word)):
+        raise UsageError(f"'{word}' is neither a command nor a path{meant}")
+
+
+def _paths(found: Found) -> Iterator[Path]:
+    return (one.path for one in found.inputs if one.path is not None)
 
 
 def _warn(found: Found) -> None:
@@ -108,49 +119,25 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
     )
 
 
-def _outputs(options: Namespace, project: Config) -> Outputs:
-    said = os.environ.get("KINLINT_OUTPUT_FORMAT")
-    if said and (problem := unknown(said, OUTPUT_FORMATS)):
-        raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")
-    path = options.output_file or os.environ.get("KINLINT_OUTPUT_FILE")
-    copies = (
-        (name, getattr(options, f"{name.replace('-', '_')}_output")) for name in OUTPUT_FORMATS
-    )
-    return Outputs(
-        main=options.output_format or said or project.output_format or "full",
-        path=Path(path) if path else None,
-        copies=tuple((name, Path(file)) for name, file in copies if file),
-        color=options.color,
-        statistics=options.statistics,
-        quiet=options.quiet,
-        silent=options.silent,
-        verbose=options.verbose,
-    )
-
-
 def _lint(settings: Settings, found: Found, book: Rulebook) -> Report:
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
     from kinlint.cli.reading import read  # noqa: PLC0415
 
     sources, errors = read(found.inputs, settings)
-    return lint.run(sources, [*found.errors, *errors], settings, book)
+    report = lint.run(sources, [*found.errors, *errors], settings, book)
+    if report.files:
+        return report
+    # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
+    asked = Policies(settings, book.rules).enabled([""])
+    return replace(report, rules=tuple(rule for rule in book.rules if rule.code in asked))
 
 
-def _tell(settings: Settings, book: Rulebook) -> None:
-    """Say how the run goes about it: by which configuration, engine and contexts."""
-    every = [settings.default, *settings.files.values()]
-    origins = dict.fromkeys(choice.origin for each in every for choice in each.choices)
-    cache = f"kept in {settings.cache}" if settings.cache else "compiled anew"
-    lines = [
-        f"rules chosen by {', '.join(origins) or 'nobody: all of them'}",
-        f"contexts of release {settings.contexts}, engine {settings.engine}, rules {cache}",
-    ]
-    if settings.engine == "oxigraph":
-        lines += [
-            f"pySHACL judges a constraint of {each.owner}: {each.deferred}"
-            for each in book.constraints
-            if each.deferred is not None
-        ]
+def account() -> ModuleType:
+    """What speaks for `-v`, which few ask for."""
+    return import_module("kinlint.cli.account")
+
+
+def _tell(lines: Iterable[str]) -> None:
     sys.stderr.writelines(f"kinlint: {line}\n" for line in lines)
 
 

@@ -6,12 +6,12 @@ from argparse import BooleanOptionalAction
 from typing import Any
 
 from kinlint.cli.commands import COMMANDS
-from kinlint.cli.parser import Parser, listed, one_of
-from kinlint.config_keys import ENGINES, OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
+from kinlint.cli.parser import Parser, filled, listed, one_of
+from kinlint.config_keys import ALIASES, ENGINES, OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
 from kinlint.contexts.library import RELEASES
 
 LISTS: dict[str, Any] = {"type": listed, "action": "extend"}
-TEXTS: dict[str, Any] = {"action": "append"}
+TEXTS: dict[str, Any] = {"action": "append", "type": filled}
 FLAG: dict[str, Any] = {"action": "store_true"}
 
 DESCRIPTION = """\
@@ -63,7 +63,7 @@ def _rules(made: Parser) -> None:
     add("--shapes", metavar="FILE", **TEXTS, help="add the SHACL shapes in FILE")
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
     add("--no-cache", "-n", **FLAG, help="compile the rules anew")
-    add("--cache-dir", metavar="DIR", help="where compiled rules are kept")
+    add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
 
 
 def _files(made: Parser) -> None:
@@ -71,7 +71,7 @@ def _files(made: Parser) -> None:
     add("--exclude", metavar="GLOB", **LISTS, help="pass over these in directories")
     add("--extend-exclude", metavar="GLOB", **LISTS, help="pass over these, too")
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
-    add("--stdin-filename", metavar="F", help="what standard input is called")
+    add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
     add("--show-files", **FLAG, help="show what would be linted, and stop")
 
 
@@ -96,13 +96,19 @@ def _output(made: Parser) -> None:
     formats = "|".join(OUTPUT_FORMATS)
     add = made.add_argument_group("Output").add_argument
     add("--output-format", type=one_of(OUTPUT_FORMATS), metavar="F", help=f"{formats}")
-    add("-o", "--output-file", metavar="FILE", help="write there instead of standard output")
+    add(
+        "-o",
+        "--output-file",
+        type=filled,
+        metavar="FILE",
+        help="write there instead of standard output",
+    )
     for name in OUTPUT_FORMATS:
-        add(f"--{name}-output", metavar="FILE", help=f"write {name} there, too")
+        add(f"--{name}-output", type=filled, metavar="FILE", help=f"write {name} there, too")
     add("--statistics", **FLAG, help="count findings by rule instead of showing them")
     add(
         "--fail-on",
-        type=one_of(THRESHOLDS),
+        type=one_of(THRESHOLDS, ALIASES),
         metavar="|".join(THRESHOLDS),
         help="the least severity that makes the exit code 1 (default: warning)",
     )

@@ -13,6 +13,7 @@ from typing import TextIO
 
 from kinlint.errors import UsageError
 from kinlint.report import Report
+from kinlint.reporters.columns import shown
 from kinlint.reporters.registry import FORMATS, write, write_statistics, write_summary
 from kinlint.reporters.style import When, style_of
 
@@ -31,16 +32,25 @@ class Outputs:
     verbose: bool = False
 
     def emit(self, report: Report) -> None:
-        """Write *report* everywhere; what a machine format leaves unsaid goes to stderr."""
+        """Write *report* everywhere; what a machine format leaves unsaid goes to stderr.
+
+        A file that cannot be written raises `UsageError` when the others are.
+        """
+        failures: list[UsageError] = []
         for name, path in self.copies:
-            with replacing(path) as stream:
-                self._write(report, name, stream)
+            try:
+                with replacing(path) as stream:
+                    self._write(report, name, stream)
+            except UsageError as error:
+                failures.append(error)
         if self.path is not None:
             with replacing(self.path) as stream:
                 self._main(report, stream)
         elif not self.silent:
             self._main(report, sys.stdout)
         self._aside(report)
+        if failures:
+            raise failures[0]
 
     def _main(self, report: Report, stream: TextIO) -> None:
         if self.statistics and not self._machine:
@@ -52,7 +62,7 @@ class Outputs:
         """What standard error is told: all that standard output leaves unsaid."""
         if self.path is not None or self.silent or self._machine or self.statistics:
             for error in report.errors:
-                sys.stderr.write(f"kinlint: error: {error}\n")
+                sys.stderr.write(f"kinlint: error: {shown(str(error))}\n")
         if self.silent or not self._machine:
             return
         if self.statistics:

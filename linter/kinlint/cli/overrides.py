@@ -14,6 +14,7 @@ from kinlint.config_keys import KEYS, SEVERITIES
 from kinlint.errors import ConfigError, UsageError
 from kinlint.model import Severity
 from kinlint.pathglob import Glob, absolute
+from kinlint.pathname import NOTHING, missing
 
 ORIGIN = "command line"
 
@@ -22,7 +23,10 @@ def overrides(options: Namespace) -> Config:
     """The keys of `--config`, and on top of them the other options."""
     here = Path.cwd()
     texts = [text for text in options.config or () if _is_key(text)]
-    inline = config_of(_keys(texts), "--config", here) if texts else Config(ORIGIN)
+    keys = _keys(texts)
+    if "extend" in keys:
+        raise UsageError("--config: extend is for configuration files; here, --config PATH")
+    inline = config_of(keys, "--config", here) if keys else Config(ORIGIN)
     above = inline.under(
         Config(
             origin=ORIGIN,
@@ -49,8 +53,9 @@ def configs(options: Namespace) -> Configs:
         raise UsageError(f"--config '{paths[0]}' and --isolated exclude each other")
     if paths:
         path = absolute(paths[0])
-        if not path.exists():
-            raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE")
+        if not path.is_file():
+            near = "" if path.exists() else missing(path).removeprefix(NOTHING)
+            raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE{near}")
         return Configs(fixed=load(path))
     return Configs(fixed=Config("defaults") if options.isolated else None)
 
@@ -61,10 +66,10 @@ def _is_key(text: str) -> bool:
 
 def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
     """The keys that `--config KEY=VALUE` sets, later ones on top."""
-    import tomllib  # noqa: PLC0415  rarely used
-
     said: dict[str, Any] = {}
     for text in texts:
+        import tomllib  # noqa: PLC0415  rarely used
+
         try:
             new = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
 from kinlint.config_keys import unknown
@@ -36,7 +36,7 @@ class Parser(argparse.ArgumentParser):
         if wrong is not None:
             name = wrong.partition("=")[0]
             suggestion = did_you_mean(name, self._option_string_actions) if name[1:2] == "-" else ""
-            self.error(f"unknown option '{name}'{suggestion}")
+            self.error(f"unknown option '{name}'{suggestion or f'; {self.prog} --help lists them'}")
         if words and self._rest is None:
             self.error(f"unexpected argument '{words[0]}'")
         if self._rest is not None:
@@ -50,7 +50,8 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise `UsageError`."""
-        raise UsageError(message.removeprefix("argument "))
+        message = message.removeprefix("argument ")
+        raise UsageError(message.replace("ignored explicit argument", "takes no value, but has"))
 
     def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
         """Raise `HelpShown`: nothing but help leaves the parser this way."""
@@ -65,10 +66,13 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
         super().__init__(prog, max_help_position=30)
 
 
-def one_of(choices: tuple[str, ...]) -> Callable[[str], str]:
-    """A type for arguments that must be one of *choices*."""
+def one_of(
+    choices: tuple[str, ...], aliases: Mapping[str, str] | None = None
+) -> Callable[[str], str]:
+    """A type for arguments that must be one of *choices*, or of *aliases* for some of them."""
 
     def read(text: str) -> str:
+        text = (aliases or {}).get(text, text)
         if problem := unknown(text, choices):
             raise argparse.ArgumentTypeError(problem)
         return text
@@ -76,6 +80,16 @@ def one_of(choices: tuple[str, ...]) -> Callable[[str], str]:
     return read
 
 
+def filled(text: str) -> str:
+    """A type for arguments that may not be empty."""
+    if not text:
+        raise argparse.ArgumentTypeError("expected a value, got ''")
+    return text
+
+
 def listed(text: str) -> list[str]:
-    """A type for arguments with several values, separated by commas."""
-    return [part for each in text.split(",") if (part := each.strip())]
+    """A type for arguments with several values, at least one, separated by commas."""
+    parts = [part for each in text.split(",") if (part := each.strip())]
+    if not parts:
+        raise argparse.ArgumentTypeError(f"expected a value, got '{text}'")
+    return parts

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 import stat
 import sys
 from collections.abc import Iterable
-from json import JSONDecodeError, JSONDecoder
 
+from kinlint.cli.recognition import is_model
 from kinlint.config import Settings
 from kinlint.contexts.library import Contexts, Extra
 from kinlint.discovery import Input
@@ -16,10 +15,6 @@ from kinlint.formats.registry import decode, recognise
 from kinlint.text import SourceText
 
 KNOWN = "JSON-LD (.jsonld, .json with an @context), Turtle (.ttl), N-Triples (.nt), N-Quads (.nq)"
-ROBOTIC = ("comp-rob2b", "metamodels", "kinlint")
-"""What the IRIs of robot vocabularies have in them; one is in every JSON-LD robot model."""
-_OPENING = re.compile(r'\s*\{\s*"@context"\s*:\s*')
-_ENDING = re.compile(r"\s*\}\s*")
 
 
 def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText], list[SourceError]]:
@@ -30,7 +25,7 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
     """
     sources: list[SourceText] = []
     errors: list[SourceError] = []
-    marks = (*ROBOTIC, *_own_contexts(settings))
+    own = _own_contexts(settings)
     for one in inputs:
         try:
             source = decode(one.name, _bytes(one))
@@ -42,30 +37,10 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
                 cause = f"not a robot model: kinlint reads {KNOWN}"
                 errors.append(SourceError(one.name, cause))
                 continue
-        elif not _is_model(source, marks):
+        elif not is_model(source, own):
             continue
         sources.append(source)
     return sources, errors
-
-
-def _is_model(source: SourceText, marks: Iterable[str]) -> bool:
-    """Whether a file is a model that nobody called one."""
-    if source.name.lower().endswith(".json") and not any(mark in source.text for mark in marks):
-        return False
-    form = recognise(source.name, source.text)
-    return form is not None and not (form == "jsonld" and is_context(source.text))
-
-
-def is_context(text: str) -> bool:
-    """Whether a JSON text is nothing but a context for others."""
-    opening = _OPENING.match(text)
-    if opening is None:
-        return False
-    try:
-        _, end = JSONDecoder().raw_decode(text, opening.end())
-    except (JSONDecodeError, RecursionError):
-        return False
-    return _ENDING.fullmatch(text, end) is not None
 
 
 def _own_contexts(settings: Settings) -> tuple[str, ...]:

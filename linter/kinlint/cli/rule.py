@@ -14,7 +14,7 @@ from kinlint.errors import UsageError
 from kinlint.model import Rule
 from kinlint.pathglob import absolute
 from kinlint.reporters.registry import put
-from kinlint.reporters.rule_page import markdown, rule_object, text
+from kinlint.reporters.rule_page import catalogue, markdown, rule_object, text
 from kinlint.reporters.style import style_of
 from kinlint.selection import Catalogue
 
@@ -44,12 +44,16 @@ def run(arguments: Sequence[str]) -> int:
         raise UsageError("name a rule, such as UNI002, or use --all")
     extra = [absolute(path) for path in options.rules or ()]
     book = rulebook.load(extra, (), cache_directory(os.environ))
-    catalogue = Catalogue(book.rules)
+    known = Catalogue(book.rules)
+    if options.all and options.names:
+        raise UsageError(f"--all is every rule, '{options.names[0]}' among them: give one of both")
     wanted = options.names or ["ALL"]
-    codes = frozenset[str]().union(*(catalogue.find(each)[1] for each in wanted))
+    codes = frozenset[str]().union(*(known.find(each)[1] for each in wanted))
     rules = [rule for rule in book.rules if rule.code in codes]
-    single = len(wanted) == 1 and wanted[0] in catalogue.exact
-    if options.output_format == "json":
+    single = len(wanted) == 1 and wanted[0] in known.exact
+    if options.all and options.output_format == "markdown":
+        put(catalogue(rules), sys.stdout)
+    elif options.output_format == "json":
         pages = [rule_object(rule) for rule in rules]
         written = json.dumps(pages[0] if single else pages, indent=2, ensure_ascii=False)
         put(iter([written, "\n"]), sys.stdout)

@@ -15,6 +15,7 @@ from kinlint.contexts.library import NEWEST, Contexts
 from kinlint.discovery import SKIPPED, Input
 from kinlint.errors import ConfigError, UsageError
 from kinlint.pathglob import Glob, absolute
+from kinlint.pathname import missing, shown
 
 DEFAULTS: Mapping[str, Any] = {
     "contexts": NEWEST,
@@ -58,6 +59,10 @@ class Layers:
         folders = {str(home(one)) for one in inputs}
         return self.of(Path(os.path.commonpath(folders)) if folders else Path.cwd())
 
+    def origin(self, one: Input) -> str:
+        """What is called the configuration that governs *one*."""
+        return self._home(one).origin
+
     def settings(self, inputs: Sequence[Input], **given: Any) -> Settings:
         """The settings of a run over *inputs*; *given* are those that only options decide.
 
@@ -67,13 +72,22 @@ class Layers:
         wide = self._wide(project, inputs)
         wide["contexts"] = _release(wide["contexts"], self.top if self.top.contexts else project)
         for name in ("rules", "shapes"):
-            wide[name] = (*wide[name], *given.pop(name, ()))
+            _exist(wide[name], f"{self._source(name, project)}: {name}")
+            _exist(more := given.pop(name, ()), f"--{name}")
+            wide[name] = (*wide[name], *more)
+        contexts = (*wide["context_directories"], *wide["extra_contexts"].values())
+        source = self._source("context_directories", project)
+        _exist(contexts, f"{self._source('extra_contexts', project, source)}: extra-contexts")
         return Settings(
             **wide,
             default=_file(project, Path.cwd()),
             files={one.name: _file(self.of(home(one)), _path(one)) for one in inputs},
             **given,
         )
+
+    def _source(self, name: str, project: Config, source: str = "") -> str:
+        """Who says what *name* is: the options, which come on top, or the configuration."""
+        return "--config" if getattr(self.top, name) is not None else source or project.origin
 
     def _wide(self, project: Config, inputs: Iterable[Input]) -> dict[str, Any]:
         """The value of each key of `WIDE`, on which all configurations must agree."""
@@ -103,7 +117,7 @@ def _file(config: Config, path: Path) -> FileSettings:
     return FileSettings(
         choices=config.choices,
         ignores=tuple(
-            Ignore(one.selectors, one.key, one.origin, one.pointer, one.iri)
+            Ignore(one.selectors, one.key, one.origin, one.pointer, one.iri, one.place)
             for one in entries
             if one.iri is not None or one.glob.covers(path)
         ),
@@ -124,6 +138,13 @@ def _graph_settings(config: Config, project: Config) -> dict[str, Any]:
     said = {key: getattr(config, key) for key in WIDE}
     said = {key: getattr(project, key) if value is None else value for key, value in said.items()}
     return {key: DEFAULTS[key] if value is None else value for key, value in said.items()}
+
+
+def _exist(paths: Iterable[Path], key: str) -> None:
+    """Raise `ConfigError` if one of *paths*, which *key* names, is not there."""
+    for path in paths:
+        if not path.exists():
+            raise ConfigError(f"{key}: {shown(path)}: {missing(path)}")
 
 
 def _disagreement(key: str, one: Config, other: Config) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinlint.config import Settings
-from kinlint.config_file import shown
 from kinlint.discovery import Input
 from kinlint.model import Rule
+from kinlint.pathname import shown
 from kinlint.selection import Policies
 
 

@@ -23,7 +23,7 @@ def finding_object(finding: Finding) -> dict[str, Any]:
         "severity": finding.severity.label,
         "url": rule.iri,
         "fix": None,
-        "iri": finding.iri,
+        "iri": finding.iri or None,
         "related": [_related(related) for related in finding.related],
         "because": [_premise(premise) for premise in finding.because],
         "taxa": list(rule.antipatterns),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
@@ -15,6 +17,35 @@ from kinlint.reporters.style import Style
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {"jsonld": "json", "turtle": "turtle", "urdf": "xml", "sdf": "xml", "mjcf": "xml"}
 TEXT_WIDTH = 80
+INTRODUCTION = """\
+# The rules of kinlint
+
+One Turtle file is one rule. It is a SHACL shape, and says in the same place what it finds and how
+bad that is, why it matters, which anti-patterns (AP1 to AP6) it witnesses, and what a bad and a
+good model look like. Carets below show what is flagged in the bad one.
+
+This page is made from those files: `kinlint rule --all --output-format markdown`. One rule is
+explained by `kinlint rule CODE`.
+
+A rule needs no kinlint to run. Any SHACL engine that knows SPARQL constraints will do, with the
+ontology and the units beside the model, such as pySHACL from the top of this repository:
+
+```sh
+pyshacl -im -s rules/units/missing-unit.ttl -i owlrl \\
+    model.ttl shapes/ontology/*.ttl shapes/units/*.ttl
+```
+
+It tells which node is at fault, though not where in the file; and rules about what JSON-LD loses
+find nothing there, since it is lost before.
+
+A rule is ignored
+
+- for one run: `--ignore CODE`
+- for a project: `ignore = ["CODE"]` under `[tool.kinlint]` in `pyproject.toml`
+- for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "CODE"`
+
+where CODE may be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`), too.
+"""
 
 
 def text(rule: Rule, style: Style) -> Iterator[str]:
@@ -55,19 +86,50 @@ def markdown(rule: Rule) -> str:
 
 def help_markdown(rule: Rule) -> str:
     """The page as Markdown, without what SARIF viewers show above it."""
+    ways = "\n".join(f"- {way}" for way in _ignoring(rule))
+    return _joined(*_explained(rule), "To ignore it:", ways, *_links(rule))
+
+
+def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
+    """All *rules* on one page of Markdown: how to read and run them, an index, and a section each.
+
+    Links lead to files below the directory of the rules.
+    """
+    ordered = sorted(rules, key=lambda rule: rule.code)
+    yield INTRODUCTION
+    yield "\n## Index\n"
+    families: dict[str, list[Rule]] = {}
+    for rule in ordered:
+        families.setdefault(Path(rule.path).parent.name, []).append(rule)
+    for family, members in families.items():
+        codes = ", ".join(sorted({rule.family for rule in members}))
+        yield f"\n### {family or 'other'} ({codes})\n\n{_index(members)}"
+    for rule in ordered:
+        file = "/".join(Path(rule.path).parts[-2:])
+        source = f"Rule file: [{file}]({quote(file)})" if file else ""
+        parts = *_explained(rule), *_links(rule), source
+        yield f"\n## {_heading(rule)}\n\n**{rule.title}**\n\n{_joined(*parts)}"
+
+
+def _explained(rule: Rule) -> Iterator[str]:
     lines = [f"Severity: {rule.severity.label}  "]
     lines += [f"{label}: {value}  " for label, value in _facts(rule)]
-    parts = ["\n".join(lines).rstrip(), *paragraphs(rule.why)]
+    yield "\n".join(lines).rstrip()
+    yield from paragraphs(rule.why)
     for title, example in _cases(rule):
         language = "text" if example.marks else _FENCES.get(example.format, "text")
         fence = "`" * max(3, example.longest_ticks + 1)
-        parts.append(f"{title}:")
-        parts.append(f"{fence}{language}\n{example.annotated(Style())}\n{fence}")
-    parts.append("To ignore it:")
-    parts.append("\n".join(f"- {way}" for way in _ignoring(rule)))
+        yield f"{title}:"
+        yield f"{fence}{language}\n{example.annotated(Style())}\n{fence}"
+
+
+def _links(rule: Rule) -> Iterator[str]:
     if rule.links:
-        parts.append("See also:")
-        parts.append("\n".join(f"- <{link}>" for link in rule.links))
+        yield "See also:"
+        yield "\n".join(f"- <{link}>" for link in rule.links)
+
+
+def _joined(*parts: str) -> str:
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -96,24 +158,24 @@ def rule_object(rule: Rule) -> dict[str, Any]:
     }
 
 
-def index(rules: Iterable[Rule]) -> str:
-    """A Markdown table of rules by code, with links to their files below the rule directory."""
-    rows = [
-        "| Code | Name | Severity | Anti-patterns | What it finds |",
-        "|---|---|---|---|---|",
-    ]
-    for rule in sorted(rules, key=lambda rule: rule.code):
-        file = "/".join(Path(rule.path).parts[-2:])
-        name = f"[{rule.name}]({file})" if file else rule.name
+def _index(rules: Iterable[Rule]) -> str:
+    """A Markdown table of *rules*, with links to their sections."""
+    rows = ["| Code | Name | Severity | Anti-patterns | What it finds |", "|---|---|---|---|---|"]
+    for rule in rules:
+        anchor = re.sub(r"[^\w -]", "", _heading(rule).lower()).replace(" ", "-")
         cells = (
             rule.code,
-            name,
+            f"[{rule.name}](#{anchor})",
             rule.severity.label,
             ", ".join(rule.antipatterns),
             rule.title.replace("|", "\\|"),
         )
         rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows) + "\n"
+
+
+def _heading(rule: Rule) -> str:
+    return f"{rule.code} {rule.name}"
 
 
 def _facts(rule: Rule) -> Iterator[tuple[str, str]]:

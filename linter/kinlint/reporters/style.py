@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import codecs
 import os
-import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, TextIO, TypeAlias
@@ -28,6 +27,7 @@ INK_OF: Mapping[Severity, Ink] = {
     Severity.INFO: "info",
 }
 PLAIN_WIDTH = 140
+LEAST_WIDTH = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,13 +64,18 @@ def style_of(
     terminal = stream.isatty()
     dumb = said.get("TERM") == "dumb"
     color = when == "always" or (when == "auto" and _wants_color(said, terminal=terminal))
-    width = shutil.get_terminal_size((PLAIN_WIDTH, 24)).columns if terminal else PLAIN_WIDTH
     return Style(
         color=color,
         links=color and terminal and not dumb,
         unicode=_shows_unicode(stream),
-        width=max(width, 40),
+        width=max(_columns() if terminal else PLAIN_WIDTH, LEAST_WIDTH),
     )
+
+
+def _columns() -> int:
+    from shutil import get_terminal_size  # noqa: PLC0415  not needed for pipes
+
+    return get_terminal_size((PLAIN_WIDTH, 24)).columns
 
 
 def _wants_color(said: Mapping[str, str], *, terminal: bool) -> bool:

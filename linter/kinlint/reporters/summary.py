@@ -39,15 +39,22 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
         return f"Found {_found(report)} ({_extent(report)})"
     if report.errors:
         unread = {error.name for error in report.errors}
-        return f"{counted(len(unread), 'file')} could not be read; no findings in the others"
+        others = "; no findings in the others" if report.files else ""
+        return f"{counted(len(unread), 'file')} could not be read{others}"
     if not report.files:
         return "No files were checked"
-    if len(report.unapplied) == len(report.files):
-        return "Nothing was checked: no rule applies"
+    if _idle(report):
+        why = "no rule applies" if report.rules else "no rule is selected"
+        return f"Nothing was checked: {why}"
     praise = style.ink("All checks passed!", "note")
     if not verbose:
         return praise
     return f"{praise} ({_extent(report)}, {counted(report.applied, 'rule')} applied)"
+
+
+def _idle(report: Report) -> bool:
+    """Whether no rule looked at any file."""
+    return not report.rules or len(report.unapplied) == len(report.files)
 
 
 def _found(report: Report) -> str:
@@ -76,7 +83,7 @@ def _asides(report: Report) -> str:
     if report.baseline:
         parts.append(f"{report.baseline:,} in the baseline")
     passed = not (report.open or report.errors) and report.files
-    clean = passed and len(report.unapplied) < len(report.files)
+    clean = passed and not _idle(report)
     if clean:
         return f" {', '.join(parts)}." if parts else ""
     return f"; {', '.join(parts)}." if parts else "."

@@ -7,9 +7,12 @@ from configparser import ConfigParser
 from configparser import Error as ConfigParserError
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from kinlint.reporters.sarif.artifact import SOURCE_ROOT
 
+LOCAL = "urn:kinlint:repository:"
+"""Begins the name of a repository that is on no server."""
 _SCP = re.compile(r"(?:[\w.-]+@)?([\w.-]+):(?!//)/?(.+)")
 _WEB = re.compile(r"(?:https?|ssh|git)://(?:[^@/]+@)?([^/:]+)(?::\d+)?/(.+)")
 
@@ -25,17 +28,17 @@ def repository_top(start: str) -> str | None:
 def provenance(top: str) -> dict[str, Any] | None:
     """The `versionControlDetails` of the working tree with its top at *top*.
 
-    None without a remote called origin on a server; credentials in its URL are left out.
+    The repository is called as the remote on a server, origin if there are several; credentials
+    in its URL are left out. One without is called by its directory, not by its place on this
+    machine. None if it cannot be read.
     """
     try:
         git = _directory(Path(top) / ".git")
         shared = git / _read(git / "commondir") if (git / "commondir").is_file() else git
-        uri = _origin(shared)
+        uri = _remote(shared) or f"{LOCAL}{quote(Path(top).name)}"
         head = _read(git / "HEAD")
         revision = _revision(git, shared, head)
     except (OSError, UnicodeDecodeError, ConfigParserError):
-        return None
-    if not uri:
         return None
     details: dict[str, Any] = {"repositoryUri": uri}
     if revision:
@@ -52,12 +55,15 @@ def _directory(entry: Path) -> Path:
     return entry
 
 
-def _origin(git: Path) -> str:
+def _remote(git: Path) -> str:
     config = ConfigParser(strict=False, interpolation=None, allow_no_value=True)
     config.read_string(re.sub(r"(?m)^\s+", "", _read(git / "config")))
-    url = config.get('remote "origin"', "url", fallback="") or ""
-    match = _WEB.fullmatch(url) or _SCP.fullmatch(url)
-    return f"https://{match[1]}/{match[2].removesuffix('.git')}" if match else ""
+    names = [name for name in config.sections() if name.startswith("remote ")]
+    for name in sorted(names, key=lambda name: name != 'remote "origin"'):
+        url = config.get(name, "url", fallback="") or ""
+        if match := _WEB.fullmatch(url) or _SCP.fullmatch(url):
+            return f"https://{match[1]}/{match[2].removesuffix('.git')}"
+    return ""
 
 
 def _revision(git: Path, shared: Path, head: str) -> str:

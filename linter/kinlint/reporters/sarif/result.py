@@ -9,6 +9,7 @@ from kinlint.errors import SourceError
 from kinlint.model import Finding, Location, Premise
 from kinlint.reporters.sarif.artifact import Artifacts
 from kinlint.reporters.sarif.catalogue import LEVELS, Catalogue, taxon_references
+from kinlint.reporters.sarif.fingerprint import DOCUMENT, Fingerprints
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.message import RELATED_LOCATIONS, escaped, message_of
 from kinlint.reporters.sarif.region import Regions
@@ -23,6 +24,7 @@ class Results:
     def __init__(self, artifacts: Artifacts, catalogue: Catalogue) -> None:
         self._artifacts = artifacts
         self._catalogue = catalogue
+        self._fingerprints = Fingerprints()
         self._regions: dict[str, Regions] = {}
         self._hashes: dict[str, LineHashes] = {}
 
@@ -44,7 +46,7 @@ class Results:
             },
             "locations": [self._main(finding)],
             "partialFingerprints": {
-                "kinlintFinding/v1": finding.fingerprint,
+                "kinlintFinding/v1": self._fingerprints.of(finding),
                 "primaryLocationLineHash": self._line_hash(finding.location),
             },
         }
@@ -76,7 +78,7 @@ class Results:
         context = self._region(finding.location).context(finding.location.span)
         if context is not None:
             place["physicalLocation"]["contextRegion"] = context
-        if finding.iri and not finding.iri.startswith("_:"):
+        if finding.iri and not finding.iri.startswith(("_:", DOCUMENT)):
             name = finding.iri.rstrip("/#").replace("#", "/").rsplit("/", 1)[-1]
             place["logicalLocations"] = [
                 {"name": name, "fullyQualifiedName": finding.iri, "kind": "object"}

@@ -1,0 +1,36 @@
+"""How paths are called in messages, and what there is in place of one that is not there."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from kinlint.suggestion import nearest
+
+NOTHING = "no such file or directory"
+
+
+def shown(path: Path, given: str = "") -> str:
+    """What *path* is called: from the working directory if below it, else as it was *given*."""
+    here = Path.cwd()
+    if path.is_relative_to(here):
+        return printable(path.relative_to(here).as_posix())
+    return printable(Path(given).as_posix() if given else path.as_posix())
+
+
+def printable(name: str) -> str:
+    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace")
+
+
+def missing(path: Path) -> str:
+    """Why there is nothing at *path*, with what there is of a similar name."""
+    try:
+        beside = [one.name for one in path.parent.iterdir()]
+    except OSError:
+        beside = []
+    # A common suffix says nothing of how alike two names are.
+    alike = {Path(name).stem: name for name in beside if Path(name).suffix == path.suffix}
+    others = [name for name in beside if Path(name).stem not in alike]
+    found = alike.get(nearest(path.stem, alike) or "") or nearest(path.name, others)
+    return NOTHING + (f", did you mean '{printable(found)}'?" if found else "")

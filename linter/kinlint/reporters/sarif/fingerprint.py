@@ -1,0 +1,30 @@
+"""The identity of findings: stable when text moves, and one for each finding of a run."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+
+from kinlint.model import Finding
+
+DOCUMENT = "urn:kinlint:document:"
+"""How the IRI of a file begins, which changes when the file is moved."""
+
+
+class Fingerprints:
+    """Gives each finding of a run, in their order, an identity that no other has."""
+
+    def __init__(self) -> None:
+        self._seen: Counter[str] = Counter()
+
+    def of(self, finding: Finding) -> str:
+        """What tells *finding* apart, wherever it lies; `:n` for the n-th of those that are equal.
+
+        Two files that say the same wrong thing of the same entity make equal findings.
+        """
+        if finding.iri.startswith(DOCUMENT):
+            finding = replace(finding, iri="")
+        same = finding.fingerprint
+        self._seen[same] += 1
+        number = self._seen[same]
+        return same if number == 1 else f"{same}:{number}"
