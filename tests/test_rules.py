@@ -22,7 +22,8 @@ USERS = """
 rule:space-in-identifier a kl:Rule, sh:NodeShape ;
     kl:code "ID900" ;
     rdfs:label "space in an identifier" ;
-    rdfs:comment "Simulators allow no spaces in names and rewrite them. A script asks for the old one in vain." ;
+    rdfs:comment '''Simulators allow no spaces in names, and rewrite them.
+        A script asks for the old ones in vain.''' ;
     kl:since "0.1.0" ; kl:format "jsonld" ; rdfs:seeAlso <https://www.rfc-editor.org/rfc/rfc3987> ;
     sh:severity sh:Warning ;
     sh:targetClass kc:Joint ;
