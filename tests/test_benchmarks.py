@@ -12,7 +12,7 @@ from benchmarks.table import Row, markdown
 from rdflib import Graph
 
 from kinlint import lint
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook, load
 from kinlint.text import SourceText

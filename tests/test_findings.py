@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinlint import rulebook
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.display import LONGEST, Display
 from kinlint.lint import run
 from kinlint.model import Finding

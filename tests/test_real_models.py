@@ -6,7 +6,7 @@ import pytest
 from data import locate_data
 
 from kinlint import lint, rulebook
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 
 TUTORIAL = {

@@ -112,8 +112,8 @@ def test_what_a_rule_promises_and_does_not_keep_is_said(written, right, wrong, s
         ("rule:space-in", "rule:spaces-in", "so its file must be spaces-in-identifier.ttl"),
         ('"%20"))', '"%20")', "not SPARQL 1.1 near"),
         ("FILTER", "$this foo:bar 1 . FILTER", "the prefix 'foo:' is not declared"),
-        ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:12: A dot is expected"),
-        ("targetClass kc:", "targetClass zz:", ".ttl:14: The prefix zz: has not been declared"),
+        ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:13: A dot is expected"),
+        ("targetClass kc:", "targetClass zz:", ".ttl:15: The prefix zz: has not been declared"),
     ],
 )
 def test_what_is_no_rule_is_refused(written, right, wrong, said):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from kinlint import lint, rulebook
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Sequence
 
-from kinlint import suppression
-from kinlint.config import Settings
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
@@ -19,7 +19,7 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
-from kinlint.selection import Policies
+from kinlint.suppression import silence
 from kinlint.terms import RDF_TYPE
 from kinlint.text import SourceText
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
@@ -63,7 +63,7 @@ def run(
     close(store, rulebook.axioms)
     results = check_all(documents, store, constraints, settings, rulebook)
     judged = policies.judged(findings(results, documents, store, rulebook))
-    told = suppression.apply(judged, documents, policies, complete=not failed)
+    told = silence.apply(judged, documents, policies, complete=not failed)
     told.sort(key=lambda finding: finding.sort_key)
     return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),

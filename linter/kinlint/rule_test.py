@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from kinlint import lint, resources
-from kinlint.config import FileSettings, Settings
+from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.engine.check import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError

@@ -9,7 +9,7 @@ from statistics import median
 from time import perf_counter
 
 from benchmarks import robot
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kinlint.cli import check
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Location, Rule, Severity
 from kinlint.report import Report

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from kinlint.config import Choice
+from kinlint.configuration.settings import Choice
 from kinlint.model import Severity
 
 

@@ -7,8 +7,8 @@ import pytest
 
 from kinlint.cli.reading import read
 from kinlint.cli.recognition import is_model
-from kinlint.config import Settings
-from kinlint.discovery import Input
+from kinlint.configuration.settings import Settings
+from kinlint.files.discovery import Input
 from kinlint.text import SourceText
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from reading import domain
 
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read, recognise

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from kinlint import __version__
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASE_DATES
 from kinlint.report import Report
 from kinlint.reporters.summary import counted

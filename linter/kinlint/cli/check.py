@@ -18,15 +18,15 @@ from kinlint.cli.options import parser
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.parser import HelpShown
 from kinlint.cli.settings import Layers, cache_directory
-from kinlint.config import Settings
-from kinlint.discovery import Found, Search
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
+from kinlint.files.discovery import Found, Search
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import shown
 from kinlint.model import Severity
-from kinlint.pathglob import absolute
-from kinlint.pathname import shown
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
-from kinlint.selection import Policies
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"

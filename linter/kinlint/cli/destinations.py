@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from kinlint.cli.outputs import Outputs
-from kinlint.config_file import Config
-from kinlint.config_keys import OUTPUT_FORMATS, unknown
+from kinlint.configuration.file import Config
+from kinlint.configuration.keys import OUTPUT_FORMATS, unknown
 from kinlint.errors import UsageError
 
 STDOUT = "-"

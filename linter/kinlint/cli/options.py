@@ -7,7 +7,7 @@ from typing import Any
 
 from kinlint.cli.commands import COMMANDS
 from kinlint.cli.parser import Parser, filled, listed, one_of
-from kinlint.config_keys import ALIASES, ENGINES, OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
+from kinlint.configuration.keys import ALIASES, ENGINES, OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
 from kinlint.contexts.library import RELEASES
 
 LISTS: dict[str, Any] = {"type": listed, "action": "extend"}

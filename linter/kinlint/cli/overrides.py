@@ -8,13 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.config import Choice
-from kinlint.config_file import Config, Configs, PerFile, config_of, load, per_file
-from kinlint.config_keys import KEYS, SEVERITIES
+from kinlint.configuration.file import Config, Configs, PerFile, config_of, load, per_file
+from kinlint.configuration.keys import KEYS, SEVERITIES
+from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError
+from kinlint.files.pathglob import Glob, absolute
+from kinlint.files.pathname import NOTHING, missing
 from kinlint.model import Severity
-from kinlint.pathglob import Glob, absolute
-from kinlint.pathname import NOTHING, missing
 
 ORIGIN = "command line"
 

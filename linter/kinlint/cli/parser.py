@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from kinlint.config_keys import unknown
+from kinlint.configuration.keys import unknown
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 

@@ -7,10 +7,10 @@ import sys
 from collections.abc import Iterable
 
 from kinlint.cli.recognition import is_model
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import Contexts, Extra
-from kinlint.discovery import Input
 from kinlint.errors import SourceError
+from kinlint.files.discovery import Input
 from kinlint.formats.registry import decode, recognise
 from kinlint.text import SourceText
 

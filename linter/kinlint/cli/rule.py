@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 from kinlint import rulebook
 from kinlint.cli.parser import HelpShown, Parser, one_of
 from kinlint.cli.settings import cache_directory
+from kinlint.configuration.selection import Catalogue
 from kinlint.errors import UsageError
+from kinlint.files.pathglob import absolute
 from kinlint.model import Rule
-from kinlint.pathglob import absolute
 from kinlint.reporters.registry import put
 from kinlint.reporters.rule_page import catalogue, markdown, rule_object, text
 from kinlint.reporters.style import style_of
-from kinlint.selection import Catalogue
 
 FORMATS = ("text", "markdown", "json")
 

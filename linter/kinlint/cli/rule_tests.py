@@ -11,7 +11,7 @@ from kinlint import rule_test, rulebook
 from kinlint.cli.parser import HelpShown, Parser
 from kinlint.cli.settings import cache_directory
 from kinlint.errors import UsageError
-from kinlint.pathglob import absolute
+from kinlint.files.pathglob import absolute
 
 
 def parser() -> Parser:

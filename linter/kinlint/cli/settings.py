@@ -9,13 +9,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kinlint.config import FileSettings, Ignore, Settings
-from kinlint.config_file import Config, Configs
+from kinlint.configuration.file import Config, Configs
+from kinlint.configuration.settings import FileSettings, Ignore, Settings
 from kinlint.contexts.library import NEWEST, Contexts
-from kinlint.discovery import SKIPPED, Input
 from kinlint.errors import ConfigError, UsageError
-from kinlint.pathglob import Glob, absolute
-from kinlint.pathname import missing, shown
+from kinlint.files.discovery import SKIPPED, Input
+from kinlint.files.pathglob import Glob, absolute
+from kinlint.files.pathname import missing, shown
 
 DEFAULTS: Mapping[str, Any] = {
     "contexts": NEWEST,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kinlint.config import Settings
-from kinlint.discovery import Input
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.files.discovery import Input
+from kinlint.files.pathname import shown
 from kinlint.model import Rule
-from kinlint.pathname import shown
-from kinlint.selection import Policies
 
 
 def pages(

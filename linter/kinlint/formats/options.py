@@ -6,7 +6,7 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from kinlint.config import Settings
+from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASES, Contexts, Extra
 from kinlint.vocabulary import DOCUMENT_BASE
 

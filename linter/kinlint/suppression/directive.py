@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from kinlint.configuration.selection import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
-from kinlint.selection import Catalogue
 from kinlint.terms import Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.text import Span
 from kinlint.vocabulary import KL, RULE, SRC

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from kinlint.errors import SourceError
-from kinlint.globbing import ANY_DEPTH, matches
-from kinlint.pathglob import MAGIC, Glob, absolute
-from kinlint.pathname import missing, printable, shown
+from kinlint.files.globbing import ANY_DEPTH, matches
+from kinlint.files.pathglob import MAGIC, Glob, absolute
+from kinlint.files.pathname import missing, printable, shown
 
 SEARCHED = (".jsonld", ".json")
 GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
@@ -98,7 +98,7 @@ class Search:
             errors.append(SourceError(printable(given), missing(path)))
 
     def _glob(self, pattern: str, errors: list[SourceError]) -> Iterator[Input]:
-        found = matches(pattern, self._excluded, _teller(pattern, errors))
+        found = matches(pattern, self._passed_over, _teller(pattern, errors))
         if not found:
             errors.append(SourceError(printable(pattern), "no file matches"))
         for path in found:
@@ -121,6 +121,9 @@ class Search:
                 path = base / name
                 if path.suffix.lower() in SEARCHED and not self._excluded(path):
                     yield from self._candidate(path, errors)
+
+    def _passed_over(self, path: Path) -> bool:
+        return self._excluded(path) or (path / ENVIRONMENT).is_file()
 
     def _excluded(self, path: Path) -> bool:
         return any(pattern.matches(path) for pattern in self.excluding(path.parent))

@@ -13,13 +13,13 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.config import Choice
-from kinlint.config_keys import ALIASES, check
-from kinlint.config_text import ConfigText, quoted, read
+from kinlint.configuration.keys import ALIASES, check
+from kinlint.configuration.settings import Choice
+from kinlint.configuration.text import ConfigText, quoted, read
 from kinlint.errors import ConfigError
+from kinlint.files.pathglob import Glob, absolute
+from kinlint.files.pathname import missing, shown
 from kinlint.model import Severity
-from kinlint.pathglob import Glob, absolute
-from kinlint.pathname import missing, shown
 from kinlint.text import SourceText, Span
 
 NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from kinlint import pointer
-from kinlint.config import Ignore
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Ignore
 from kinlint.model import Finding, Location, Rule
-from kinlint.selection import Policies
-from kinlint.suppression_fault import UNUSED, filled
+from kinlint.suppression import pointer
+from kinlint.suppression.fault import UNUSED, filled
 from kinlint.terms import iri
 from kinlint.text import Span
 

@@ -10,10 +10,10 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from kinlint.directive import Directive
+from kinlint.configuration.selection import Policies
 from kinlint.model import Finding, Location, Rule
-from kinlint.selection import Policies
 from kinlint.suggestion import nearest
+from kinlint.suppression.directive import Directive
 from kinlint.terms import iri_value, is_iri
 
 UNUSED = "unused-suppression"

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.pathglob import Glob
+from kinlint.files.pathglob import Glob
 
 ROOT = Path("/work [1]/robot")
 

@@ -12,12 +12,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from kinlint.directive import ABOUT, Directive, directives
+from kinlint.configuration.selection import Policies
 from kinlint.document import Document
-from kinlint.ignores import Ignores
 from kinlint.model import Finding
-from kinlint.selection import Policies
-from kinlint.suppression_fault import FAULTS, UNUSED, Fault, faults, reported
+from kinlint.suppression.directive import ABOUT, Directive, directives
+from kinlint.suppression.fault import FAULTS, UNUSED, Fault, faults, reported
+from kinlint.suppression.ignores import Ignores
 from kinlint.terms import Term
 
 if TYPE_CHECKING:

@@ -19,8 +19,8 @@ def shown(path: Path, given: str = "") -> str:
 
 
 def printable(name: str) -> str:
-    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes."""
-    return os.fsencode(name).decode("utf-8", "backslashreplace")
+    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes but NUL."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace").replace("\0", "\\x00")
 
 
 def missing(path: Path) -> str:

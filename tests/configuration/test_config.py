@@ -2,8 +2,8 @@
 
 import pytest
 
-from kinlint.config import Choice
-from kinlint.config_file import Config, Configs, config_of, load
+from kinlint.configuration.file import Config, Configs, config_of, load
+from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError
 from kinlint.model import Severity
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeAlias
 
-from kinlint.config import Choice, Settings
+from kinlint.configuration.settings import Choice, Settings
 from kinlint.errors import UsageError
 from kinlint.model import Finding, Rule, Severity
 from kinlint.suggestion import did_you_mean

@@ -2,10 +2,10 @@
 
 import pytest
 
-from kinlint.config import Choice, FileSettings, Ignore, Settings
+from kinlint.configuration.selection import Catalogue, Policies, policy
+from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.errors import UsageError
 from kinlint.model import Finding, Location, Rule, Severity
-from kinlint.selection import Catalogue, Policies, policy
 from kinlint.text import SourceText, Span
 
 W = Severity.WARNING

@@ -2,11 +2,11 @@
 
 from datetime import date
 
-from kinlint import suppression
-from kinlint.config import Settings
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.model import Finding, Location, Rule, Severity
-from kinlint.selection import Policies
+from kinlint.suppression import silence
 from kinlint.terms import iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import KL, RULE
@@ -60,7 +60,7 @@ def finding(one, node=ARM, name="arm.jsonld", text="x" * 100, span=PLACE):
 
 def applied(findings, documents, *, complete=True, **settings):
     policies = Policies(Settings(**settings), RULES)
-    return suppression.apply(findings, documents, policies, complete=complete, today=TODAY)
+    return silence.apply(findings, documents, policies, complete=complete, today=TODAY)
 
 
 def told(outcome):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
 
-from kinlint.pathglob import MAGIC, absolute, translate
+from kinlint.files.pathglob import MAGIC, absolute, translate
 
 ANY_DEPTH = "**"
 _ALTERNATIVES = re.compile(r"\{([^{}]*)\}")

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from suppressing import ARM, DROPPED, LEG, UNIT, applied, document, finding, kl, noted, told
 
-from kinlint.config import Choice, FileSettings, Ignore
+from kinlint.configuration.settings import Choice, FileSettings, Ignore
 from kinlint.terms import iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import KL, RULE, SRC

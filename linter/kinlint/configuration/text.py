@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from kinlint.errors import ConfigError
-from kinlint.pathname import shown
+from kinlint.files.pathname import shown
 from kinlint.text import SourceText, Span
 
 BOM = "\ufeff"

@@ -1,0 +1,1 @@
+"""Which findings are silenced, by whom, and which suppressions are at fault."""
