@@ -18,6 +18,12 @@ ex:NamedJoint a sh:NodeShape ;
 """
 
 
+@pytest.fixture(autouse=True)
+def _unshipped(monkeypatch, tmp_path):
+    """As in a checkout: no catalogue comes compiled with the program."""
+    monkeypatch.setattr(rulebook, "SHIPPED", tmp_path / "nowhere")
+
+
 def renamed(directory, code, name):
     """A copy of a rule under another *code* and *name*."""
     text = RULE.read_text().replace("UNI001", code).replace("missing-unit", name)

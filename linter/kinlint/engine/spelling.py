@@ -18,15 +18,25 @@ class Spelling:
 
     def __init__(self, document: Document) -> None:
         self.document = document
+        self._known: dict[tuple[Term, Term], dict[Term, Term]] = {}
 
     def of(self, triple: Triple) -> Triple | None:
         """The triple that the document has a place for and that says the same, if there is one."""
         if triple in self.document.map.triples:
             return triple
         subject, predicate, value = triple
-        written = () if _is_exact(value) else self._literals.get((subject, predicate), ())
-        same = (each for each in written if normal(each) == normal(value))
-        return next(((subject, predicate, each) for each in same), None)
+        if _is_exact(value):
+            return None
+        same = self._normals(subject, predicate).get(normal(value))
+        return None if same is None else (subject, predicate, same)
+
+    def _normals(self, subject: Term, predicate: Term) -> dict[Term, Term]:
+        """What is written of a property of a node, by what a store makes of it."""
+        key = (subject, predicate)
+        if key not in self._known:
+            written = self._literals.get(key, ())
+            self._known[key] = {normal(each): each for each in reversed(written)}
+        return self._known[key]
 
     @cached_property
     def _literals(self) -> dict[tuple[Term, Term], list[Term]]:
