@@ -12,7 +12,6 @@ RULE = f"{KINLINT}rules/"
 
 SH = "http://www.w3.org/ns/shacl#"
 DASH = "http://datashapes.org/dash#"
-DCTERMS = "http://purl.org/dc/terms/"
 OWL = "http://www.w3.org/2002/07/owl#"
 RDFS = "http://www.w3.org/2000/01/rdf-schema#"
 QUDT = "http://qudt.org/schema/qudt/"

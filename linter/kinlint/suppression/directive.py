@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from datetime import date
 
 IGNORE = iri(f"{KL}ignore")
-ABOUT = iri(f"{SRC}node")
 _RULE, _REASON, _UNTIL = (iri(f"{KL}{name}") for name in ("rule", "reason", "until"))
 _GRAPH_NAME = iri(f"{SRC}name")
 _NAMED_GRAPH = iri(f"{SRC}NamedGraph")

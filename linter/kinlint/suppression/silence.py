@@ -2,7 +2,7 @@
 
 Two sources silence findings. A model says `kl:ignore` on a node: findings about that node; on the
 name of the file's graph: findings in that file. A configuration says so for files, for a JSON
-Pointer in a file, or for an entity's IRI (`config.Ignore`). Nothing here removes a finding:
+Pointer in a file, or for an entity's IRI (`settings.Ignore`). Nothing here removes a finding:
 `Finding.suppressed` tells why it is not to be shown.
 """
 
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.model import Finding
-from kinlint.suppression.directive import ABOUT, Directive, directives
+from kinlint.suppression.directive import Directive, directives
 from kinlint.suppression.fault import FAULTS, UNUSED, Fault, faults, reported
 from kinlint.suppression.ignores import Ignores
 from kinlint.terms import Term
@@ -42,7 +42,7 @@ def apply(
     if settings.ignore_suppressions:
         return list(findings)
     stated = directives(documents, policies.catalogue, today)
-    about = _about(documents) if stated else {}
+    about = {s: o for each in documents for s, o in each.about.items()} if stated else {}
     marked, used = _silence(findings, stated, about)
     wrong = [
         fault
@@ -103,8 +103,3 @@ def _silence(
         used.update(meant)
         out.append(replace(finding, suppressed=meant[0].excuse) if meant else finding)
     return out, frozenset(used)
-
-
-def _about(documents: Iterable[Document]) -> dict[Term, Term]:
-    """The domain node that each statement of the source layer speaks of."""
-    return {s: o for document in documents for s, p, o in document.statements if p == ABOUT}

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from kinlint.terms import RDF_TYPE, Term
-from kinlint.vocabulary import DASH, KL, OWL, RDFS, SH
+from kinlint.vocabulary import KL, OWL, RDFS, SH
 
 TYPE = RDF_TYPE
 RULE_CLASS = f"<{KL}Rule>"
 SUBCLASS = f"<{RDFS}subClassOf>"
 CLASS = f"<{RDFS}Class>"
 IMPORTS = f"<{OWL}imports>"
-UNSUPPORTED = (f"<{DASH}", f"<{SH}js", f"<{SH}expression>")
 
 
 def sh(name: str) -> Term:

@@ -11,17 +11,23 @@ from typing import Any, NamedTuple, TypeAlias
 from kinlint.text import Span
 
 
-class Text(str):
-    """A string."""
+class Placed:
+    """What a value is besides itself: a range of the text, brackets and quotes included."""
 
-    __slots__ = ("end", "start")
+    __slots__ = ()
     start: int
     end: int
 
     @property
     def span(self) -> Span:
-        """The token."""
+        """The token, or the brackets and all between."""
         return Span(self.start, self.end)
+
+
+class Text(Placed, str):
+    """A string."""
+
+    __slots__ = ("end", "start")
 
 
 class Key(Text):
@@ -37,48 +43,26 @@ class Key(Text):
         return Span(self.value_start, self.value_end)
 
 
-class Integer(int):
+class Integer(Placed, int):
     """A number without fraction and exponent."""
 
-    start: int
-    end: int
 
-    @property
-    def span(self) -> Span:
-        """The token."""
-        return Span(self.start, self.end)
-
-
-class Real(float):
+class Real(Placed, float):
     """A number with a fraction or an exponent."""
 
     __slots__ = ("end", "start")
-    start: int
-    end: int
-
-    @property
-    def span(self) -> Span:
-        """The token."""
-        return Span(self.start, self.end)
 
 
-class Array(list[Any]):
+class Array(Placed, list[Any]):
     """An array; `literals` places the `true`, `false` and `null` among its elements."""
 
     __slots__ = ("end", "literals", "start")
-    start: int
-    end: int
     literals: dict[int, Span] | None
 
     def __init__(self, start: int) -> None:
         super().__init__()
         self.start = self.end = start
         self.literals = None
-
-    @property
-    def span(self) -> Span:
-        """The brackets and all between."""
-        return Span(self.start, self.end)
 
     def element_span(self, index: int) -> Span:
         """Where element *index* stands."""
@@ -95,23 +79,16 @@ class Member(NamedTuple):
     value: Any
 
 
-class Object(dict[str, Any]):
+class Object(Placed, dict[str, Any]):
     """An object: the last occurrence of a key wins, `overwritten` holds the earlier ones."""
 
     __slots__ = ("end", "overwritten", "start")
-    start: int
-    end: int
     overwritten: list[Member] | None
 
     def __init__(self, start: int) -> None:
         super().__init__()
         self.start = self.end = start
         self.overwritten = None
-
-    @property
-    def span(self) -> Span:
-        """The braces and all between."""
-        return Span(self.start, self.end)
 
     def key(self, name: str) -> Key | None:
         """The token of the key called *name*."""
