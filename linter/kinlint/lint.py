@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -14,9 +13,11 @@ from kinlint.engine.constraint import Constraint
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
+from kinlint.facts.compute import facts
 from kinlint.findings import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.profile import Profile
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
 from kinlint.suppression import silence
@@ -34,20 +35,18 @@ def run(
     errors: Iterable[SourceError],
     settings: Settings,
     rulebook: Rulebook,
+    profile: Profile | None = None,
 ) -> Report:
     """Lint *sources* as one model. *errors* are of files that could not even be decoded.
 
-    A source that cannot be read is reported in `Report.errors`; the others are linted.
+    A source that cannot be read is reported in `Report.errors`; the others are linted. The time
+    that each phase takes is added to *profile*.
     """
-    started = time.perf_counter()
+    spent = profile or Profile()
+    before = sum(spent.phases.values())
     failed = list(errors)
-    documents: list[Document] = []
-    options = ReadOptions.of(settings)
-    for source in sources:
-        try:
-            documents.append(read(source, options))
-        except SourceError as error:
-            failed.append(error)
+    with spent.phase("reading"):
+        documents = list(_documents(sources, ReadOptions.of(settings), failed))
     policies = Policies(settings, rulebook.rules)
     enabled = policies.enabled(document.source.name for document in documents)
     asked = [
@@ -58,13 +57,19 @@ def run(
     owners = {rule.iri for rule in asked}
     constraints = [each for each in rulebook.constraints if each.owner in owners]
     store = Store()
-    store.load(documents)
-    store.load_vocabulary(rulebook.vocabulary)
-    close(store, rulebook.axioms)
-    results = check_all(documents, store, constraints, settings, rulebook)
-    judged = policies.judged(findings(results, documents, store, rulebook))
-    told = silence.apply(judged, documents, policies, complete=not failed)
-    told.sort(key=lambda finding: finding.sort_key)
+    with spent.phase("loading"):
+        store.load(documents)
+        store.load_vocabulary(rulebook.vocabulary)
+    with spent.phase("closure"):
+        close(store, rulebook.axioms)
+    with spent.phase("facts"):
+        store.state(facts(store))
+    with spent.phase("checking"):
+        results = check_all(documents, store, constraints, settings, rulebook)
+    with spent.phase("locating"):
+        judged = policies.judged(findings(results, documents, store, rulebook))
+        told = silence.apply(judged, documents, policies, complete=not failed)
+        told.sort(key=lambda finding: finding.sort_key)
     return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
         suppressed=tuple(finding for finding in told if finding.suppressed is not None),
@@ -74,8 +79,19 @@ def run(
         rules=tuple(asked),
         triples=sum(len(document.statements) for document in documents),
         applied=len(asked) if documents else 0,
-        seconds=time.perf_counter() - started,
+        seconds=sum(spent.phases.values()) - before,
     )
+
+
+def _documents(
+    sources: Iterable[SourceText], options: ReadOptions, failed: list[SourceError]
+) -> Iterator[Document]:
+    """What *sources* say; the errors of those that cannot be read go to *failed*."""
+    for source in sources:
+        try:
+            yield read(source, options)
+        except SourceError as error:
+            failed.append(error)
 
 
 def check_all(
@@ -93,7 +109,11 @@ def check_all(
 
         owners = {each.owner for each in constraints}
         found = shacl.check(
-            documents, rulebook.shapes, rulebook.vocabulary, constraints=constraints
+            documents,
+            rulebook.shapes,
+            rulebook.vocabulary,
+            constraints=constraints,
+            facts=store.facts(),
         )
         return [result for result in found if result.constraint.owner in owners]
     results = list(check(store, constraints))

@@ -8,6 +8,7 @@ KINLINT = "https://w3id.org/kinlint/"
 KL = f"{KINLINT}ns#"
 KIN = f"{KINLINT}kinematics#"
 SRC = f"{KINLINT}source#"
+FACT = f"{KINLINT}fact#"
 RULE = f"{KINLINT}rules/"
 
 SH = "http://www.w3.org/ns/shacl#"
@@ -23,3 +24,6 @@ DOCUMENT_BASE = "https://base.kinlint.invalid/"
 
 INFERRED_GRAPH = f"<{KINLINT}inferred>"
 """The named graph that holds what the closure added."""
+
+FACTS_GRAPH = f"<{KINLINT}facts>"
+"""The named graph that holds what was computed."""

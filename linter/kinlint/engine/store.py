@@ -11,7 +11,7 @@ import pyoxigraph as ox
 from kinlint.engine.spelling import Spelling
 from kinlint.errors import RuleInvalid
 from kinlint.terms import Term, Triple, iri_value, literal
-from kinlint.vocabulary import INFERRED_GRAPH, KINLINT
+from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT
 
 if TYPE_CHECKING:
     from kinlint.document import Document
@@ -47,9 +47,9 @@ def statement(triple: Triple) -> ox.Quad:
 class Store:
     """What all documents of a run say, with the vocabulary and what follows from both.
 
-    There are two named graphs, asserted and inferred, which share no triple. One for each
-    document would not do: Oxigraph's union of graphs repeats a triple that two of them hold,
-    and with it solutions and counts.
+    There are three named graphs, asserted, inferred and computed, which share no triple. One for
+    each document would not do: Oxigraph's union of graphs repeats a triple that two of them
+    hold, and with it solutions and counts.
 
     Blank node labels of documents are kept, so documents must not share them. Literals come
     back in Oxigraph's spelling, which for typed ones may differ from the document's: `written`
@@ -74,13 +74,13 @@ class Store:
             self.documents[document.graph] = document
             statements = document.statements
             for start in range(0, len(statements), CHUNK):
-                refused += self._extend(statements[start : start + CHUNK])
+                refused += self._extend(statements[start : start + CHUNK], ASSERTED_GRAPH)
         return tuple(refused)
 
-    def _extend(self, statements: Sequence[Triple]) -> Sequence[Triple]:
-        """Add *statements*; from text, which is over twice as fast as from terms."""
+    def _extend(self, statements: Sequence[Triple], name: Term) -> Sequence[Triple]:
+        """Add *statements* to graph *name*; from text, over twice as fast as from terms."""
         named = [triple for triple in statements if triple[0][0] != "_" != triple[2][0]]
-        graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
+        graph = ox.NamedNode(iri_value(name))
         try:
             text = "".join([f"{s} {p} {o} .\n" for s, p, o in named]).encode()
             self.oxigraph.load(text, ox.RdfFormat.N_TRIPLES, to_graph=graph, lenient=True)
@@ -89,13 +89,13 @@ class Store:
                 blank = (
                     triple for triple in statements if triple[0][0] == "_" or triple[2][0] == "_"
                 )
-                text = "".join([f"{s} {p} {o} {ASSERTED_GRAPH} .\n" for s, p, o in blank]).encode()
+                text = "".join([f"{s} {p} {o} {name} .\n" for s, p, o in blank]).encode()
                 self.oxigraph.extend(ox.parse(text, ox.RdfFormat.N_QUADS, lenient=True))
         except (SyntaxError, UnicodeEncodeError, MemoryError):
             if len(statements) == 1:
                 return statements
             half = len(statements) // 2
-            return [*self._extend(statements[:half]), *self._extend(statements[half:])]
+            return [*self._extend(statements[:half], name), *self._extend(statements[half:], name)]
         return ()
 
     def load_vocabulary(self, files: Iterable[Path]) -> None:
@@ -103,7 +103,9 @@ class Store:
         graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
         for file in files:
             try:
-                self.oxigraph.load(path=file, format=ox.RdfFormat.TURTLE, to_graph=graph)
+                base = file.absolute().as_uri()
+                form = ox.RdfFormat.TURTLE
+                self.oxigraph.load(path=file, format=form, base_iri=base, to_graph=graph)
             except SyntaxError as error:
                 raise RuleInvalid(f"{file}:{error.lineno}: {error.msg}") from error
             self.vocabulary.append(file)
@@ -147,11 +149,30 @@ class Store:
                 if term is not None
             }
 
+    def state(self, facts: Iterable[Triple]) -> None:
+        """Add what was computed, in place of what was before."""
+        self.oxigraph.clear_graph(ox.NamedNode(iri_value(FACTS_GRAPH)))
+        self._extend(tuple(facts), FACTS_GRAPH)
+
+    def facts(self) -> Iterator[Triple]:
+        """What was computed."""
+        return self._statements(FACTS_GRAPH)
+
     def inferred(self) -> Iterator[Triple]:
         """What was inferred."""
-        graph = ox.NamedNode(iri_value(INFERRED_GRAPH))
+        return self._statements(INFERRED_GRAPH)
+
+    def _statements(self, name: Term) -> Iterator[Triple]:
+        graph = ox.NamedNode(iri_value(name))
         for quad in self.oxigraph.quads_for_pattern(None, None, None, graph):
             yield token(quad.subject), token(quad.predicate), token(quad.object)
+
+    def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
+        """What has *predicate*, with *value* if one is given; from no graph in particular."""
+        quad = statement(("<any:>", predicate, value or "<any:>"))
+        given = quad.object if value else None
+        for found in self.oxigraph.quads_for_pattern(None, quad.predicate, given, None):
+            yield token(found.subject)
 
     def holds(self, triple: Triple) -> bool:
         """Whether *triple* is asserted or inferred."""

@@ -1,0 +1,119 @@
+"""Finds out what a computed triple was computed from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+import pyoxigraph as ox
+
+from kinlint.engine.store import ASSERTED_GRAPH, Store, statement, token
+from kinlint.terms import (
+    RDF,
+    RDF_TYPE,
+    XSD,
+    Term,
+    Triple,
+    iri,
+    iri_value,
+    is_blank,
+    is_literal,
+    literal_datatype,
+)
+from kinlint.vocabulary import FACT, QUDT
+
+COMPUTED, COMPUTED_TOO = "computed from", "computed from the same"
+"""Stand in place of an axiom."""
+
+DERIVED_FROM = iri(f"{FACT}derived-from")
+TYPE_FACTS = frozenset(iri(f"{FACT}{name}") for name in ("excluded-type", "entailed-type"))
+"""Computed of what is of a class, so that rules look at few: they say no more than that it is."""
+
+CONTRADICTED = iri(f"{FACT}contradicted")
+"""Says only where a rule is to look."""
+UNIT = iri(f"{QUDT}unit")
+FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
+FEW = 2
+"""Of so many sources all numbers are told; of each of more, only one."""
+
+KIND_OF = 3
+"""The rank of what a node is, after that of numbers, units and lists."""
+
+NUMERIC = frozenset(f"{XSD}{name}" for name in ("double", "float", "decimal", "integer"))
+MOST_READ = 200
+MOST_ITEMS = 3
+MOST = 12
+"""No more statements are told of one computed triple."""
+
+
+def is_fact(triple: Triple) -> bool:
+    """Whether *triple* is computed: such triples have properties and classes of their own."""
+    space = f"<{FACT}"
+    return triple[1].startswith(space) or (triple[1] == RDF_TYPE and triple[2].startswith(space))
+
+
+def sources(store: Store, triple: Triple) -> Sequence[Term]:
+    """The nodes that a computed triple names as its sources, or the one that it is about."""
+    subject, _, value = triple
+    for node in (subject, value):
+        if not is_literal(node) and (found := _values(store, node, DERIVED_FROM)):
+            return found
+    return (subject,)
+
+
+def statements(store: Store, nodes: Sequence[Term]) -> Iterator[Triple]:
+    """What documents say of *nodes* that numbers are computed from: numbers, lists, units."""
+    each = MOST if len(nodes) <= FEW else 1
+    return islice((triple for node in nodes for triple in _told(store, node, each)), MOST)
+
+
+def items(store: Store, head: Term) -> Sequence[Term]:
+    """The first items of the list at *head*; none if it is no list."""
+    found: list[Term] = []
+    for _ in range(MOST_ITEMS):
+        if not is_blank(head):
+            break
+        found += _values(store, head, FIRST)[:1]
+        head = next(iter(_values(store, head, REST)), NIL)
+    return found
+
+
+def _told(store: Store, node: Term, most: int) -> Sequence[Triple]:
+    """At most *most* of these, numbers first; what the node is if there are none."""
+    ranked = sorted(
+        (_rank(store, value, predicate), predicate, value)
+        for predicate, value in _said(store, node)
+    )
+    numbers = [(node, predicate, value) for rank, predicate, value in ranked if rank < KIND_OF]
+    kinds = [(node, predicate, value) for rank, predicate, value in ranked if rank == KIND_OF]
+    return numbers[:most] or kinds[:1]
+
+
+def _rank(store: Store, value: Term, predicate: Term) -> int:
+    if is_literal(value):
+        return 0 if literal_datatype(value) in NUMERIC else KIND_OF + 1
+    if predicate == UNIT:
+        return 1
+    if predicate == RDF_TYPE:
+        return KIND_OF
+    return 2 if is_blank(value) and _values(store, value, FIRST) else KIND_OF + 1
+
+
+def _said(store: Store, node: Term) -> Iterator[tuple[Term, Term]]:
+    """What documents say of *node*, as far as anybody would read on."""
+    graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
+    found = store.oxigraph.quads_for_pattern(_subject(node), None, None, graph)
+    for quad in islice(found, MOST_READ):
+        yield token(quad.predicate), token(quad.object)
+
+
+def _values(store: Store, node: Term, predicate: Term) -> list[Term]:
+    property_ = ox.NamedNode(iri_value(predicate))
+    found = store.oxigraph.quads_for_pattern(_subject(node), property_, None, None)
+    return [token(quad.object) for quad in found]
+
+
+def _subject(node: Term) -> ox.NamedNode | ox.BlankNode:
+    subject = statement((node, RDF_TYPE, RDF_TYPE)).subject
+    assert not isinstance(subject, ox.Triple)
+    return subject

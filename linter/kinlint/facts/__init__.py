@@ -1,0 +1,1 @@
+"""What SPARQL cannot compute: numbers derived from a closed model, stated as triples."""

@@ -1,0 +1,120 @@
+"""Principal moments of inertia, about the point that coordinates refer to and about the centre."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from itertools import chain
+
+from kinlint.facts.companion import Companions
+from kinlint.facts.linear import Matrix, Vector, dot, eigenvalues, length, scale
+from kinlint.facts.names import body
+from kinlint.facts.names import inertia as inertial
+from kinlint.facts.quantity import Quantities
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import derived, numbers
+from kinlint.facts.units import FIRST_MOMENT, INERTIA, SI, Unit, Units
+from kinlint.terms import Term, Triple
+
+MOMENTS = ("ixx", "iyy", "izz")
+PRODUCTS = ("ixy", "ixz", "iyz")
+
+
+class Inertias:
+    """The inertias of a model by coordinates node, in SI where they have a unit."""
+
+    def __init__(self, scan: Scan, units: Units, quantities: Quantities) -> None:
+        self.scan = scan
+        self.units = units
+        self.quantities = quantities
+
+    @cached_property
+    def tensors(self) -> Mapping[Term, Matrix]:
+        """The tensor of each node that states three moments; products not stated are zero."""
+        moments = {name: self.scan.numbers(inertial(name)) for name in (*MOMENTS, *PRODUCTS)}
+        principal = [self.scan.numbers(body(name)) for name in ("xx", "yy", "zz")]
+        found: dict[Term, Matrix] = {}
+        for xx, yy, zz in (principal, [moments[name] for name in MOMENTS]):
+            for node in xx:
+                unit = self._unit(node, INERTIA)
+                if unit is None or node not in yy or node not in zz or self._garbled(node):
+                    continue
+                x, y, z = (unit.si(each[node]) for each in (xx, yy, zz))
+                xy, xz, yz = (unit.si(moments[name].get(node, 0.0)) for name in PRODUCTS)
+                found[node] = ((x, xy, xz), (xy, y, yz), (xz, yz, z))
+        return found
+
+    def _garbled(self, node: Term) -> bool:
+        """Whether a product of inertia is stated that is not one number."""
+        return any(
+            node in self.scan.table(inertial(name))
+            and node not in self.scan.numbers(inertial(name))
+            for name in PRODUCTS
+        )
+
+    def _unit(self, node: Term, dimension: Term) -> Unit | None:
+        """The unit of *dimension*; SI where none is named, None where several are."""
+        if self.units.ambiguous(node, dimension):
+            return None
+        return self.units.measuring(node, dimension) or SI
+
+    @cached_property
+    def first_moments(self) -> Mapping[Term, Vector]:
+        """The first moment of mass of each node that states one, in kg m."""
+        found: dict[Term, Vector] = {}
+        for node, row in self.scan.lists(inertial("first-moment-of-mass"), 3).items():
+            unit = self.units.measuring(node, FIRST_MOMENT)
+            if unit is not None or not self.units.has(node):
+                factor = unit.factor if unit else 1.0
+                found[node] = scale(factor, (row[0], row[1], row[2]))
+        return found
+
+    def facts(self) -> Iterator[Triple]:
+        """The moments of each inertia, with those about its centre of mass where it is known."""
+        companions = Companions(self.scan)
+        masses = companions.with_mass(self.quantities.masses)
+        moments = companions.with_moment(self.first_moments)
+        for node, tensor in self.tensors.items():
+            yield from _moments(node, tensor, "moment")
+            heavy, shifted = masses.of(node), moments.of(node)
+            if heavy is None or not self._comparable(node, heavy):
+                continue
+            mass = self.quantities.masses[heavy]
+            yield from numbers(node, [("body-mass", mass)])
+            if heavy == node and not self.units.has(node):
+                yield from numbers(node, [("mass", mass)])
+            sources = {heavy} - {node}
+            if shifted is not None and mass > 0.0 and self._comparable(node, shifted):
+                centre = scale(1.0 / mass, self.first_moments[shifted])
+                yield from _moments(node, about_centre(tensor, mass, centre), "central-moment")
+                yield from numbers(node, [("centre-distance", length(centre))])
+                sources |= {shifted} - {node}
+            yield from derived(node, sorted(sources))
+
+    def _comparable(self, tensor: Term, other: Term) -> bool:
+        """Whether both are in SI; of one node, whether neither names a unit will do."""
+        known = self.units.measuring(tensor, INERTIA) is not None
+        if tensor == other:
+            return known or not self.units.has(tensor)
+        return known and self.units.has(other)
+
+
+def about_centre(tensor: Matrix, mass: float, centre: Vector) -> Matrix:
+    """The tensor about the centre of mass, which lies at *centre* from the point of *tensor*."""
+    square = dot(centre, centre)
+    a, b, c = (
+        tuple(
+            tensor[row][column]
+            - mass * ((square if row == column else 0.0) - centre[row] * centre[column])
+            for column in range(3)
+        )
+        for row in range(3)
+    )
+    return (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2])
+
+
+def _moments(node: Term, tensor: Matrix, kind: str) -> Iterator[Triple]:
+    if all(map(math.isfinite, chain.from_iterable(tensor))):
+        names = (f"{size}-{kind}" for size in ("least", "middle", "greatest"))
+        yield from numbers(node, zip(names, eigenvalues(tensor), strict=True))

@@ -1,0 +1,101 @@
+"""Values in SI, where their unit leaves no doubt."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from kinlint.facts.linear import Vector
+from kinlint.facts.names import COORDINATE_OF, body, coord, inertia, kin, qudt, rel
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import numbers
+from kinlint.facts.units import ANGLE, LENGTH, MASS, Units
+from kinlint.terms import Term, Triple
+
+AXES = ("x", "y", "z")
+POSITIONAL = (coord("PositionCoordinate"), coord("PoseCoordinate"), rel("Position"), rel("Pose"))
+VALUES = ((qudt("value"), "value"), *((kin(name), name) for name in ("lower", "upper", "offset")))
+ANGLES = tuple((kin(name), name) for name in ("alpha", "beta", "gamma"))
+MASSES = (body("mass"), inertia("mass"))
+
+
+class Quantities:
+    """The numbers of a model in SI."""
+
+    def __init__(self, scan: Scan, units: Units) -> None:
+        self.scan = scan
+        self.units = units
+
+    @cached_property
+    def _positional(self) -> frozenset[Term]:
+        """The nodes whose x, y and z are lengths: coordinates of positions and poses."""
+        own = frozenset[Term]().union(*map(self.scan.instances, POSITIONAL))
+        of = self.scan.table(COORDINATE_OF).items()
+        return own | {node for node, relations in of if not own.isdisjoint(relations)}
+
+    @cached_property
+    def components(self) -> Mapping[str, Mapping[Term, float]]:
+        """The x, y and z of each node, in SI."""
+        return {axis: dict(self._along(coord(axis))) for axis in AXES}
+
+    def _along(self, axis: Term) -> Iterator[tuple[Term, float]]:
+        for node, number in self.scan.numbers(axis).items():
+            only = self.units.only(node)
+            if node in self._positional:
+                only = self.units.measuring(node, LENGTH)
+            if only is not None and math.isfinite(value := only.si(number)):
+                yield node, value
+
+    @cached_property
+    def vectors(self) -> Mapping[Term, Vector]:
+        """The vectors of the nodes that have all of x, y and z, in SI."""
+        x, y, z = (self.components[axis] for axis in AXES)
+        return {node: (x[node], y[node], z[node]) for node in x if node in y and node in z}
+
+    @cached_property
+    def plain(self) -> Mapping[Term, Vector]:
+        """The vectors of the nodes that name no unit, as they are."""
+        x, y, z = (self.scan.numbers(coord(axis)) for axis in AXES)
+        return {
+            node: (x[node], y[node], z[node])
+            for node in x
+            if node in y and node in z and not self.units.has(node)
+        }
+
+    @cached_property
+    def angles(self) -> Mapping[str, Mapping[Term, float]]:
+        """The angles of Euler of each node, in rad."""
+        found: dict[str, dict[Term, float]] = {}
+        for predicate, name in ANGLES:
+            found[name] = {}
+            for node, number in self.scan.numbers(predicate).items():
+                unit = self.units.measuring(node, ANGLE)
+                if unit is not None and math.isfinite(angle := unit.si(number)):
+                    found[name][node] = angle
+        return found
+
+    @cached_property
+    def masses(self) -> Mapping[Term, float]:
+        """The mass of each node, in kg; the number as it is where a node names no unit at all."""
+        found: dict[Term, float] = {}
+        for predicate in MASSES:
+            for node, number in self.scan.numbers(predicate).items():
+                unit = self.units.measuring(node, MASS)
+                if unit is not None or not self.units.has(node):
+                    found[node] = unit.si(number) if unit else number
+        return found
+
+    def facts(self) -> Iterator[Triple]:
+        """All of these, and the plain values of quantities, limits and couplings."""
+        for tables in (self.components, self.angles):
+            for name, table in tables.items():
+                for node, number in table.items():
+                    yield from numbers(node, [(name, number)])
+        for node, number in self.masses.items():
+            if self.units.has(node):
+                yield from numbers(node, [("mass", number)])
+        for predicate, name in VALUES:
+            for node, number in self.scan.numbers(predicate).items():
+                if (unit := self.units.only(node)) is not None:
+                    yield from numbers(node, [(name, unit.si(number))])

@@ -1,0 +1,41 @@
+"""The kinds of quantity that nobody describes and that are spelled almost like a known one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinlint.facts.names import qudt
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import fact
+from kinlint.suggestion import distance
+from kinlint.terms import Term, Triple, iri_value, is_iri
+from kinlint.vocabulary import QUANTITY_KIND
+
+
+def resemblances(scan: Scan) -> Iterator[Triple]:
+    """Which known kind each undescribed one is but for one letter, where there is just one such.
+
+    QUDT has kinds that lie two letters apart, such as reluctance and reactance.
+    """
+    known = scan.instances(qudt("QuantityKind"))
+    used = {kind for _, kinds in scan.table(qudt("hasQuantityKind")).items() for kind in kinds}
+    names = {_plain(kind): kind for kind in sorted(known) if _local(kind)}
+    for kind in sorted(used - known):
+        if not _local(kind):
+            continue
+        near = [names[each] for each in names if distance(_plain(kind), each) <= 1]
+        if len(near) == 1:
+            yield kind, fact("resembles"), near[0]
+
+
+def _local(kind: Term) -> str:
+    """The name of a kind in QUDT's namespace, else nothing."""
+    if not is_iri(kind):
+        return ""
+    space, _, name = iri_value(kind).rpartition("/")
+    return name if f"{space}/" == QUANTITY_KIND else ""
+
+
+def _plain(kind: Term) -> str:
+    """The letters of a name, without case and hyphens."""
+    return "".join(filter(str.isalnum, _local(kind))).casefold()

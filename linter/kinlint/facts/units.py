@@ -1,0 +1,101 @@
+"""The units of a model: what turns a node's numbers into SI."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from kinlint.facts.names import qudt
+from kinlint.facts.scan import Scan, numeric
+from kinlint.terms import Term, iri
+from kinlint.vocabulary import QUANTITY_KIND
+
+DIMENSION = "http://qudt.org/vocab/dimensionvector/"
+ANGLE_KIND = iri(f"{QUANTITY_KIND}Angle")
+
+FACTOR, OFFSET = qudt("conversionMultiplier"), qudt("conversionOffset")
+DIMENSION_VECTOR, KIND = qudt("hasDimensionVector"), qudt("hasQuantityKind")
+
+LENGTH = iri(f"{DIMENSION}A0E0L1I0M0H0T0D0")
+MASS = iri(f"{DIMENSION}A0E0L0I0M1H0T0D0")
+FIRST_MOMENT = iri(f"{DIMENSION}A0E0L1I0M1H0T0D0")
+INERTIA = iri(f"{DIMENSION}A0E0L2I0M1H0T0D0")
+SPEED = iri(f"{DIMENSION}A0E0L1I0M0H0T-1D0")
+ACCELERATION = iri(f"{DIMENSION}A0E0L1I0M0H0T-2D0")
+ANGULAR_SPEED = iri(f"{DIMENSION}A0E0L0I0M0H0T-1D0")
+ANGULAR_ACCELERATION = iri(f"{DIMENSION}A0E0L0I0M0H0T-2D0")
+FORCE = iri(f"{DIMENSION}A0E0L1I0M1H0T-2D0")
+TORQUE = iri(f"{DIMENSION}A0E0L2I0M1H0T-2D0")
+ANGLE = "angle"
+"""Not a dimension to QUDT, which tells angles from other pure numbers by kind."""
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit of QUDT: its number times `factor`, plus `offset`, is the number in SI."""
+
+    factor: float
+    offset: float
+    measures: Term
+
+    def si(self, number: float) -> float:
+        """What *number* of this unit is in SI."""
+        return number * self.factor + self.offset
+
+
+SI = Unit(1.0, 0.0, "")
+
+
+class Units:
+    """The units that nodes of a model name, as far as they are known."""
+
+    def __init__(self, scan: Scan) -> None:
+        self.scan = scan
+        self._units: dict[Term, Unit | None] = {}
+
+    @cached_property
+    def _named(self) -> Mapping[Term, tuple[Term, ...]]:
+        """The distinct units of each node that names any."""
+        named: dict[Term, tuple[Term, ...]] = {}
+        for predicate in (qudt("unit"), qudt("hasUnit")):
+            for node, found in self.scan.table(predicate).items():
+                named[node] = tuple(dict.fromkeys((*named.get(node, ()), *found)))
+        return named
+
+    def _known(self, unit: Term) -> Unit | None:
+        """What is known of *unit*, looked up when it is first named."""
+        if unit not in self._units:
+            said = self.scan.about(unit)
+            factors = [each for each in map(numeric, said.get(FACTOR, ())) if each is not None]
+            offsets = [each for each in map(numeric, said.get(OFFSET, ())) if each is not None]
+            measured = said.get(DIMENSION_VECTOR, [])
+            known = len(factors) == 1 and factors[0] > 0.0 and len(measured) == 1
+            self._units[unit] = None
+            if known:
+                measures = ANGLE if ANGLE_KIND in said.get(KIND, ()) else measured[0]
+                self._units[unit] = Unit(factors[0], sum(offsets), measures)
+        return self._units[unit]
+
+    def has(self, node: Term) -> bool:
+        """Whether *node* names a unit, known or not."""
+        return node in self._named
+
+    def only(self, node: Term) -> Unit | None:
+        """The unit of a node that names exactly one."""
+        found = self._named.get(node, ())
+        return self._known(found[0]) if len(found) == 1 else None
+
+    def measuring(self, node: Term, dimension: Term) -> Unit | None:
+        """The one unit of *node* that is of *dimension*."""
+        found = [
+            known
+            for each in self._named.get(node, ())
+            if (known := self._known(each)) is not None and known.measures == dimension
+        ]
+        return found[0] if len(found) == 1 else None
+
+    def ambiguous(self, node: Term, dimension: Term) -> bool:
+        """Whether *node* names several units of *dimension*."""
+        known = map(self._known, self._named.get(node, ()))
+        return sum(each is not None and each.measures == dimension for each in known) > 1

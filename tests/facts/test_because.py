@@ -1,0 +1,156 @@
+"""A finding that rests on computed triples shows what they were computed from."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from computed import CONTEXT, QUARTER, STRAIGHT, Node, frame, pose, shift
+
+from kinlint import rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.lint import run
+from kinlint.model import Premise
+from kinlint.rulebook import Rulebook
+from kinlint.text import SourceText
+
+RULE = """
+@prefix kl:   <https://w3id.org/kinlint/ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix rule: <https://w3id.org/kinlint/rules/> .
+@prefix sh:   <http://www.w3.org/ns/shacl#> .
+@prefix fact: <https://w3id.org/kinlint/fact#> .
+
+rule:%s a kl:Rule, sh:NodeShape ;
+    kl:code "%s" ; rdfs:label "computed fault" ; rdfs:comment "It is computed." ;
+    kl:since "0.1.0" ; kl:antiPattern kl:AP3 ; kl:format "jsonld" ;
+    sh:severity sh:Violation ;
+    sh:targetSubjectsOf %s ;
+    sh:sparql [ sh:message "Fault." ; sh:prefixes kl:prefixes ;
+        sh:select "SELECT $this WHERE { %s }" ] ;
+    kl:example [ kl:bad "{}"^^kl:jsonld ; kl:good "{}"^^kl:jsonld ] .
+"""
+
+
+FAULTS = {
+    "TST001": ("reflection", "fact:determinant", "$this fact:determinant ?det . FILTER (?det < 0)"),
+    "TST002": (
+        "open-cycle",
+        "fact:closed-by",
+        "$this fact:closed-by ?last ; fact:distance ?missing . FILTER (?missing > 0.1)",
+    ),
+    "TST003": ("long-cycle", "fact:length", "$this fact:length ?n . FILTER (?n > 5)"),
+    "TST004": (
+        "single-joint",
+        "fact:component",
+        "$this fact:component ?piece . ?piece fact:size ?n . FILTER (?n = 1)",
+    ),
+    "TST005": ("any-mass", "fact:mass", "$this fact:mass ?m"),
+}
+
+
+@pytest.fixture(scope="module")
+def faults(tmp_path_factory: pytest.TempPathFactory) -> Rulebook:
+    """The catalogue with a rule for each of FAULTS."""
+    folder = tmp_path_factory.mktemp("rules")
+    for code, (name, target, where) in FAULTS.items():
+        text = RULE % (name, code, target, where)
+        (folder / f"{name}.ttl").write_text(text, "utf-8")
+    return rulebook.load([folder])
+
+
+def because(faults: Rulebook, code: str, *nodes: Node) -> tuple[Premise, ...]:
+    """The premises of the one finding of a rule."""
+    source = SourceText("arm.jsonld", json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=1))
+    report = run([source], (), Settings(), faults)
+    (finding,) = (each for each in report.findings if each.rule.code == code)
+    return finding.because
+
+
+def told(premises: tuple[Premise, ...]) -> list[tuple[int, str, str]]:
+    return [(each.depth, each.statement, each.axiom) for each in premises]
+
+
+def test_a_number_is_shown_with_what_it_is_computed_from(faults: Rulebook) -> None:
+    """The numbers, lists and units of the node itself, each at its place."""
+    premises = because(
+        faults,
+        "TST001",
+        {
+            "@id": "ex:c",
+            "@type": ["OrientationCoordinate", "DirectionCosineXYZ"],
+            "unit": "UNITLESS",
+        }
+        | {f"direction-cosine-{axis}": row for axis, row in zip("xyz", MIRROR, strict=True)},
+    )
+
+    assert told(premises) == [
+        (0, "ex:c determinant -1", "computed from"),
+        (1, "ex:c unit UNITLESS", ""),
+        (1, "ex:c direction-cosine-x [1, 0, 0]", ""),
+        (1, "ex:c direction-cosine-y [0, 1, 0]", ""),
+        (1, "ex:c direction-cosine-z [0, 0, -1]", ""),
+    ]
+    assert premises[0].location is None
+    assert all(each.location is not None for each in premises[1:])
+
+
+MIRROR = ([1, 0, 0], [0, 1, 0], [0, 0, -1])
+
+
+def test_a_fact_node_is_shown_by_its_sources(faults: Rulebook) -> None:
+    """Once; each further triple of it rests on the same."""
+    premises = because(
+        faults,
+        "TST002",
+        *frame("a"),
+        *frame("b"),
+        *pose("p", "a", "b", STRAIGHT | shift(1, 0, 0)),
+        *pose("q", "a", "b", QUARTER | shift(1, 2, 0)),
+    )
+    shown = told(premises)
+
+    assert (0, "cycle 1 closed-by ex:q", "computed from") in shown
+    assert (1, "ex:p-coord x 1", "") in shown
+    assert (1, "ex:q-coord y 2", "") in shown
+    assert (0, "cycle 1 distance 2", "computed from the same") in shown
+    assert len({statement for _, statement, _ in shown}) == len(shown)
+
+
+def test_of_many_sources_each_is_shown_once(faults: Rulebook) -> None:
+    """One statement of each is enough to go there."""
+    nodes = [node for index in range(6) for node in frame(f"f{index}")]
+    for index in range(6):
+        nodes += pose(f"p{index}", f"f{(index + 1) % 6}", f"f{index}", shift(1, 0, 0) | STRAIGHT)
+    premises = because(faults, "TST003", *nodes)
+
+    assert len([each for each in premises if each.depth == 1]) == 6
+
+
+def test_a_piece_of_a_chain_is_shown_by_the_chain(faults: Rulebook) -> None:
+    """What has no numbers says what it is."""
+    premises = because(
+        faults,
+        "TST004",
+        {"@id": "ex:base", "@type": "SimplicialComplex", "simplices": ["ex:a"]},
+        {"@id": "ex:arm", "@type": "SimplicialComplex", "simplices": ["ex:b"]},
+        {"@id": "ex:j", "@type": "Joint", "between-attachments": ["ex:a", "ex:b"]},
+        {"@id": "ex:chain", "@type": "KinematicChain", "joints": ["ex:j"]},
+    )
+
+    assert told(premises)[:2] == [
+        (0, "ex:chain component component 1", "computed from"),
+        (1, "ex:chain is a KinematicChain", ""),
+    ]
+
+
+def test_a_value_in_si_is_shown_with_number_and_unit(faults: Rulebook) -> None:
+    """Both are written somewhere."""
+    types = ["MassCoordinate", "MassScalar"]
+    node = {"@id": "ex:c", "@type": types, "mass": 2000, "unit": "GM"}
+
+    assert told(because(faults, "TST005", node)) == [
+        (0, "ex:c mass 2", "computed from"),
+        (1, "ex:c mass 2000", ""),
+        (1, "ex:c unit GM", ""),
+    ]
