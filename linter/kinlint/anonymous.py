@@ -14,6 +14,7 @@ class AnonymousNodes:
 
     def __init__(self, document: Document) -> None:
         self._document = document
+        self._labels: dict[Term, str] = {}
 
     @cached_property
     def _ways(self) -> dict[Term, tuple[Term, str]]:
@@ -29,17 +30,23 @@ class AnonymousNodes:
     def label(self, node: Term) -> Term:
         """A blank node label for *node* that depends on its nearest named node and the way there.
 
-        Nodes that nothing leads to are told apart by what is stated of them first.
+        Nodes that nothing leads to are told apart by what is stated of them first. All labels
+        together take as long as the ways have steps: each goes on from that of the node before.
         """
-        way: list[str] = []
+        way: list[tuple[Term, str]] = []
         at, seen = node, {node}
-        while (step := self._ways.get(at)) is not None and step[0] not in seen:
-            at, said = step
-            way.append(said)
+        while at not in self._labels and (step := self._ways.get(at)) and step[0] not in seen:
+            way.append((at, step[1]))
+            at = step[0]
             seen.add(at)
-        anchor = self._first.get(at, "") if is_blank(at) else at
-        digest = blake2b("\x1f".join([anchor, *way]).encode("utf-8", "surrogatepass"))
-        return f"_:b{digest.hexdigest()[:16]}"
+        label = self._labels.get(at)
+        if label is None:
+            label = self._first.get(at, "") if is_blank(at) else at
+            if not way:
+                label = _digest(label)
+        for each, said in reversed(way):
+            label = self._labels[each] = _digest(f"{label}\x1f{said}")
+        return f"_:b{label}"
 
     @cached_property
     def _first(self) -> dict[Term, str]:
@@ -48,3 +55,7 @@ class AnonymousNodes:
             if is_blank(subject) and not is_blank(value):
                 first.setdefault(subject, f"{predicate} {value}")
         return first
+
+
+def _digest(way: str) -> str:
+    return blake2b(way.encode("utf-8", "surrogatepass")).hexdigest()[:16]

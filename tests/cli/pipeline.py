@@ -45,7 +45,7 @@ class Pipeline:
     settings: Settings | None = None
     inputs: list[str] = field(default_factory=list)
 
-    def lint(self, settings, found, book):
+    def lint(self, settings, found, book, _profile):
         self.settings = settings
         self.inputs = [one.name for one in found.inputs]
         return Report(

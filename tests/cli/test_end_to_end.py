@@ -197,3 +197,18 @@ def test_a_compiled_run_imports_no_slow_library(kinlint, write, here):
     )
 
     assert (done.stdout, done.stderr) == ("1\n", "")
+
+
+def test_statistics_tell_where_time_went_if_asked(kinlint, write):
+    """Each phase once, in order, and a total that is their sum; only with `-v`."""
+    write("arm.jsonld", DROPPED)
+    _, _, err = kinlint("arm.jsonld", "--statistics", "-v")
+    rows = [line.split() for line in err.splitlines() if line.endswith("%")]
+    spent = {row[0]: float(row[1].replace(",", "")) for row in rows}
+
+    assert [*spent][:4] == ["rules", "imports", "decoding", "reading"]
+    assert [*spent][4:] == [
+        *("loading", "closure", "facts", "checking", "locating", "reporting", "total")
+    ]
+    assert abs(2 * spent["total"] - sum(spent.values())) < 1
+    assert "%" not in kinlint("arm.jsonld", "--statistics")[2]

@@ -61,6 +61,37 @@ def test_files_must_agree_on_the_graph(kinlint, pipeline, write, arm, leg):
     assert kinlint("arm")[0] == 0
 
 
+def test_what_configurations_add_holds_for_all_files(kinlint, pipeline, write):
+    """Contexts, rules and shapes: all files of a run are one graph."""
+    for folder in ("arm", "leg"):
+        iri = f'"https://example.org/{folder}.json" = "context.json"'
+        write(f"{folder}/kinlint.toml", f'shapes = ["shape.ttl"]\n[extra-contexts]\n{iri}\n')
+        write(f"{folder}/context.json", "{}")
+        write(f"{folder}/shape.ttl", "")
+        write(f"{folder}/a.jsonld")
+
+    assert kinlint()[0] == 0
+    assert [path.parent.name for path in pipeline.settings.shapes] == ["arm", "leg"]
+    assert [*pipeline.settings.extra_contexts] == [
+        "https://example.org/arm.json",
+        "https://example.org/leg.json",
+    ]
+
+
+def test_one_context_cannot_be_two_files(kinlint, write):
+    """Which of them would a file mean?"""
+    for folder in ("arm", "leg"):
+        iri = '"https://example.org/arm.json" = "context.json"'
+        write(f"{folder}/kinlint.toml", f"[extra-contexts]\n{iri}\n")
+        write(f"{folder}/context.json", "{}")
+        write(f"{folder}/a.jsonld")
+
+    code, _, err = kinlint()
+
+    assert code == 2
+    assert "differ in 'extra-contexts'" in err
+
+
 def test_the_command_line_settles_a_disagreement(kinlint, pipeline, write):
     """It holds for all files."""
     for folder, release in (("arm", "59e0b06"), ("leg", "ba7e601")):

@@ -25,7 +25,9 @@ from kinlint.files.discovery import Found, Search
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.model import Severity
+from kinlint.profile import Profile
 from kinlint.report import Report
+from kinlint.reporters import timing
 from kinlint.rulebook import Rulebook
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
@@ -51,14 +53,16 @@ def run(arguments: Sequence[str]) -> int:
     fail_on = project.fail_on or THRESHOLD
     outputs = destinations(options, project)
     check_destinations(outputs, (*_paths(found), *settings.rules, *settings.shapes))
-    book = rulebook.load(settings.rules, settings.shapes, settings.cache)
+    profile = Profile()
+    with profile.phase("rules"):
+        book = rulebook.load(settings.rules, settings.shapes, settings.cache)
     Policies(settings, book.rules).check()
     if options.show_settings:
         more = {"output-format": outputs.main, "fail-on": fail_on}
         return _show_settings(settings, more, found, book)
     if options.verbose:
         _tell(account().before(settings, book, map(layers.origin, found.inputs)))
-    report = _lint(settings, found, book)
+    report = _lint(settings, found, book, profile)
     if options.verbose:
         _tell(account().after(report, book))
     if not options.silent:
@@ -66,7 +70,10 @@ def run(arguments: Sequence[str]) -> int:
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
-    outputs.emit(report)
+    with profile.phase("reporting"):
+        outputs.emit(report)
+    if options.statistics and options.verbose:
+        sys.stderr.writelines(timing.render(profile.phases))
     return exit_code(report, fail_on, exit_zero=options.exit_zero)
 
 
@@ -119,12 +126,14 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
     )
 
 
-def _lint(settings: Settings, found: Found, book: Rulebook) -> Report:
-    from kinlint import lint  # noqa: PLC0415  engines are slow to import
-    from kinlint.cli.reading import read  # noqa: PLC0415
+def _lint(settings: Settings, found: Found, book: Rulebook, profile: Profile) -> Report:
+    with profile.phase("imports"):
+        from kinlint import lint  # noqa: PLC0415  engines are slow to import
+        from kinlint.cli.reading import read  # noqa: PLC0415
 
-    sources, errors = read(found.inputs, settings)
-    report = lint.run(sources, [*found.errors, *errors], settings, book)
+    with profile.phase("decoding"):
+        sources, errors = read(found.inputs, settings)
+    report = lint.run(sources, [*found.errors, *errors], settings, book, profile)
     if report.files:
         return report
     # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.

@@ -5,6 +5,7 @@ This module is imported on every run, so it imports next to nothing.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -14,6 +15,8 @@ from kinlint import __version__
 ABNORMAL = 2
 INTERRUPTED = 130
 BROKEN_PIPE = 141
+GARBAGE = 100_000
+"""How many more objects there have to be before the interpreter looks for garbage."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -29,9 +32,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):
             reconfigure(errors="backslashreplace")
+    if argv is None:
+        # Nearly all that a run allocates stays in use, so looking for garbage often is in vain.
+        gc.set_threshold(GARBAGE)
     try:
         code = _run(arguments)
         sys.stdout.flush()
+        if argv is None:
+            # The process ends here; the interpreter would search all it holds for garbage first.
+            gc.freeze()
     except KeyboardInterrupt:
         return INTERRUPTED
     except BrokenPipeError:

@@ -105,7 +105,11 @@ def _output(made: Parser) -> None:
     )
     for name in OUTPUT_FORMATS:
         add(f"--{name}-output", type=filled, metavar="FILE", help=f"write {name} there, too")
-    add("--statistics", **FLAG, help="count findings by rule instead of showing them")
+    add(
+        "--statistics",
+        **FLAG,
+        help="count findings by rule instead of showing them; with -v also where time went",
+    )
     add(
         "--fail-on",
         type=one_of(THRESHOLDS, ALIASES),

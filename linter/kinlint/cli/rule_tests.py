@@ -12,6 +12,7 @@ from kinlint.cli.parser import HelpShown, Parser
 from kinlint.cli.settings import cache_directory
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
+from kinlint.reporters.summary import counted
 
 
 def parser() -> Parser:
@@ -46,7 +47,8 @@ def run(arguments: Sequence[str]) -> int:
     if not options.quiet:
         examples = sum(len(rule.examples) for rule in rules)
         verdict = f"{failed} of them fail" if failed else "all keep their promises"
-        sys.stdout.write(f"{len(rules)} rules with {examples} examples: {verdict}.\n")
+        told = f"{counted(len(rules), 'rule')} with {counted(examples, 'example')}"
+        sys.stdout.write(f"{told}: {verdict}.\n")
     return 1 if failed else 0
 
 

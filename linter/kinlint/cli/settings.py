@@ -27,7 +27,9 @@ DEFAULTS: Mapping[str, Any] = {
     "engine": "oxigraph",
 }
 WIDE = tuple(DEFAULTS)
-"""What concerns the one graph that all files make, so that it must be the same for all."""
+"""What concerns the one graph that all files make."""
+ADDED = ("extra_contexts", "rules", "shapes")
+"""What each configuration adds for all files; on the rest of `WIDE` they must agree."""
 
 
 @dataclass
@@ -90,14 +92,22 @@ class Layers:
         return "--config" if getattr(self.top, name) is not None else source or project.origin
 
     def _wide(self, project: Config, inputs: Iterable[Input]) -> dict[str, Any]:
-        """The value of each key of `WIDE`, on which all configurations must agree."""
+        """The value of each key of `WIDE`."""
         configs = list({id(each): each for each in map(self._home, inputs)}.values()) or [project]
         each = [_graph_settings(config, project) for config in configs]
+        contexts: dict[str, Path] = {}
         for config, said in zip(configs, each, strict=True):
             for key in WIDE:
-                if said[key] != each[0][key]:
+                if key not in ADDED and said[key] != each[0][key]:
                     raise ConfigError(_disagreement(key, config, configs[0]))
-        return each[0]
+            for iri, file in said["extra_contexts"].items():
+                if contexts.setdefault(iri, file) != file:
+                    raise ConfigError(_disagreement("extra_contexts", config, configs[0]))
+        added = {
+            key: tuple(dict.fromkeys(one for said in each for one in said[key]))
+            for key in ("rules", "shapes")
+        }
+        return {**each[0], **added, "extra_contexts": contexts}
 
     def _home(self, one: Input) -> Config:
         return self.of(home(one))

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Protocol
 
 from kinlint.engine.constraint import FOCUS, Constraint
+from kinlint.engine.presence import Lookup, Presence
 from kinlint.engine.result import Result
 from kinlint.terms import Term, is_blank, is_iri, literal_value
 
 
-class Queryable(Protocol):
+class Queryable(Lookup, Protocol):
     """What answers SELECT queries with tokens, such as `kinlint.engine.store.Store`."""
 
     def rows(self, text: str) -> Iterator[dict[str, Term]]:
@@ -28,8 +29,9 @@ def check(
     which no query can name: then everything is checked and the rest dropped.
     """
     by_name = focus is not None and not is_blank(focus)
+    presence = Presence(store)
     for constraint in constraints:
-        if constraint.deferred is not None:
+        if constraint.deferred is not None or not presence.may_violate(constraint):
             continue
         text = constraint.select
         if by_name and focus is not None:
