@@ -15,9 +15,10 @@ from pyld import jsonld
 
 from kinlint.contexts.library import COMPOSABLE, NEWEST, RELEASE_DATES, RELEASES, Contexts
 from kinlint.errors import UsageError
+from kinlint.terms import RDF_TYPE, XSD
+from kinlint.vocabulary import KIN, KINLINT, METAMODELS
 
-METAMODELS = "https://comp-rob2b.github.io/metamodels/"
-KINEMATICS = "https://w3id.org/kinlint/kinematics.json"
+GEOM = f"{METAMODELS}geometry/structural-entities#"
 
 Documents = Callable[[str], dict[str, Any] | None]
 
@@ -150,12 +151,8 @@ def test_composable_is_complete() -> None:
     contexts = Contexts.bundled()
     left_out = {"newtonian-rigid-body-dynamics.json", "qudt-quant.json"}
     iris = [iri for iri in contexts.iris if iri.removeprefix(METAMODELS) not in left_out]
-    one_by_one = {
-        term: definition
-        for iri in iris
-        if iri != COMPOSABLE
-        for term, definition in effect(contexts.document(iri), contexts.document).items()
-    }
+    documents = [contexts.document(iri) or {} for iri in iris if iri != COMPOSABLE]
+    one_by_one = effect([document["@context"] for document in documents], contexts.document)
 
     together = effect(COMPOSABLE, contexts.document)
 
@@ -192,13 +189,70 @@ def test_notation() -> None:
     assert chain["@context"]["Joint"] == "kc:Joint"
 
 
-def test_kinematics() -> None:
-    """The joint kinds that comp-rob2b lacks are at hand in every release."""
+def test_kinlint_terms() -> None:
+    """What comp-rob2b lacks is at hand in every release, in one namespace of four documents."""
+    expected = {
+        "kinematics": {"PrismaticJoint", "RevoluteJointWithPolarity", "ZeroConfiguration"},
+        "actuation": {"Actuator", "ActuatorForceLimit"},
+        "geometry-references": {"VisualGeometry", "CollisionGeometry", "Box"},
+        "orientation": {"EulerAngles", "Extrinsic", "Quaternion"},
+    }
     for release in RELEASES:
-        document = Contexts.bundled(release).document(KINEMATICS)
-        assert document is not None
-        assert document["@context"]["kin"] == "https://w3id.org/kinlint/kinematics#"
-        assert document["@context"]["PrismaticJoint"] == "kin:PrismaticJoint"
+        contexts = Contexts.bundled(release)
+        ours = [iri for iri in contexts.iris if iri.startswith(KINLINT) and iri != COMPOSABLE]
+        assert ours == [f"{KINLINT}{path}.json" for path in expected]
+        for path, classes in expected.items():
+            terms = effect(f"{KINLINT}{path}.json", contexts.document)
+            assert classes <= terms.keys()
+            names = {terms[each]["@id"] for each in terms}
+            assert {f"{KIN}{each}" for each in classes} <= names
+            assert all(each.startswith(KIN) for each in names - {XSD})
+
+
+@pytest.mark.parametrize(
+    ("name", "node", "expected"),
+    [
+        (
+            "kinematics",
+            {
+                "@type": "RevoluteJointWithPolarity",
+                "positive-direction": "a:z",
+                "handedness": ["LeftHanded", "RightHanded"],
+            },
+            {
+                f"<{KIN}positive-direction> <a:z>",
+                f"<{KIN}handedness> <{KIN}LeftHanded>",
+                f"<{KIN}handedness> <{GEOM}RightHanded>",
+            },
+        ),
+        (
+            "kinematics",
+            {"@type": "JointPositionLimit", "of-joint": "a:j", "upper": 2},
+            {f"<{KIN}of-joint> <a:j>", f'<{KIN}upper> "2.0E0"^^<{XSD}double>'},
+        ),
+        (
+            "actuation",
+            {"@type": "Actuator", "actuates": "a:j", "gear-ratio": 100},
+            {f"<{KIN}actuates> <a:j>", f'<{KIN}gear-ratio> "1.0E2"^^<{XSD}double>'},
+        ),
+        (
+            "orientation",
+            {"@type": ["EulerAngles", "Extrinsic"], "axes-sequence": "xyz", "alpha": 0.5},
+            {f'<{KIN}axes-sequence> "xyz"', f'<{KIN}alpha> "5.0E-1"^^<{XSD}double>'},
+        ),
+    ],
+)
+@pytest.mark.parametrize("place", ["{}.json", "composable.json"])
+def test_kinlint_values(name: str, node: dict[str, Any], expected: set[str], place: str) -> None:
+    """A node of kinlint's own types states the same under its document and under them all."""
+    contexts = Contexts.bundled()
+    iri = KINLINT + place.format(name)
+    options = {"documentLoader": loader(contexts.document), "format": "application/n-quads"}
+
+    found = jsonld.to_rdf({"@context": iri, "@id": "a:n", **node}, options)
+
+    said = {line[len("<a:n> ") : -len(" .")] for line in found.splitlines()}
+    assert {each for each in said if RDF_TYPE not in each} == expected
 
 
 @pytest.mark.parametrize(

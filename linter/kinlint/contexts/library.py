@@ -91,13 +91,14 @@ class Contexts:
     def _composed(self) -> Iterator[Document]:
         # The contexts themselves, not their IRIs: processors limit how many one may load.
         for name in (self.release, "kinlint"):
-            source = _source(name)
+            source = bundled_source(name)
             paths = source["composable"] if "composable" in source else source["documents"]
             yield from (_local(name, path) for path in paths)
 
 
 @cache
-def _source(name: str) -> Document:
+def bundled_source(name: str) -> Document:
+    """What shapes/contexts says of the release *name*, or of kinlint's own contexts."""
     path = data("shapes") / "contexts" / f"{name}.json"
     source: Document = json.loads(path.read_text(encoding="utf-8"))
     return source
@@ -105,12 +106,12 @@ def _source(name: str) -> Document:
 
 @cache
 def _iris(name: str) -> Mapping[str, str]:
-    source = _source(name)
+    source = bundled_source(name)
     return {f"{source['base']}{path}.json": path for path in source["documents"]}
 
 
 def _local(name: str, path: str) -> Document:
-    source = _source(name)
+    source = bundled_source(name)
     return context(source["base"], path, source["documents"][path])
 
 

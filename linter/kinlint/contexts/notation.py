@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any, TypeAlias
 
@@ -9,6 +10,9 @@ from kinlint.terms import XSD
 
 Definition: TypeAlias = str | dict[str, Any]
 Context: TypeAlias = dict[str, Any]
+
+UNCOERCED = {"number", "text"}
+"""Words for what a property takes where its context states no coercion."""
 
 _WELL_KNOWN = {"xsd": XSD}
 
@@ -52,7 +56,7 @@ def _property(prefix: str, name: str, line: str) -> Definition:
     head, _, members = line.partition("one of ")
     words = head.split()
     definition: Context = {"@id": f"{prefix}:{name}"}
-    inner: Context = {member: f"{prefix}:{member}" for member in members.split()}
+    inner: Context = dict(_member(prefix, member) for member in members.split())
     while words:
         word = words.pop(0)
         if word == "as":
@@ -61,8 +65,14 @@ def _property(prefix: str, name: str, line: str) -> Definition:
             inner["@base"] = words.pop(0)
         elif word in {"@list", "@set"}:
             definition["@container"] = word
-        else:
+        elif word not in UNCOERCED:
             definition["@type"] = word
     if inner:
         definition["@context"] = inner
     return definition
+
+
+def _member(prefix: str, member: str) -> tuple[str, str]:
+    if "://" in member:
+        return re.split(r"[#/]", member)[-1], member
+    return member, f"{prefix}:{member}"
