@@ -46,6 +46,7 @@ WORDS = {
     "GM": "gram",
     "TONNE": "metric_ton",
     "LB": "pound",
+    "LB_M": "pound",
     "OZ": "ounce",
     "N": "newton",
     "GM_F": "force_gram",
@@ -57,11 +58,39 @@ WORDS = {
     "A": "ampere",
     "V": "volt",
     "OHM": "ohm",
+    "S": "siemens",
     "H": "henry",
     "K": "kelvin",
     "DEG_C": "delta_degC",
+    "DEG_F": "delta_degF",
+    "YD": "yard",
+    "MI": "mile",
+    "DAY": "day",
+    "KN": "knot",
+    "PPM": "ppm",
+    "SLUG": "slug",
+    "DYN": "dyne",
+    "BAR": "bar",
+    "PSI": "psi",
+    "ATM": "atmosphere",
+    "HP": "horsepower",
+    "FARAD": "farad",
+    "C": "coulomb",
+    "T": "tesla",
+    "WB": "weber",
 }
-SCALES = {"Kilo": 1e3, "Deci": 1e-1, "Centi": 1e-2, "Milli": 1e-3, "Micro": 1e-6, "Nano": 1e-9}
+SCALES = {
+    "Giga": 1e9,
+    "Mega": 1e6,
+    "Kilo": 1e3,
+    "Hecto": 1e2,
+    "Deci": 1e-1,
+    "Centi": 1e-2,
+    "Milli": 1e-3,
+    "Micro": 1e-6,
+    "Nano": 1e-9,
+    "Pico": 1e-12,
+}
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +118,7 @@ def factors(name: str) -> Iterator[tuple[str, float, int]]:
         if part == "PER":
             sign = -1
             continue
-        match = re.fullmatch(r"(Kilo|Deci|Centi|Milli|Micro|Nano)?([A-Z_]+)([2-9]?)", part)
+        match = re.fullmatch(rf"({'|'.join(SCALES)})?([A-Z_]+)([2-9]?)", part)
         assert match, name
         scale = SCALES.get(match[1] or "", 1.0)
         yield WORDS[match[2]], scale, sign * int(match[3] or 1)
@@ -134,7 +163,8 @@ def test_every_term_is_described(units: Store) -> None:
     missing = rows(
         units,
         """SELECT DISTINCT ?k {
-        ?s qudt:hasQuantityKind|skos:broader|qudt:exactMatch|kin:represents|kin:measuredAs ?k
+        ?s qudt:hasQuantityKind|skos:broader|qudt:exactMatch|
+            kin:represents|kin:measuredAs|kin:hasKind ?k
         FILTER NOT EXISTS { ?k a qudt:QuantityKind } }""",
     )
 
@@ -196,7 +226,7 @@ def test_direction_cosines(units: Store) -> None:
     query = f"""SELECT ?u {{ geom-coord:DirectionCosineXYZ kin:represents kind:Angle ;
         kin:measuredAs/{FITS} ?u }}"""
 
-    assert {"UNITLESS", "NUM", "PERCENT"} == {local(row[0]) for row in rows(units, query)}
+    assert {"UNITLESS", "NUM", "PERCENT", "PPM"} == {local(row[0]) for row in rows(units, query)}
 
 
 def test_pint(units: Store) -> None:
@@ -220,8 +250,11 @@ def test_pint(units: Store) -> None:
         letters = "".join(f"{DIMENSIONS[name]}{of[name]}" for name in DIMENSIONS)
         assert local(vector) == f"{letters}D{int(not any(of.values()))}", iri
 
-    [(offset,)] = rows(units, "SELECT ?o { unit:DEG_C qudt:conversionOffset ?o }")
-    assert registry.Quantity(0, "degC").to("kelvin").magnitude == float(offset)
+    offsets = rows(units, "SELECT ?u ?o { ?u qudt:conversionOffset ?o }")
+    assert {local(iri): float(offset) for iri, offset in offsets} == {
+        name: registry.Quantity(0, word).to("kelvin").magnitude
+        for name, word in (("DEG_C", "degC"), ("DEG_F", "degF"))
+    }
 
 
 DIMENSIONS = {
