@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from kinlint.terms import Term, Triple, iri
+from kinlint.terms import Term, Triple, iri, is_iri
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import SRC
 
-ABOUT = iri(f"{SRC}node")
+ABOUT, NAME = frozenset({iri(f"{SRC}node"), iri(f"{SRC}subject")}), iri(f"{SRC}name")
 
 
 class NodeSpans(NamedTuple):
@@ -51,5 +51,6 @@ class Document:
 
     @cached_property
     def about(self) -> Mapping[Term, Term]:
-        """The domain node that each statement of the source layer speaks of."""
-        return {s: o for s, p, o in self.statements if p == ABOUT}
+        """The domain node, or the graph, that each statement of the source layer speaks of."""
+        named = {s: o for s, p, o in self.statements if p == NAME and is_iri(o)}
+        return {**named, **{s: o for s, p, o in self.statements if p in ABOUT}}

@@ -113,7 +113,7 @@ def test_a_relative_value_says_of_which_property_it_is() -> None:
 
 def test_a_relative_identifier_is_stated_once_and_its_references_are_not() -> None:
     read = document(model({"@id": "b", "p": 1}, {"@id": "ex:a", "to": ["b", {"@id": "b"}]}))
-    assert losses(read) == [("RelativeReference", '"b"')]
+    assert losses(read, "RelativeReference") == [("RelativeReference", '"b"')]
     assert details(read, '"b"')["role"] == ["identifier"]
 
 

@@ -50,6 +50,7 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
         if line and line[4] and not line[4].startswith("_:"):
             layer.graph(line[4], Span(*line.span(4)))
     layer.described(nodes)
+    layer.uses_terms(spans)
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     return Document(source, graph, tuple(spans), SourceMap(spans, {**nodes, **layer.nodes}))

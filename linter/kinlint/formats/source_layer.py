@@ -11,6 +11,9 @@ from kinlint.terms import RDF_TYPE, XSD, Term, Triple, iri, iri_value, is_iri, l
 from kinlint.text import Span
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
+URN_PARTS = 3
+"""Colons in a URN whose maker has a namespace of its own: urn:example:arm:tip, not urn:uuid:7."""
+
 
 def src(name: str) -> Term:
     """The token of a name in the source vocabulary."""
@@ -54,6 +57,16 @@ class SourceLayer:
             if namespace and not namespace.startswith(DOCUMENT_BASE):
                 self.triples[self.document, src("ownNamespace"), literal(namespace)] = span
 
+    def uses_terms(self, stated: Mapping[Triple, Span]) -> None:
+        """The properties and classes in *stated*, each where it comes first."""
+        terms: dict[Term, Span] = {}
+        for (_, prop, value), span in stated.items():
+            terms.setdefault(value if prop == RDF_TYPE else prop, span)
+        used = src("usesTerm")
+        for term, span in terms.items():
+            if is_iri(term):
+                self.triples[self.document, used, term] = span
+
     def graph(self, name: Term, span: Span) -> None:
         """The document puts statements into the graph *name*; said once for each."""
         if name not in self._graphs:
@@ -78,4 +91,6 @@ class SourceLayer:
 
 
 def _namespace_end(name: str) -> int:
-    return max(name.rfind("#"), name.rfind("/")) + 1
+    """Where the last part of *name* begins; of a URN, if it has more than one."""
+    end = max(name.rfind("#"), name.rfind("/")) + 1
+    return end if end or name.count(":") < URN_PARTS else name.rfind(":") + 1

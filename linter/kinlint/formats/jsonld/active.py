@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeAlias
 
-from pyld.jsonld import JsonLdError, frozendict
-
 from kinlint.formats.json_text.values import Array, Key, Object, Text
 from kinlint.formats.jsonld.memory import Memory, unplaced
+from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
 from kinlint.formats.jsonld.record import Problem, Record, Shadow
 from kinlint.formats.jsonld.resolver import Resolved
 from kinlint.formats.jsonld.schemes import REGISTERED

@@ -7,8 +7,7 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
-from pyld.jsonld import canonicalize
-
+from kinlint.formats.jsonld.pyld import canonicalize
 from kinlint.terms import RDF, XSD, Term, literal
 
 I18N = "https://www.w3.org/ns/i18n#"

@@ -9,8 +9,13 @@ from typing import Any, NamedTuple
 from kinlint.formats.jsonld.literals import malformed
 from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach
 from kinlint.formats.jsonld.schemes import REGISTERED
-from kinlint.terms import Term, iri, literal
+from kinlint.formats.jsonld.watch import Slot
+from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span
+from kinlint.vocabulary import KL
+
+_MANNERS = frozenset({"NestedNode", "RepeatedValue"})
+"""What is only a way to write: nothing of the node is lost."""
 
 _FALLEN = frozenset({Reach.DOCUMENT_BASE, Reach.NOWHERE})
 
@@ -31,6 +36,11 @@ class Loss:
     node: Term | None = None
     details: tuple[Detail, ...] = ()
 
+    @property
+    def relation(self) -> str:
+        """How it is related to its node: rules excuse a node of which something is lost."""
+        return "subject" if self.kind in _MANNERS else "node"
+
     def with_details(self, details: Iterable[Detail]) -> Loss:
         """The same loss with more said about it."""
         return replace(self, details=(*self.details, *details))
@@ -50,6 +60,15 @@ class LostType:
     origin: Origin | None
 
 
+class Nested(NamedTuple):
+    """A node that is described within *depth* others."""
+
+    span: Span
+    node: Term
+    depth: int
+    slot: Slot
+
+
 class LossWatch:
     """Notices IRIs that are not what their author meant, on their way into the graph.
 
@@ -61,15 +80,41 @@ class LossWatch:
         self.types: list[LostType] = []
         self._values: list[tuple[str, Loss]] = []
         self._identifiers: set[str] = set()
+        self._nests: dict[Term, list[Nested]] = {}
 
-    def seen(self, written: Iri, role: str, node: Term | None, prop: Term | None = None) -> None:
+    def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
         """*written* stands for a node, a property, a datatype or a value."""
         if written.resolution.reach in _FALLEN and not written.resolution.blind:
-            self._reference(written, role, node, prop)
+            self._reference(written, role, node, slot)
         elif role == "property" and written.startswith("_:"):
             details = said(key=written.token)
             self.losses.append(Loss("DroppedKey", written.span, node, details))
-        self._absolute(written, node)
+        self._absolute(written, node, slot)
+
+    def again(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
+        """A *value* of an unordered property of *node* is written once more at *span*."""
+        details = (*_where(slot), Detail("value", value))
+        self.losses.append(Loss("RepeatedValue", span, node, details))
+
+    def nested(self, node: Term, slot: Slot, span: Span, depth: int, outermost: Term) -> None:
+        """*node* is described within *depth* other nodes; remarks to kinlint are no nodes."""
+        if slot.prop is None or not slot.prop.startswith(f"<{KL}"):
+            self._nests.setdefault(outermost, []).append(Nested(span, node, depth, slot))
+
+    def nests(self) -> list[Loss]:
+        """The first of the nodes within others in each outermost node, and how many there are."""
+        losses = []
+        for outermost, all_nested in self._nests.items():
+            first = min(all_nested)
+            depth, count = max(each.depth for each in all_nested), len(all_nested)
+            details = (
+                *_where(first.slot),
+                Detail("depth", literal(str(depth), f"{XSD}integer")),
+                Detail("count", literal(str(count), f"{XSD}integer")),
+                Detail("outermost", outermost),
+            )
+            losses.append(Loss("NestedNode", first.span, first.node, details))
+        return losses
 
     def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
         """*written* stands for the type of a node."""
@@ -81,7 +126,7 @@ class LossWatch:
         else:
             self._absolute(written, node)
 
-    def _absolute(self, written: Iri, node: Term | None) -> None:
+    def _absolute(self, written: Iri, node: Term | None, slot: Slot | None = None) -> None:
         resolution, (scheme, _, rest) = written.resolution, written.partition(":")
         # A term can be defined by a compact IRI whose prefix is not.
         defined_by_it = resolution.reach is Reach.TERM and scheme != "_"
@@ -91,7 +136,7 @@ class LossWatch:
                 details = said(prefix=scheme, written=written.token)
                 self.losses.append(Loss("UndefinedPrefix", written.span, node, details))
         elif malformed(written):
-            details = said(written=written.token)
+            details = (*said(written=written.token), *(_where(slot) if slot else ()))
             self.losses.append(Loss("MalformedIri", written.span, node, details))
 
     def graph(self, written: Iri) -> None:
@@ -108,10 +153,10 @@ class LossWatch:
             details = said(written=str(item["@value"]), reason=reason)
             self.losses.append(Loss("LostValue", span, node, details))
 
-    def _reference(self, written: Iri, role: str, node: Term | None, prop: Term | None) -> None:
+    def _reference(self, written: Iri, role: str, node: Term | None, slot: Slot | None) -> None:
         details = (*said(written=written.token), *_target(written), *said(role=role))
-        if role == "value" and prop is not None:
-            details = (*details, Detail("property", prop))
+        if role == "value" and slot is not None and slot.prop is not None:
+            details = (*details, Detail("property", slot.prop))
         loss = Loss("RelativeReference", written.span, node, details)
         if role == "value":
             self._values.append((written, loss))
@@ -123,6 +168,11 @@ class LossWatch:
     def references(self) -> list[Loss]:
         """Relative values, save those that name a node described by a relative `@id`."""
         return [loss for written, loss in self._values if written not in self._identifiers]
+
+
+def _where(slot: Slot) -> tuple[Detail, ...]:
+    prop = (Detail("property", slot.prop),) if slot.prop is not None else ()
+    return (*prop, *said(key=slot.key))
 
 
 def _target(written: Iri) -> tuple[Detail, ...]:

@@ -6,8 +6,6 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
-from pyld.jsonld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
-
 from kinlint.formats.json_text.values import Array, Integer, Key, Object, Parsed, Real, Text
 from kinlint.formats.jsonld.active import ActiveContexts, Context
 from kinlint.formats.jsonld.marks import (
@@ -20,6 +18,7 @@ from kinlint.formats.jsonld.marks import (
     value_span,
 )
 from kinlint.formats.jsonld.memory import Memory
+from kinlint.formats.jsonld.pyld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 from kinlint.formats.jsonld.record import Record
 from kinlint.text import Span
 

@@ -9,8 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from pyld.jsonld import JsonLdError
-
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.json_text.parser import parse
@@ -19,6 +17,7 @@ from kinlint.formats.jsonld.active import FAULTS, complaint
 from kinlint.formats.jsonld.losses import LossWatch
 from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
+from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.report import LossReport
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.naming import BlankNodes, document_iri
@@ -56,11 +55,12 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     layer = SourceLayer(graph, blanks)
     layer.file(FORMAT, source.name, Span(0, len(source.text)))
     layer.described(triples.nodes)
+    layer.uses_terms(triples.spans)
     report = LossReport(processor.record, watch, triples, options)
     report.state_uses(layer)
     for loss in report.losses(parsed.repeats, processor.repeated):
         details = [(detail.name, detail.value) for detail in loss.details]
-        layer.about(loss.kind, loss.span, ("node", loss.node), *details)
+        layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
 
     spans = triples.spans
     for triple, span in layer.triples.items():

@@ -27,6 +27,7 @@ class Stray(NamedTuple):
     origin: Origin | None
     written: str
     reason: str
+    key: str | None = None
 
 
 class Problem(NamedTuple):
@@ -68,7 +69,8 @@ class Record:
     def reserve(self, value: Text, origin: Origin) -> None:
         """*value* should be an IRI, but JSON-LD reserves such words and ignores them."""
         reason = "JSON-LD reserves words that begin with an at sign"
-        self.strays.setdefault(value.span, Stray("MalformedIri", value.span, origin, value, reason))
+        stray = Stray("MalformedIri", value.span, origin, value, reason, _key(origin, value))
+        self.strays.setdefault(value.span, stray)
 
     def float(self, value: Any, span: Span) -> None:
         """*value* stands where nodes do, and so is the value of no property."""
@@ -115,3 +117,11 @@ class Record:
         first = self.shadow_uses.setdefault(shadow, token)
         if token.start < first.start:
             self.shadow_uses[shadow] = token
+
+
+def _key(origin: Origin, value: Text) -> str | None:
+    """The key of the member in which *value* stands."""
+    for key, member in origin.element.items():
+        if member is value or (isinstance(member, list) and any(e is value for e in member)):
+            return str(key)
+    return None

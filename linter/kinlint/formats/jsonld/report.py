@@ -6,7 +6,7 @@ from kinlint.formats.json_text.values import Key, Object
 from kinlint.formats.jsonld.drift import OtherRelease
 from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
 from kinlint.formats.jsonld.marks import Origin
-from kinlint.formats.jsonld.record import Record
+from kinlint.formats.jsonld.record import Record, Stray
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
@@ -28,8 +28,14 @@ class LossReport:
 
     def losses(self, repeats: list[Object], origins: dict[int, Origin]) -> list[Loss]:
         """The losses in the order of the text."""
-        found = [*self._watch.losses, *self._watch.references(), *self._types()]
-        found += [*self._dropped(), *self._strays(), *self._contexts(), *self._shadows()]
+        found = [*self._watch.losses, *self._watch.references(), *self._watch.nests()]
+        found += [
+            *self._types(),
+            *self._dropped(),
+            *self._strays(),
+            *self._contexts(),
+            *self._shadows(),
+        ]
         for repeated in repeats:
             origin = origins.get(id(repeated))
             found += _duplicates(repeated, self._triples.named(origin) if origin else None)
@@ -71,7 +77,7 @@ class LossReport:
                 stray.kind,
                 stray.span,
                 self._triples.named(stray.origin) if stray.origin else None,
-                said(written=stray.written, reason=stray.reason),
+                said(written=stray.written, reason=stray.reason, **_in(stray)),
             )
             for stray in self._record.strays.values()
         ]
@@ -121,6 +127,10 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
             losses.append(Loss("DuplicateKey", key.span, node, said(key=key)))
         seen.add(key)
     return losses
+
+
+def _in(stray: Stray) -> dict[str, str]:
+    return {} if stray.key is None else {"key": stray.key}
 
 
 def _place(loss: Loss) -> tuple[int, int, str]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, cast
 
-from pyld.iri_resolver import resolve as resolve_iri
-from pyld.jsonld import JsonLdError
-
+from kinlint.formats.jsonld.pyld import JsonLdError
+from kinlint.formats.jsonld.pyld import resolve as resolve_iri
 from kinlint.formats.options import ContextLibrary
 
 # The context of a document whose "@context" is null, told apart from no document.

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, Protocol
+from typing import Any
 
 from kinlint.document import NodeSpans
 from kinlint.formats.jsonld.literals import malformed, value_literal
 from kinlint.formats.jsonld.marks import Expanded, Iri, Origin, value_span
+from kinlint.formats.jsonld.watch import Slot, Watch
 from kinlint.formats.naming import BlankNodes
 from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, literal
 from kinlint.text import Span
@@ -19,26 +20,6 @@ FIRST, REST, NIL = iri(f"{RDF}first"), iri(f"{RDF}rest"), iri(f"{RDF}nil")
 _NAMELESS: Term = ""
 
 _ABSOLUTE = re.compile(r"[A-Za-z][A-Za-z0-9+-.]*:[^\s]*$")
-
-
-class Watch(Protocol):
-    """Who is told about IRIs on their way into the graph."""
-
-    def seen(self, written: Iri, role: str, node: Term | None, prop: Term | None = None) -> None:
-        """*written* names a node, a property, a datatype or a value."""
-        ...
-
-    def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
-        """*written* names the type of a node."""
-        ...
-
-    def graph(self, written: Iri) -> None:
-        """*written* names a graph."""
-        ...
-
-    def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
-        """The expanded value *item* at *span* cannot be a value in RDF."""
-        ...
 
 
 class Quads(list[tuple[Term, Term, Term, Term | None]]):
@@ -72,12 +53,15 @@ class Triples:
         self._graph: Term | None = None
         self._tokens: dict[str, Term | None] = {}
         self._subjects: set[Term] = set()
+        self._round: list[Term | None] = []
 
     def add(self, nodes: list[Any], around: Span) -> None:
         """States all that the expanded *nodes*, written within *around*, say."""
+        outer, self._round = self._round, []
         for node in nodes:
             if "@value" not in node:
                 self._node(node, getattr(node, "span", around))
+        self._round = outer
 
     def named(self, origin: Origin) -> Term:
         """The node that an object describes or belongs to, be it only in name."""
@@ -113,9 +97,18 @@ class Triples:
         blank = name.startswith("_:") and not self._generalized
         return None if blank else self._term(name)
 
-    def _see(self, name: Any, role: str, node: Term | None, prop: Term | None = None) -> None:
+    def _see(self, name: Any, role: str, node: Term | None, slot: Slot | None = None) -> None:
         if self._watch is not None and isinstance(name, Iri):
-            self._watch.seen(name, role, node, prop)
+            self._watch.seen(name, role, node, slot)
+
+    def _again(
+        self, subject: Term | None, slot: Slot, value: Term | None, span: Span, seen: set[Term]
+    ) -> None:
+        if value is None:
+            return
+        if value in seen and subject is not None and self._watch is not None:
+            self._watch.again(subject, slot, value, span)
+        seen.add(value)
 
     def _node(self, node: dict[str, Any], whole: Span) -> Term | None:
         """States a node; answers its term."""
@@ -126,11 +119,13 @@ class Triples:
             node.origin.subject = subject
         if len(node) > 1:
             self._see(name, "identifier", subject)
+        self._round.append(subject)
         for prop, values in _in_order(node):
             if prop[:1] != "@":
                 self._property(subject, prop, values, whole)
             else:
                 self._keyword(prop, values, node, subject, whole)
+        self._round.pop()
         if subject is None or subject in self.nodes or subject not in self._subjects:
             return subject
         if any(prop[:1] != "@" or prop == "@type" for prop in node):
@@ -154,10 +149,12 @@ class Triples:
     def _types(
         self, subject: Term | None, types: list[Any], node: dict[str, Any], place: Span
     ) -> None:
+        slot, seen = Slot(RDF_TYPE, "@type", place), set[Term]()
         for name in types:
             if self._watch is not None and isinstance(name, Iri):
                 self._watch.type(name, subject, getattr(node, "origin", None))
             span = name.span if isinstance(name, Iri) else place
+            self._again(subject, slot, self._term(name), span, seen)
             self._emit(subject, RDF_TYPE, self._term(name), span)
 
     def _named_graph(self, subject: Term | None, name: Any, content: list[Any], at: Span) -> None:
@@ -169,37 +166,47 @@ class Triples:
 
     def _property(self, subject: Term | None, prop: str, values: list[Any], at: Span) -> None:
         self._see(prop, "property", subject)
-        token = self._predicate(prop)
-        stands = value_span(prop) or at
+        slot, seen = self._slot(prop, value_span(prop) or at), set[Term]()
         for item in values:
-            value, span = self._value(subject, token, item, stands)
-            self._emit(subject, token, value, span)
+            value, span = self._value(subject, slot, item)
+            self._again(subject, slot, value, span, seen)
+            self._emit(subject, slot.prop, value, span)
+
+    def _slot(self, prop: str, stands: Span) -> Slot:
+        written = prop.token if isinstance(prop, Iri) else prop
+        return Slot(self._predicate(prop), str(written), stands)
 
     def _reversed(self, subject: Term | None, values: dict[str, Any], place: Span) -> None:
         for prop, nodes in values.items():
             self._see(prop, "property", subject)
-            token = self._predicate(prop)
             for node in nodes:
                 whole = getattr(node, "span", None) or place
-                other, span = self._value(subject, token, node, whole)
-                self._emit(other, token, subject, place)
-                if token is None or other is None:
+                slot = self._slot(prop, whole)
+                other, span = self._value(subject, slot, node)
+                self._emit(other, slot.prop, subject, place)
+                if slot.prop is None or other is None:
                     continue
                 self.nodes.setdefault(other, NodeSpans(whole, span if span != whole else None))
 
-    def _value(
-        self, subject: Term | None, prop: Term | None, item: Any, stands: Span
-    ) -> tuple[Term | None, Span]:
+    def _value(self, subject: Term | None, slot: Slot, item: Any) -> tuple[Term | None, Span]:
         """The term of a property's value and its place, having stated what it says itself."""
         if "@list" in item:
-            return self._list(subject, prop, item, stands)
+            return self._list(subject, slot, item)
         if "@value" in item:
-            return self._literal(subject, item, stands)
-        whole = getattr(item, "span", None) or stands
+            return self._literal(subject, item, slot.stands)
+        whole = getattr(item, "span", None) or slot.stands
         name = item.get("@id")
-        if isinstance(name, Iri) and len(item) == 1:
-            self._see(name, "value", subject, prop)
-        return self._node(item, whole), name.span if isinstance(name, Iri) else whole
+        place = name.span if isinstance(name, Iri) else whole
+        if len(item) == 1 and "@id" in item:
+            self._see(name, "value", subject, slot)
+            return self._node(item, whole), place
+        node, depth = self._node(item, whole), len(self._round)
+        if self._watch is not None and node is not None and depth > 1:
+            start = place if isinstance(name, Iri) else Span(whole.start, whole.start + 1)
+            outermost = self._round[0]
+            if outermost is not None and item:
+                self._watch.nested(node, slot, start, depth, outermost)
+        return node, place
 
     def _literal(
         self, subject: Term | None, item: dict[str, Any], stands: Span
@@ -218,17 +225,15 @@ class Triples:
             self._watch.value(item, subject, span)
         return value, span
 
-    def _list(
-        self, subject: Term | None, prop: Term | None, item: dict[str, Any], stands: Span
-    ) -> tuple[Term, Span]:
+    def _list(self, subject: Term | None, slot: Slot, item: dict[str, Any]) -> tuple[Term, Span]:
         elements = item["@list"]
-        span = _list_span(item) or stands
+        span = _list_span(item) or slot.stands
         if not elements:
             return NIL, span
         cells = [*(self._blanks.fresh() for _ in elements), NIL]
-        held = subject is not None and prop is not None
+        held = subject is not None and slot.prop is not None
         for element, cell, following in zip(elements, cells, cells[1:], strict=False):
-            value, place = self._value(subject, prop, element, span)
+            value, place = self._value(subject, slot._replace(stands=span), element)
             if held:
                 self._emit(cell, FIRST, value, place)
                 self._emit(cell, REST, following, span)

@@ -55,6 +55,7 @@ def _document(
     layer = SourceLayer(graph, blanks)
     layer.file(FORMAT, source.name, Span(0, len(source.text)))
     layer.described(nodes)
+    layer.uses_terms(spans)
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})

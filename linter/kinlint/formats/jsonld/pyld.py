@@ -1,0 +1,61 @@
+"""PyLD, imported without what only its loaders of remote documents and of web pages need."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+UNUSED = ("asyncio", "lxml.html")
+"""What PyLD imports as a whole and kinlint has no use for; it takes longer than PyLD itself."""
+
+
+class Postponed(ModuleType):
+    """Stands for a module until something asks for its content, which imports it."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return getattr(import_module(self.__name__), name)
+
+
+@contextmanager
+def _postponed() -> Iterator[None]:
+    """Imports of what is `UNUSED` take no time here; elsewhere they do what they always do."""
+    waiting = {name: Postponed(name) for name in UNUSED if name not in sys.modules}
+    sys.modules.update(waiting)
+    try:
+        yield
+    finally:
+        for name, stand_in in waiting.items():
+            if sys.modules.get(name) is stand_in:
+                del sys.modules[name]
+        for name, stand_in in waiting.items():
+            above, _, own = name.rpartition(".")
+            if above in sys.modules and not hasattr(sys.modules[above], own):
+                setattr(sys.modules[above], own, stand_in)
+
+
+with _postponed():
+    from pyld.iri_resolver import resolve
+    from pyld.jsonld import (
+        KEYWORD_PATTERN,
+        KEYWORDS,
+        JsonLdError,
+        JsonLdProcessor,
+        canonicalize,
+        frozendict,
+    )
+
+__all__ = [
+    "KEYWORDS",
+    "KEYWORD_PATTERN",
+    "JsonLdError",
+    "JsonLdProcessor",
+    "canonicalize",
+    "frozendict",
+    "resolve",
+]
