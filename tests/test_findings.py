@@ -71,3 +71,13 @@ def test_anonymous_nodes_have_names_of_their_own_that_last() -> None:
     assert len(set(two)) == 2
     assert all(name.startswith("_:") for name in two)
     assert names(joint, joint, '"ex:elbow"') == two
+
+
+def test_what_nothing_describes_is_shown_where_it_is_referred_to() -> None:
+    """A point on two bodies that no file describes is found in the first that lists it."""
+    body = '{{"@id": "ex:{}", "@type": "RigidBody", "simplices": ["ex:p"]}}'
+    text = f'{{{CONTEXT}, "@graph": [{body.format("base")}, {body.format("arm")}]}}'
+
+    (finding,) = found(text, code="TOP011")
+
+    assert finding.location.span.start == text.index('"ex:p"')

@@ -59,10 +59,18 @@ class Display:
         return iri[len(base) :] or iri
 
     def triple(self, triple: Triple) -> str:
-        """*triple* as a phrase of three words."""
+        """*triple* as a phrase."""
         subject, predicate, value = triple
-        verb = "a" if predicate == RDF_TYPE else self.term(predicate)
-        return f"{self.term(subject)} {verb} {self.term(value)}"
+        if predicate == RDF_TYPE:
+            return f"{self.term(subject)} is {article(self.term(value))}"
+        return f"{self.term(subject)} {self.term(predicate)} {self.term(value)}"
+
+
+def article(noun: str) -> str:
+    """*noun* with its indefinite article."""
+    sound = noun.lower()
+    vowel = sound.startswith(("a", "e", "i", "o", "u")) and not sound.startswith(("uni", "use"))
+    return f"{'an' if vowel else 'a'} {noun}"
 
 
 def _short(text: str) -> str:

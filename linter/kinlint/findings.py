@@ -10,8 +10,10 @@ from functools import cached_property
 from kinlint.anonymous import AnonymousNodes
 from kinlint.display import Display
 from kinlint.document import Document
+from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.explanation import because
+from kinlint.engine.explanation import because, explain
+from kinlint.engine.origin import is_fact, items
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.model import Finding, Location, Premise, Related, Rule
@@ -19,6 +21,7 @@ from kinlint.rulebook import Rulebook
 from kinlint.terms import (
     RDF_TYPE,
     Term,
+    Triple,
     iri,
     iri_value,
     is_blank,
@@ -27,10 +30,11 @@ from kinlint.terms import (
     literal_value,
 )
 from kinlint.text import Span
-from kinlint.vocabulary import SRC
+from kinlint.vocabulary import FACT, SRC
 
 PLAIN = re.compile(r"<[^<>]*>")
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
+FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 OWN = iri(f"{SRC}ownNamespace")
 CONSTRAINT = "ConstraintComponent"
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "message"})
@@ -64,6 +68,14 @@ class Locator:
         found = self.homes.get(node)
         return Location(found[0].source, found[0].map.nodes[node].best) if found else None
 
+    def mention(self, node: Term) -> Location | None:
+        """Where *node*, which nothing describes, is referred to first."""
+        for document in self.documents:
+            for (_, _, value), span in document.map.triples.items():
+                if value == node:
+                    return Location(document.source, span)
+        return None
+
     def triple(
         self, subject: Term, predicate: Term | None, value: Term
     ) -> tuple[Location, Term] | None:
@@ -76,15 +88,30 @@ class Locator:
                 return Location(document.source, span), triple[1]
         return None
 
-    def of(self, result: Result) -> Location:
-        """The smallest place that shows *result*: a triple, else its node, else a file."""
-        if (place := self.node(result.bindings.get("at", ""))) is not None:
-            return place
+    def of(self, result: Result, axioms: Sequence[Axiom]) -> Location:
+        """The smallest place that shows *result*: a triple, its node, a mention of it, or a file.
+
+        They are those of `?at`, if the rule says so, or else of the focus node. A triple that
+        follows by *axioms* is shown by the first one written that it follows from.
+        """
+        at = result.bindings.get("at", result.focus)
         if result.path is not None and result.value is not None:
-            said = self.triple(result.focus, result.path, result.value)
-            if said is not None:
-                return said[0]
-        return self.node(result.focus) or Location(self.documents[0].source, Span(0, 0))
+            triple = at, result.path, result.value
+            proof = explain(self.store, axioms, triple) if self.store.is_inferred(triple) else ()
+            for subject, predicate, value in (triple, *(step.triple for step in proof)):
+                if (said := self.triple(subject, predicate, value)) is not None:
+                    return said[0]
+        place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
+        return place or Location(self.documents[0].source, Span(0, 0))
+
+    @cached_property
+    def _mentions(self) -> Mapping[Term, Location]:
+        """The first place of each term that is a value, for what no file describes."""
+        found: dict[Term, Location] = {}
+        for document in self.documents:
+            for (_, _, value), span in document.map.triples.items():
+                found.setdefault(value, Location(document.source, span))
+        return found
 
     @cached_property
     def _inferred(self) -> frozenset[Term]:
@@ -98,7 +125,7 @@ class Locator:
                 not PLAIN.fullmatch(p)
                 or p in self._inferred
                 or (p == RDF_TYPE and (o[0] == "?" or o in self._inferred))
-                for _, p, o in constraint.premises
+                for _, p, o in (*constraint.premises, *constraint.targets)
             )
         return self._judged[constraint]
 
@@ -158,7 +185,7 @@ def _identity(finding: Finding) -> tuple[object, ...]:
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     rule = rulebook.by_iri[result.constraint.owner]
-    location = locator.of(result)
+    location = locator.of(result, rulebook.axioms)
     display = locator.display(location)
     template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
     terms: dict[str, Term | None] = {
@@ -205,21 +232,33 @@ def _related(
             yield Related(said[0], f"'{display.term(said[1])}' is given here")
         described = None if is_literal(term) or term == result.focus else locator.node(term)
         if described is not None and described != location:
-            yield Related(described, f"'{display.term(term)}' is described here")
+            yield Related(described, f"'{display.term(locator.about(term))}' is described here")
 
 
 def _because(
     result: Result, locator: Locator, rulebook: Rulebook, display: Display
 ) -> Iterator[Premise]:
-    """The proof of a result in which something inferred took part; nothing otherwise."""
-    if not locator.may_be_inferred(result.constraint):
+    """The proof of a result in which something inferred or computed took part; else nothing."""
+    constraint = result.constraint
+    if not locator.may_be_inferred(constraint) and not any(map(is_fact, constraint.premises)):
         return
     steps = because(locator.store, rulebook.axioms, result.constraint, result)
-    if not any(step.axiom for step in steps):
+    if not any(step.axiom for step in steps) and not any(map(is_fact, constraint.premises)):
         return
     for step in steps:
         subject, predicate, value = step.triple
         said = None if step.axiom else locator.triple(subject, predicate, value)
         if said is not None or step.axiom:
             place = said[0] if said is not None else None
-            yield Premise(display.triple(step.triple), place, step.axiom, step.depth)
+            yield Premise(
+                _phrase(step.triple, locator.store, display), place, step.axiom, step.depth
+            )
+
+
+def _phrase(triple: Triple, store: Store, display: Display) -> str:
+    """*triple* in three words, with lists, facts and their nodes, which files do not name."""
+    if is_blank(triple[2]) and (listed := items(store, triple[2])):
+        written = ", ".join(map(display.term, listed))
+        return f"{display.term(triple[0])} {display.term(triple[1])} [{written}]"
+    words = display.triple(triple)
+    return FACT_NODE.sub(r"\1 \2", words.replace(FACT, "")) if is_fact(triple) else words

@@ -40,8 +40,8 @@ class Example:
 class Rule:
     """One rule, as its file describes it.
 
-    `antipatterns` are `AP1` to `AP6`. `whole_model` marks a rule that can only judge when all
-    files of the model are given.
+    `antipatterns` are `AP1` to `AP6`, `symptoms` what they look like, such as `AP1.4`.
+    `whole_model` marks a rule that can only judge when all files of the model are given.
     """
 
     iri: str
@@ -51,6 +51,7 @@ class Rule:
     why: str
     severity: Severity
     antipatterns: tuple[str, ...] = ()
+    symptoms: tuple[str, ...] = ()
     formats: tuple[str, ...] = ()
     links: tuple[str, ...] = ()
     messages: tuple[str, ...] = ()
@@ -96,7 +97,8 @@ class Premise:
     """A statement that a finding rests on, for people: asserted at a place, or inferred.
 
     `depth` 0 is a triple the rule itself matched; its premises follow it at depth 1, and so on.
-    `axiom` says in words by which axiom an inferred statement follows.
+    `axiom` says in words by which axiom an inferred statement follows, or what a computed one is
+    computed from.
     """
 
     statement: str
@@ -108,6 +110,11 @@ class Premise:
     def inferred(self) -> bool:
         """Whether the statement was derived rather than written."""
         return bool(self.axiom)
+
+    @property
+    def computed(self) -> bool:
+        """Whether it follows by arithmetic, from what stands below it, and by no axiom."""
+        return self.axiom.startswith("computed from")
 
 
 @dataclass(frozen=True, slots=True)

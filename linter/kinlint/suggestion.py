@@ -16,13 +16,13 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     """
     wanted = word.casefold()
     ranked = sorted(
-        (_distance(wanted, choice.casefold()), -_shared(wanted, choice.casefold()), choice)
+        (distance(wanted, choice.casefold()), -_shared(wanted, choice.casefold()), choice)
         for choice in set(choices)
     )
     if not wanted or not ranked:
         return None
-    distance, _, choice = ranked[0]
-    if distance <= max(1, len(wanted) // 3) and distance < len(choice):
+    slips, _, choice = ranked[0]
+    if slips <= max(1, len(wanted) // 3) and slips < len(choice):
         return choice
     part = wanted.lstrip("-")
     if len(part) <= 1:
@@ -49,7 +49,7 @@ def _shared(one: str, other: str) -> int:
     return length
 
 
-def _distance(one: str, other: str) -> int:
+def distance(one: str, other: str) -> int:
     """How many insertions, deletions, replacements and swaps of neighbours lie between."""
     before: list[int] = []
     last = list(range(len(other) + 1))

@@ -124,6 +124,11 @@ CASES = {
            :m :joins :c ; a :Fixed .""",
         ":a a :Held .",
     ),
+    "class of nothing": (
+        "[ owl:intersectionOf ( :Fixed :Driven ) ] rdfs:subClassOf owl:Nothing .",
+        ":j a :Fixed, :Driven . :k a :Fixed .",
+        ":j a owl:Nothing .",
+    ),
     "nothing of datatypes": (
         ":x rdfs:range xsd:double . :y rdfs:range :Point . :C rdfs:subClassOf owl:Thing .",
         ":a :x 1.0e0 ; :y 2.0e0 . :c a :C .",
@@ -233,6 +238,7 @@ LABELS = {
     "some value at all": "whatever has by is a Joined",
     "all values": "whatever a Chain has as joints is a Joint",
     "intersection": "whatever is a Bound and is a Long is a Unit",
+    "class of nothing": "whatever is a Fixed and is a Driven cannot be",
     "nested": (
         "whatever is a Body and has something that has 0 as freedom as inverse of joins is a Held"
     ),

@@ -208,3 +208,18 @@ def test_no_line_of_an_excerpt_is_wider_than_the_terminal() -> None:
         for offset in (0, 30, len(source.text)):
             location = Location(source, Span(offset, offset))
             assert all(width(row) <= 40 for row in excerpt(location, Style(width=40)))
+
+
+def test_what_is_computed_is_not_called_inferred() -> None:
+    source = SourceText("m.jsonld", "one\ntwo\n")
+    because = (
+        Premise("turn determinant -1", axiom="computed from"),
+        Premise("turn x 0", at(source, "two"), depth=1),
+        Premise("turn norm 1", axiom="computed from the same"),
+    )
+    shown_lines = full(unit_finding(at(source, "one"), because=because)).splitlines()
+    assert [line.strip(" =") for line in shown_lines if "turn" in line] == [
+        "because: turn determinant -1, computed from:",
+        "turn x 0 (m.jsonld:2)",
+        "turn norm 1, computed from the same",
+    ]

@@ -88,7 +88,7 @@ def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -
         "| error | AP3 | inertia is seen by a frame of another body |\n"
         f"\n### other (UNI)\n\n{table}"
     ) in page
-    assert page.count("\n## ") == 1 + len(RULES)
+    assert page.count("\n## ") == 2 + len(RULES)
     section = page.partition("\n## INE007 inertia-seen-by-foreign-frame\n\n")[2]
     assert section.startswith("**inertia is seen by a frame of another body**\n\nSeverity: error")
     file = "inertia/inertia-seen-by-foreign-frame.ttl"

@@ -17,8 +17,8 @@ ARM, LEG = iri("https://example.org/arm"), iri("https://example.org/leg")
 
 
 def rule(code, name, *messages):
-    iri_ = f"{RULE}{name}"
-    return Rule(iri_, code, name, f"about {name}", "", Severity.WARNING, ("AP5",), (), (), messages)
+    iri_, title = f"{RULE}{name}", f"about {name}"
+    return Rule(iri_, code, name, title, "", Severity.WARNING, ("AP5",), messages=messages)
 
 
 UNUSED_MESSAGES = (

@@ -28,8 +28,10 @@ class Constraint:
 
     `premises` are the triple patterns that hold wherever the constraint is violated, variables
     with `?`; names that `select` projects mean the same in both. Sequences and inverses are
-    taken apart; a predicate that is any other path is SPARQL text. `deferred` says why only the
-    reference engine may judge this; then `select` and `single` are empty.
+    taken apart; a predicate that is any other path is SPARQL text. `targets` are the patterns by
+    one of which the target node was chosen, with classes as if closed; there are none where a shape
+    names its target nodes. `deferred` says why only the reference engine may judge this; then
+    `select` and `single` are empty.
     """
 
     owner: str
@@ -41,6 +43,7 @@ class Constraint:
     select: str = ""
     single: str = ""
     premises: tuple[Triple, ...] = ()
+    targets: tuple[Triple, ...] = ()
     deferred: str | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -55,5 +58,6 @@ class Constraint:
                 **values,
                 "messages": tuple(values.get("messages", ())),
                 "premises": tuple((s, p, o) for s, p, o in values.get("premises", ())),
+                "targets": tuple((s, p, o) for s, p, o in values.get("targets", ())),
             }
         )

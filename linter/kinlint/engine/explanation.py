@@ -2,24 +2,40 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kinlint.engine.axioms import Axiom, Pattern, instantiate, is_variable, match
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.origin import (
+    COMPUTED,
+    COMPUTED_TOO,
+    CONTRADICTED,
+    TYPE_FACTS,
+    is_fact,
+    sources,
+    statements,
+)
 from kinlint.engine.result import Result
 from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
-from kinlint.terms import Term, Triple
+from kinlint.terms import RDF_TYPE, Term, Triple
 
 DEEPEST = 24
 """Proofs of more levels are cut: nobody reads them."""
 
 
+PLAIN = re.compile(r"<[^<>]*>")
+
+CHOSEN = frozenset({"?k_c", "?k_t"})
+"""The variables in the patterns of a constraint's target."""
+
+
 class Step(NamedTuple):
     """A triple of a proof, in the store's spelling, followed by its premises one level deeper.
 
-    `axiom` says by which axiom it follows; it is empty for what is stated.
+    `axiom` says by which axiom it follows, or that it was computed; it is empty for what is stated.
     """
 
     triple: Triple
@@ -47,27 +63,50 @@ def premises_of(
 ) -> tuple[tuple[Triple, bool], ...]:
     """The triples that *constraint* matched for *result*, each with whether it was inferred.
 
-    If they do not hold together (an author may bind a variable to something computed), those
-    that hold by themselves.
+    The first is the one by which the target was chosen. If they do not hold together (an author
+    may bind a variable to something computed), those that hold by themselves.
     """
     known = {f"?{name}": term for name, term in result.bindings.items()}
     known["?this"] = result.focus
-    patterns = constraint.premises
-    bindings = next(_solutions(store, patterns, known), None)
+    matched = tuple(each for each in constraint.premises if CHOSEN.isdisjoint(each))
+    for patterns in (*((way, *matched) for way in constraint.targets), constraint.premises):
+        bindings = next(_solutions(store, patterns, known), None)
+        if bindings is not None:
+            break
     found = [instantiate(pattern, known if bindings is None else bindings) for pattern in patterns]
+    found = [each for triple in found for each in _ways(triple)]
     held = filter(store.holds, dict.fromkeys(found))
     return tuple((triple, store.is_inferred(triple)) for triple in held)
+
+
+def _ways(triple: Pattern) -> tuple[Pattern, ...]:
+    """*triple*, or the triples one of which holds where its path has alternatives."""
+    subject, path, value = triple
+    return tuple((subject, each, value) for each in path.split("|") if PLAIN.fullmatch(each))
 
 
 def because(
     store: Store, axioms: Sequence[Axiom], constraint: Constraint, result: Result
 ) -> tuple[Step, ...]:
-    """What *result* rests on: each triple matched at depth 0, inferred ones with their proof."""
-    return tuple(
-        step
-        for triple, inferred in premises_of(store, constraint, result)
-        for step in (explain(store, axioms, triple) if inferred else (Step(triple),))
-    )
+    """What *result* rests on: each triple matched at depth 0, inferred ones with their proof.
+
+    Computed ones are followed by what they were computed from, the first time it is the same;
+    what was computed of a class stands for being of that class.
+    """
+    steps: list[Step] = []
+    for matched, _ in premises_of(store, constraint, result):
+        triple = (matched[0], RDF_TYPE, matched[2]) if matched[1] in TYPE_FACTS else matched
+        if triple[1] == CONTRADICTED:
+            continue
+        if is_fact(triple):
+            found = (Step(each, depth=1) for each in statements(store, sources(store, triple)))
+            origin = [step for step in found if step not in steps]
+            steps += (Step(triple, COMPUTED if origin else COMPUTED_TOO), *origin)
+            continue
+        proof = explain(store, axioms, triple) if store.is_inferred(triple) else (Step(triple),)
+        if proof and proof[0] not in steps:
+            steps += proof
+    return tuple(steps)
 
 
 class _Search:
@@ -85,6 +124,9 @@ class _Search:
         if levels <= self.failed.get(goal, 0):
             return ()
         for axiom in self.axioms:
+            _, predicate, value = axiom.head
+            if value != goal[2] and predicate == RDF_TYPE and not is_variable(value):
+                continue  # Most axioms end here, before anything is bound.
             if (known := match(axiom.head, goal)) is None:
                 continue
             for bindings in _solutions(self.store, axiom.body, known):

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import count
 from typing import NamedTuple
 
+from kinlint.display import article
 from kinlint.engine.axioms import Axiom, Pattern, name
 from kinlint.engine.schema import Schema
 from kinlint.terms import RDF_TYPE, Term, is_iri
@@ -93,7 +94,9 @@ class Expressions:
         """What follows if *of* is a member of *kind* whenever *body* holds."""
         if not is_iri(kind):
             yield from self._drawn(kind, of, body, subject)
-        elif kind not in (THING, NOTHING) and not self.schema.is_datatype(kind):
+        elif kind == NOTHING:
+            yield Axiom(f"{subject} cannot be", body, (of, RDF_TYPE, kind))
+        elif kind != THING and not self.schema.is_datatype(kind):
             yield Axiom(f"{subject} is {article(name(kind))}", body, (of, RDF_TYPE, kind))
 
     def _drawn(
@@ -116,13 +119,6 @@ class Expressions:
 
     def _get(self, kind: Term, keyword: str) -> list[Term]:
         return self.schema.objects(kind, f"<{OWL}{keyword}>")
-
-
-def article(noun: str) -> str:
-    """*noun* with its indefinite article."""
-    sound = noun.lower()
-    vowel = sound.startswith(("a", "e", "i", "o", "u")) and not sound.startswith(("uni", "use"))
-    return f"{'an' if vowel else 'a'} {noun}"
 
 
 def _one(subject: str) -> str:

@@ -33,7 +33,10 @@ class Schema:
         for file in files:
             try:
                 # Two files may use one label for different blank nodes.
-                quads = ox.parse(path=file, format=ox.RdfFormat.TURTLE, rename_blank_nodes=True)
+                base = file.absolute().as_uri()
+                quads = ox.parse(
+                    path=file, format=ox.RdfFormat.TURTLE, base_iri=base, rename_blank_nodes=True
+                )
                 triples += [
                     (str(q.subject), str(q.predicate), normal(str(q.object))) for q in quads
                 ]

@@ -106,7 +106,9 @@ def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
     lead = "because: "
     for premise in premises[:PREMISES_SHOWN]:
         text = folded(premise.statement, unicode=style.unicode)
-        if premise.inferred:
+        if premise.computed:
+            text += f", {premise.axiom}" + ":" * (not premise.axiom.endswith("same"))
+        elif premise.inferred:
             text += f", inferred: {folded(premise.axiom, unicode=style.unicode)}"
         if premise.location is not None:
             name = shown(premise.location.source.name, unicode=style.unicode)

@@ -13,6 +13,7 @@ from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.example import Marked, marked
 from kinlint.reporters.style import Style
+from kinlint.reporters.symptoms import SYMPTOMS, symptom_table
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {"jsonld": "json", "turtle": "turtle", "urdf": "xml", "sdf": "xml", "mjcf": "xml"}
@@ -104,6 +105,8 @@ def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
     for family, members in families.items():
         codes = ", ".join(sorted({rule.family for rule in members}))
         yield f"\n### {family or 'other'} ({codes})\n\n{_index(members)}"
+    yield "\n## Symptoms\n\nWhat the anti-patterns look like in a model, and which rules find it."
+    yield "\n\n" + "\n".join(symptom_table(ordered)) + "\n"
     for rule in ordered:
         file = "/".join(Path(rule.path).parts[-2:])
         source = f"Rule file: [{file}]({quote(file)})" if file else ""
@@ -147,6 +150,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "why": "\n\n".join(paragraphs(rule.why)),
         "severity": rule.severity.label,
         "antipatterns": list(rule.antipatterns),
+        "symptoms": list(rule.symptoms),
         "formats": list(rule.formats),
         "whole_model": rule.whole_model,
         "since": rule.since,
@@ -182,6 +186,8 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
     if rule.antipatterns:
         named = (f"{one} ({_NAMES[one]})" if one in _NAMES else one for one in rule.antipatterns)
         yield "Anti-patterns" if len(rule.antipatterns) > 1 else "Anti-pattern", ", ".join(named)
+    for symptom in rule.symptoms:
+        yield f"Symptom {symptom}", SYMPTOMS.get(symptom, "")
     if rule.formats:
         yield "Formats", ", ".join(rule.formats)
     if rule.whole_model:

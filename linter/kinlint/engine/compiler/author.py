@@ -93,8 +93,9 @@ def _vouch(text: str, prefixes: dict[str, str], path: str) -> None:
     try:
         prepareQuery(known + text)
     except ParseException as error:
-        near = (known + text)[error.loc :].split("\n")[0].strip()
-        raise NotSparql(f"not SPARQL 1.1 near '{near}'") from error
+        near = (known + text)[error.loc :].strip().split("\n")[0].strip()
+        where = f"near '{near}'" if near else "at its end"
+        raise NotSparql(f"not SPARQL 1.1 {where}") from error
     except Exception as error:  # rdflib raises bare exceptions
         raise NotSparql(f"not SPARQL 1.1: {error}") from error
 

@@ -132,9 +132,8 @@ def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Ch
         return f"SELECT {' '.join(shown)} WHERE {{ {outer} LATERAL {violation.body} }}"
 
     premises: list[Triple] = [*chain.premises]
-    if frame.each and frame.value in violation.body and frame.shape.path:
-        value = "?value" if violation.at_value else frame.value
-        premises += frame.shape.path.steps("?this", value, count(3000))
+    if violation.at_value and frame.value in violation.body and frame.shape.path:
+        premises += frame.shape.path.steps("?this", "?value", count(3000))
     premises += violation.premises
     try:
         try_out(query(chain.target.all))
@@ -146,4 +145,5 @@ def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Ch
         select=query(chain.target.all),
         single=query(chain.target.one),
         premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
+        targets=chain.target.ways,
     )

@@ -17,11 +17,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Target:
-    """Groups that bind *root* to the focus nodes: all of them once, or one given node."""
+    """Groups that bind *root* to the focus nodes: all of them once, or one given node.
+
+    One of the patterns `ways` holds of each, if there are any; if there is one way only, so do
+    `premises`.
+    """
 
     all: str
     one: str
     premises: tuple[Triple, ...]
+    ways: tuple[Triple, ...]
 
 
 def target(shape: Shape, root: str) -> Target:
@@ -53,6 +58,13 @@ def target(shape: Shape, root: str) -> Target:
         all=f"{{ SELECT DISTINCT {root} WHERE {{ {union} }} }}",
         one=f"{{ SELECT DISTINCT {root} WHERE {{ {{ {given} }} LATERAL {{ {single} }} }} }}",
         premises=kinds[0][2] if len(kinds) == 1 else (),
+        ways=()
+        if nodes
+        else (
+            *((root, TYPE, kind) for kind in classes),
+            *((root, predicate, "?k_t") for predicate in shape.values("targetSubjectsOf")),
+            *(("?k_t", predicate, root) for predicate in shape.values("targetObjectsOf")),
+        ),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterable
 from functools import lru_cache
 
@@ -19,6 +20,9 @@ from kinlint.terms import (
     literal,
     literal_value,
 )
+
+# That "0.3 m" is no xsd:double is for rules to say; rdflib would print a traceback.
+logging.getLogger("rdflib.term").setLevel(logging.ERROR)
 
 
 @lru_cache(maxsize=100_000)

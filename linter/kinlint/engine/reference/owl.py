@@ -5,10 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from kinlint.engine.reference.nodes import graph, term
+from rdflib import Graph
+
+from kinlint.engine.expressions import NOTHING
+from kinlint.engine.reference.nodes import graph, node, term
 from kinlint.engine.schema import Schema
 from kinlint.engine.spelling import normal
-from kinlint.terms import RDF, RDF_TYPE, XSD, Term, Triple, is_blank, is_iri, is_literal
+from kinlint.terms import (
+    RDF,
+    RDF_TYPE,
+    XSD,
+    Term,
+    Triple,
+    is_blank,
+    is_iri,
+    is_literal,
+    literal_value,
+)
 from kinlint.vocabulary import OWL, RDFS
 
 COMPLAINTS = "http://www.daml.org/2002/03/agents/agent-ont#"
@@ -17,33 +30,57 @@ COMPLAINTS = "http://www.daml.org/2002/03/agents/agent-ont#"
 SCHEMA = tuple(f"<{namespace}" for namespace in (OWL, RDFS, RDF, XSD, COMPLAINTS))
 """How terms about terms begin."""
 
+MOST = f"<{OWL}maxCardinality>"
+
 EQUALITY = (
     f"<{OWL}FunctionalProperty>",
     f"<{OWL}InverseFunctionalProperty>",
     f"<{OWL}hasKey>",
     f"<{OWL}sameAs>",
-    f"<{OWL}maxCardinality>",
+    MOST,
     f"<{OWL}maxQualifiedCardinality>",
 )
 """Axioms that equate things. Rules report what breaks them; nothing is inferred from them."""
+
+
+def owlrl_complaints(
+    triples: Iterable[Triple], vocabulary_files: Sequence[Path] = ()
+) -> frozenset[str]:
+    """What owlrl finds inconsistent in *triples* and the vocabulary, in its own words.
+
+    It is asked about axioms that equate nothing. Values that are literals it names as it likes.
+    """
+    closed = _expanded(_unequated({*triples, *Schema.read(vocabulary_files).triples}))
+    return frozenset(str(text) for text in closed.objects(None, node(f"<{COMPLAINTS}error>")))
 
 
 def owlrl_closure(triples: Iterable[Triple], vocabulary_files: Sequence[Path] = ()) -> set[Triple]:
     """What OWL 2 RL adds to *triples* and the vocabulary about things, in the store's spelling.
 
     Left out is what `compile_axioms` leaves out: statements about classes, properties and
-    literals, memberships in anonymous or built-in classes and in datatypes, and equality.
+    literals, memberships in anonymous classes, in datatypes and in built-in classes other than
+    owl:Nothing, and equality.
     """
-    from owlrl import DeductiveClosure, OWLRL_Semantics  # noqa: PLC0415
-
-    stated = {*triples, *Schema.read(vocabulary_files).triples}
-    stated = {each for each in stated if not {each[1], each[2]} & {*EQUALITY}}
+    stated = _unequated({*triples, *Schema.read(vocabulary_files).triples})
     schema = {s for s, p, o in stated if p.startswith(SCHEMA) and (p != RDF_TYPE or _is_meta(o))}
-    closed = graph(stated)
-    DeductiveClosure(OWLRL_Semantics, axiomatic_triples=False, datatype_axioms=False).expand(closed)
+    closed = _expanded(stated)
     known = {(s, p, normal(o)) for s, p, o in stated}
     found = ((term(s), term(p), normal(term(o))) for s, p, o in closed)
     return {each for each in found if each not in known and _is_wanted(each, schema)}
+
+
+def _unequated(stated: set[Triple]) -> set[Triple]:
+    """*stated* less the axioms that equate things, which a cardinality of zero does not."""
+    none = {s for s, p, o in stated if p == MOST and literal_value(o) == "0"}
+    return {each for each in stated if each[0] in none or not {each[1], each[2]} & {*EQUALITY}}
+
+
+def _expanded(stated: Iterable[Triple]) -> Graph:
+    from owlrl import DeductiveClosure, OWLRL_Semantics  # noqa: PLC0415
+
+    closed = graph(stated)
+    DeductiveClosure(OWLRL_Semantics, axiomatic_triples=False, datatype_axioms=False).expand(closed)
+    return closed
 
 
 def _is_meta(kind: Term) -> bool:
@@ -55,5 +92,5 @@ def _is_wanted(triple: Triple, schema: set[Term]) -> bool:
     if is_literal(subject) or subject in schema or subject.startswith(SCHEMA):
         return False
     if predicate == RDF_TYPE:
-        return is_iri(value) and not _is_meta(value)
+        return value == NOTHING or (is_iri(value) and not _is_meta(value))
     return not predicate.startswith(SCHEMA) and not is_blank(predicate)

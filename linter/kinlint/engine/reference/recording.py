@@ -13,12 +13,15 @@ from typing import Any
 
 from pyshacl.constraints.constraint_component import ConstraintComponent
 from rdflib import BNode
-from rdflib.plugins.sparql import evaluate
+from rdflib.plugins.sparql import aggregates, evaluate, operators
 from rdflib.plugins.sparql.algebra import translateQuery
 from rdflib.plugins.sparql.parser import parseQuery
+from rdflib.plugins.sparql.parserutils import Expr
 from rdflib.plugins.sparql.processor import SPARQLProcessor
 from rdflib.plugins.sparql.sparql import Query
 from rdflib.term import Node
+
+from kinlint.engine.reference import expressions
 
 DEPTH = 20_000
 """Python's recursion limit meanwhile: rdflib walks a path of n steps with n nested calls."""
@@ -26,6 +29,8 @@ DEPTH = 20_000
 RESULTS = (ConstraintComponent, "make_v_result")
 QUERIES = (SPARQLProcessor, "query")
 GROUPS = (evaluate, "evalAggregateJoin")
+EXPRESSIONS = (Expr, "eval")
+NUMBERS = ((operators, "numeric"), (aggregates, "numeric"))
 
 
 @dataclass(frozen=True)
@@ -68,21 +73,27 @@ def recorded() -> Iterator[dict[Node, Record]]:
         return "", result, []
 
     limit, level = sys.getrecursionlimit(), logging.root.manager.disable
-    results, queries, groups = getattr(*RESULTS), getattr(*QUERIES), getattr(*GROUPS)
+    patched: tuple[tuple[Any, str], ...] = (RESULTS, QUERIES, GROUPS, EXPRESSIONS, *NUMBERS)
+    _, _, groups, evaluated, numeric, _ = kept = [getattr(*place) for place in patched]
     try:
         sys.setrecursionlimit(max(limit, DEPTH))
         setattr(*RESULTS, make_v_result)
         setattr(*QUERIES, _query)
         setattr(*GROUPS, lambda context, part: _groups(groups, context, part))
+        setattr(
+            *EXPRESSIONS,
+            lambda part, context=None: expressions.evaluated(evaluated, part, context or {}),
+        )
+        for place in NUMBERS:
+            setattr(*place, lambda term: expressions.numeric(numeric, term))
         with warnings.catch_warnings():
             # rdflib warns of every literal that is not in the lexical space of its datatype.
             warnings.simplefilter("ignore")
             logging.disable()
             yield records
     finally:
-        setattr(*RESULTS, results)
-        setattr(*QUERIES, queries)
-        setattr(*GROUPS, groups)
+        for place, original in zip(patched, kept, strict=True):
+            setattr(*place, original)
         logging.disable(level)
         sys.setrecursionlimit(limit)
 

@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Literal
 
 import pyshacl
 from rdflib import Graph, URIRef
 
 from kinlint.document import Document
-from kinlint.engine.closure import close
 from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.ontology import compile_axioms
 from kinlint.engine.reference.nodes import graph, term
 from kinlint.engine.reference.owl import owlrl_closure
 from kinlint.engine.reference.recording import Record, recorded
@@ -36,21 +33,18 @@ def check(
     documents: Iterable[Document],
     shape_files: Sequence[Source],
     vocabulary_files: Sequence[Path] = (),
-    closure: Literal["owlrl", "axioms"] | None = "owlrl",
     constraints: Iterable[Constraint] = (),
+    facts: Iterable[Triple] = (),
 ) -> list[Result]:
     """The violations of the shapes in *shape_files* that pySHACL finds in *documents*.
 
-    What follows from the vocabulary is inferred by owlrl, by the compiled axioms, or not at all.
-    For the rest see `check_store`.
+    What follows from the vocabulary is inferred by owlrl; *facts* are what was computed from
+    both. For the rest see `check_store`.
     """
     store = Store()
     store.load(documents)
     store.load_vocabulary(vocabulary_files)
-    if closure == "axioms":
-        close(store, compile_axioms(vocabulary_files))
-    if closure != "owlrl":
-        return check_store(store, shape_files, constraints)
+    store.state(facts)
     stated = list(_statements(store))
     inferred = owlrl_closure(stated, vocabulary_files)
     return list(_judge([*stated, *inferred], shape_files, constraints))
@@ -85,6 +79,7 @@ def _statements(store: Store) -> Iterator[Triple]:
         yield from document.statements
     yield from Schema.read(store.vocabulary).triples
     yield from store.inferred()
+    yield from store.facts()
 
 
 def _judge(

@@ -52,7 +52,7 @@ class Results:
         }
         if finding.related:
             result["relatedLocations"] = list(self._related(finding))
-        if any(premise.inferred for premise in finding.because):
+        if finding.because:
             result["codeFlows"] = [self._flow(finding)]
         if taxa := taxon_references(rule):
             result["taxa"] = taxa
@@ -95,7 +95,7 @@ class Results:
     def _flow(self, finding: Finding) -> dict[str, Any]:
         """The derivation as steps: what is written first, what follows from it after it."""
         steps = [
-            (location or finding.location, premise.statement, premise.depth + 1)
+            (location or finding.location, _step(premise), premise.depth + 1)
             for premise, location in _derivation(finding.because)
         ][-FLOW_LOCATIONS + 1 :]
         steps.append((finding.location, finding.message, 0))
@@ -135,6 +135,13 @@ def _suppressions(finding: Finding) -> list[dict[str, str]]:
         return []
     kind = "external" if finding.suppressed.startswith("ignored by ") else "inSource"
     return [{"kind": kind, "justification": finding.suppressed}]
+
+
+def _step(premise: Premise) -> str:
+    """A statement, and by which axiom it follows; what it follows from stands before it."""
+    if premise.computed:
+        return f"{premise.statement} (computed)"
+    return f"{premise.statement} ({premise.axiom})" if premise.inferred else premise.statement
 
 
 def _derivation(premises: Sequence[Premise]) -> Iterator[tuple[Premise, Location | None]]:

@@ -1,0 +1,58 @@
+"""What the anti-patterns look like in a composable model: the symptoms that rules are tagged with.
+
+Numbers follow the anti-patterns; those that a composable model cannot show are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinlint.model import Rule
+
+SYMPTOMS = {
+    "AP1.1": "an entity has no identifier",
+    "AP1.2": "an identifier is relative, malformed, or stands for two things",
+    "AP1.3": "a reference leads to nothing",
+    "AP1.4": "a relation has no identity apart from its coordinates",
+    "AP2.1": "one type is stated where the metamodel composes several",
+    "AP2.2": "a type hides in a plain property",
+    "AP2.3": "types exclude each other, or nobody defines them",
+    "AP3.2": "a chain is no connected graph",
+    "AP3.6": "coordinates have a representation that no metamodel knows",
+    "AP3.8": "numbers bear the traces of conversion by hand",
+    "AP3.11": "several measurements of one quantity disagree",
+    "AP3.12": "several representations of one relation disagree",
+    "AP4.1": "one node belongs to several domains",
+    "AP4.2": "a joint carries limits, actuation or control",
+    "AP4.3": "a robot carries what only one simulator reads",
+    "AP4.4": "a domain is nested in another, and not replaceable by itself",
+    "AP4.5": "a robot carries its environment",
+    "AP4.6": "a model depends on one release of its metamodels",
+    "AP5.1": "a type has no metamodel that could judge it",
+    "AP5.2": "shapes and contexts contradict each other",
+    "AP5.3": "an addition is silently ignored",
+    "AP5.4": "units and kinds of quantity are missing, unknown or at odds",
+    "AP5.5": "the convention of an angle is not stated",
+    "AP5.6": "a reference, a number or a list is only a string",
+    "AP5.7": "a metamodel cannot be read",
+    "AP6.1": "a force limit is tied to the joint, not to what drives it",
+    "AP6.2": "a velocity limit is tied to the joint, not to what drives it",
+    "AP6.3": "a joint carries its controller",
+    "AP6.4": "numbers stand for a relation that is not stated",
+    "AP6.5": "where a joint attaches is left open",
+    "AP6.6": "axis, handedness or polarity is left open",
+    "AP6.7": "the zero configuration is left open",
+    "AP6.10": "a number is left to a default that does not exist",
+    "AP6.11": "the sign of gravity is left open",
+    "AP6.12": "point or frame of an inertia is left open",
+}
+
+
+def symptom_table(rules: Iterable[Rule]) -> Iterator[str]:
+    """Which of *rules* find each symptom, as rows of a Markdown table."""
+    ordered = tuple(rules)
+    yield "| Symptom | What it looks like | Found by |"
+    yield "|---|---|---|"
+    for symptom, title in SYMPTOMS.items():
+        found = ", ".join(rule.code for rule in ordered if symptom in rule.symptoms)
+        yield f"| {symptom} | {title} | {found} |"

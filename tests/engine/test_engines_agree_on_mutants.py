@@ -1,0 +1,70 @@
+"""Both engines find the same in models that nobody wrote, and what they find can be shown."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from contextlib import suppress
+from functools import cache
+
+import pytest
+from model_mutations import mutant, values
+from test_engines_agree import BROKEN, ONTOLOGY, SHAPES, UNITS, closed, reported
+
+from kinlint import resources, rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.engine.check import check
+from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.reference.shacl import check_store
+from kinlint.errors import SourceError
+from kinlint.findings import findings
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import decode, read
+
+TRIES = 8
+RULES = {file.stem: file for file in sorted(resources.data("rules").rglob("*.ttl"))}
+
+
+@cache
+def pool():
+    return values([json.loads(file.read_text()) for file in BROKEN])
+
+
+@cache
+def book():
+    return rulebook.load()
+
+
+def mutants(file):
+    """Some mutants of a sample that can be read, always the same."""
+    for seed in range(TRIES):
+        text, _ = mutant(file.read_text(), pool(), f"{file.stem} {seed}")
+        with suppress(SourceError):
+            source = decode("mutant.jsonld", text.encode("utf-8", "surrogatepass"))
+            yield read(source, ReadOptions.of(Settings()))
+
+
+def found(results):
+    """What matters of *results*; which of two constraints that say the same found it does not."""
+    counted = Counter()
+    for (constraint, *rest), count in reported(results).items():
+        counted[constraint.owner, constraint.messages, *rest] += count
+    return counted
+
+
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+def test_both_engines_find_the_same_in_a_mutant(file):
+    """By the rule that the sample is of, which the first mutant that is tried still breaks."""
+    shapes = [SHAPES / "prefixes.ttl", RULES[file.stem]]
+    rule = compile_shapes(shapes)
+    for document in mutants(file):
+        store = closed([document], [*ONTOLOGY, *UNITS])
+        results = list(check(store, rule))
+        if results:
+            break
+
+    assert results, "no mutant breaks the rule"
+    assert found(results) == found(check_store(store, shapes, rule))
+    told = findings(results, [document], store, book())
+    assert all(each.location.span.end > 0 for each in told)
+    assert max(Counter((each.location.span, each.message) for each in told).values()) == 1
