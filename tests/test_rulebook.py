@@ -5,8 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import rulebook
+from kinlint import lint, rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
+from kinlint.formats.registry import decode
 
 RULE = Path(__file__).parents[1] / "rules/units/missing-unit.ttl"
 
@@ -137,3 +140,82 @@ def test_a_missing_rule_directory_is_named(tmp_path):
     """A mistyped path is no empty directory."""
     with pytest.raises(RuleInvalid, match="no such rule or shapes file"):
         rulebook.load([tmp_path / "nowhere"])
+
+
+VENDOR = """
+@prefix ex: <https://example.org/shapes#> .
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix sh: <http://www.w3.org/ns/shacl#> .
+<> owl:imports <https://example.org/never-fetched> .
+ex:Servo rdfs:subClassOf [ owl:onProperty ex:drives ; owl:allValuesFrom ex:Driven ] .
+ex:Driven rdfs:subClassOf ex:Moving ; ex:maker "ACME" .
+ex:MovingShape a sh:NodeShape ; sh:targetClass ex:Moving ; sh:property [
+    sh:path ex:speed ; sh:minCount 1 ; sh:message "What moves has a speed." ] .
+"""
+
+MODEL = """
+@prefix ex: <https://example.org/shapes#> .
+@prefix arm: <https://example.org/arm#> .
+arm:servo a ex:Servo ;
+    ex:drives arm:elbow , arm:wrist .
+arm:elbow ex:speed 1 .
+arm:wrist ex:weight 2 .
+"""
+
+RULE_WITH_AXIOM = """
+@prefix kc: <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+<https://example.org/shapes#Servo> rdfs:subClassOf kc:Joint .
+"""
+
+
+def found(book, text, engine="oxigraph", *, code="SHACL001"):
+    """The lines at which the rule *code* complains about a Turtle model."""
+    report = lint.run([decode("m.ttl", text.encode())], [], Settings(engine=engine), book)
+    assert not report.errors
+    return [
+        (each.location.start.line, each.message)
+        for each in report.findings
+        if each.rule.code == code
+    ]
+
+
+@pytest.mark.parametrize("engine", ["oxigraph", "pyshacl"])
+def test_axioms_of_a_users_file_hold(tmp_path, engine):
+    """A shape applies to what is of its class only by the axioms beside it, in both engines."""
+    file = tmp_path / "vendor.ttl"
+    file.write_text(VENDOR)
+    book = rulebook.load(shapes=[file], cache=tmp_path)
+
+    assert found(book, MODEL, engine) == [(7, "What moves has a speed.")]
+    assert rulebook.load(shapes=[file], cache=tmp_path) == book
+
+
+def test_a_users_file_is_data_for_queries(tmp_path):
+    """What it says of its terms can be asked, once."""
+    file = tmp_path / "vendor.ttl"
+    file.write_text(VENDOR)
+    book = rulebook.load(shapes=[file])
+    store = Store()
+    store.load_vocabulary(book.vocabulary)
+
+    makers = 'SELECT ?x WHERE { ?x <https://example.org/shapes#maker> "ACME" }'
+    assert [*store.rows(makers)] == [{"x": "<https://example.org/shapes#Driven>"}]
+
+
+def test_axioms_of_a_users_rule_file_hold(tmp_path):
+    """They stand beside the rule, and concern the built-in rules as well."""
+    file = renamed(tmp_path, "ACME001", "unit-left-out")
+    file.write_text(file.read_text() + RULE_WITH_AXIOM)
+
+    assert found(rulebook.load([file]), MODEL, code="TOP005")
+    assert not found(rulebook.load(), MODEL, code="TOP005")
+
+
+def test_built_in_rules_are_no_vocabulary(tmp_path):
+    """Neither those of the catalogue nor copies of them are loaded with each model."""
+    copy = tmp_path / RULE.name
+    copy.write_bytes(RULE.read_bytes())
+
+    assert rulebook.load([copy]).vocabulary == rulebook.load().vocabulary

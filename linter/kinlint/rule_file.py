@@ -78,6 +78,7 @@ def _rule(graph: Graph, subject: Node, file: Path) -> Rule:
         why=_prose(value(str(RDFS.comment))),
         severity=SEVERITIES[severity],
         antipatterns=tuple(tag.removeprefix(KL) for tag in values(f"{KL}antiPattern")),
+        symptoms=values(f"{KL}symptom"),
         formats=values(f"{KL}format"),
         links=values(str(RDFS.seeAlso)),
         messages=tuple(sorted({str(text) for text in graph.objects(None, URIRef(f"{SH}message"))})),

@@ -21,6 +21,7 @@ from kinlint.engine.compiler.tokens import tokens
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
+from kinlint.facts.compute import facts
 from kinlint.findings import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -30,8 +31,8 @@ from kinlint.rulebook import PREFIXES, Rulebook
 from kinlint.terms import literal_value
 from kinlint.text import SourceText, Span
 
-Outcome = tuple[tuple[Span, str, str], ...]
-"""Where the findings of an example are, about what, and what they say."""
+Outcome = tuple[tuple[Span, str, str, str], ...]
+"""Where the findings of an example are, about what and which property, and what they say."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Bench:
         return [
             tuple(
                 sorted(
-                    (finding.location.span, finding.iri, finding.message)
+                    (finding.location.span, finding.iri, finding.path or "", finding.message)
                     for finding in findings(
                         check(store, constraints), [document], store, self.rulebook
                     )
@@ -68,6 +69,7 @@ def _closed(text: SourceText, rulebook: Rulebook) -> tuple[Document, Store]:
     store.load([document])
     store.load_vocabulary(rulebook.vocabulary)
     close(store, rulebook.axioms)
+    store.state(facts(store))
     return document, store
 
 

@@ -18,8 +18,8 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
 from kinlint.model import Example, Rule, Severity
-from kinlint.terms import RDF_TYPE, Term, iri, is_iri
-from kinlint.vocabulary import SRC
+from kinlint.terms import RDF_TYPE, Term, is_iri
+from kinlint.vocabulary import FACT, SRC
 
 PREFIXES = "prefixes.ttl"
 SHIPPED = Path(__file__).parent / "catalogue"
@@ -27,7 +27,8 @@ SHIPPED = Path(__file__).parent / "catalogue"
 
 KEPT = 8
 """How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
-DESCRIBED = iri(f"{SRC}describedIn")
+OWN = (f"<{SRC}", f"<{FACT}")
+"""How what kinlint itself says of a model begins."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Rulebook:
         """The classes and properties that constraints match."""
         patterns = (pattern for each in self.constraints for pattern in each.premises)
         terms = {term for pattern in patterns for term in pattern if is_iri(term)}
-        return frozenset(terms - {RDF_TYPE, DESCRIBED})
+        return frozenset(term for term in terms if term != RDF_TYPE and not term.startswith(OWN))
 
     @cached_property
     def by_iri(self) -> dict[str, Rule]:
@@ -72,14 +73,19 @@ def load(
 ) -> Rulebook:
     """The built-in catalogue with the rule files below *rules* and the SHACL files *shapes*.
 
+    What these files say besides is vocabulary too: axioms are compiled with those of the
+    ontology, and everything else is there for queries. Nothing that they import is read.
+
     *cache* is a directory for compiled catalogues; None compiles anew. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
-    vocabulary = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
+    shipped = _turtle(resources.data("rules"))
     given = tuple(_rule_files(rules))
-    files = (*_others(_turtle(resources.data("rules")), given), *given)
+    files = (*_others(shipped, given), *given)
     extra = tuple(_existing(shapes))
-    inputs = (ours / PREFIXES, *vocabulary, *files, *extra)
+    ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
+    vocabulary = (*ontology, *_others(given, shipped), *extra)
+    inputs = (ours / PREFIXES, *ontology, *files, *extra)
     name = f"catalogue-{_digest(inputs)}.json"
     stored = cache / name if cache is not None else None
     compiled = _read(SHIPPED / name) or (_read(stored) if stored is not None else None)
