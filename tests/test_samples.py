@@ -1,31 +1,111 @@
 """The samples say what their README promises: good ones are clean, broken ones broken as marked."""
 
+from __future__ import annotations
+
+import re
+from functools import cache
 from pathlib import Path
 
+import pyoxigraph as ox
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint, resources, rulebook
 from kinlint.configuration.settings import Settings
+from kinlint.contexts.declarations import PATH
+from kinlint.contexts.library import RELEASES, Contexts
+from kinlint.formats.jsonld.reader import read
+from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode
+from kinlint.text import SourceText
+from kinlint.vocabulary import KIN, KINLINT, RDFS
 
 SAMPLES = Path(__file__).parents[1] / "samples"
-GOOD = ("one-dof", "six-axis", "four-bar")
 BROKEN = sorted((SAMPLES / "broken").glob("*.jsonld"))
+NO_MODELS = {
+    "broken": "one fault each",
+    "shapes": "a shape of a user's",
+    "vendor": "comes with a context and shapes of its own: test_vendor",
+}
+GOOD = sorted(
+    folder.name for folder in SAMPLES.iterdir() if folder.is_dir() and folder.name not in NO_MODELS
+)
+FAULTY = {f"{KIN}LeftHanded": "no frame of a good model is left-handed"}
+ALGORITHMS = (
+    "kinematic-chain/operators#ForwardPositionKinematics",
+    "geometry/spatial-operators#ComposePose",
+    "newtonian-rigid-body-dynamics/operators#AccelerationTwistToWrenchWithRigidBodyInertia",
+    "newtonian-rigid-body-dynamics/operators#InertialWrench",
+    "newtonian-rigid-body-dynamics/operators#TransformWrenchToProximal",
+    "newtonian-rigid-body-dynamics/operators#AddWrench",
+    "newtonian-rigid-body-dynamics/coordinates#UniformGravitationalFieldCoordinate",
+    "task/solver-specification#RecursiveNewtonEulerAlgorithm",
+)
 
 
-def report(*files):
-    sources = [decode(str(file), file.read_bytes()) for file in files]
-    return lint.run(sources, [], Settings(), rulebook.load())
+def files(name):
+    return sorted((SAMPLES / name).rglob("*.jsonld"))
+
+
+@cache
+def rules():
+    return rulebook.load()
+
+
+@cache
+def report(*models):
+    sources = [decode(str(model), model.read_bytes()) for model in models]
+    return lint.run(sources, [], Settings(), rules())
+
+
+@cache
+def vocabulary_in_use():
+    """The IRIs that good samples state something by: types, properties and values."""
+    options = ReadOptions(Contexts.bundled(), RELEASES)
+    found = set()
+    for model in (file for name in GOOD for file in files(name)):
+        for _, predicate, value in read(
+            SourceText(str(model), model.read_text()), options
+        ).statements:
+            found |= {predicate.strip("<>"), value.strip("<>")}
+    return found
+
+
+def own_terms():
+    """The classes and properties that kinlint's own contexts define."""
+    store = ox.Store()
+    store.load(resources.data("shapes").joinpath(PATH).read_bytes(), ox.RdfFormat.TURTLE)
+    defined = store.quads_for_pattern(None, ox.NamedNode(f"{RDFS}isDefinedBy"), None)
+    return {quad.subject.value for quad in defined if quad.object.value.startswith(KINLINT)}
 
 
 @pytest.mark.parametrize("name", GOOD)
 def test_a_good_sample_is_clean(name):
     """Good samples have no finding, read without an error, and rules applied to every file."""
-    outcome = report(*sorted((SAMPLES / name).glob("*.jsonld")))
+    outcome = report(*files(name))
 
-    assert [finding.message for finding in outcome.findings] == []
+    assert [f"{finding.rule.code} {finding.message}" for finding in outcome.findings] == []
     assert outcome.errors == ()
     assert outcome.unapplied == ()
+
+
+def test_the_readme_lists_the_samples_that_there_are():
+    """Each folder has a row in the table, each row a folder, and eight or more are models."""
+    listed = re.findall(r"^\| `([\w-]+)/`", (SAMPLES / "README.md").read_text(), re.MULTILINE)
+    folders = {folder.name for folder in SAMPLES.iterdir() if folder.is_dir()}
+
+    assert sorted(listed) == sorted(folders - {"broken"})
+    assert len(GOOD) >= 8
+
+
+def test_each_term_of_kinlint_is_at_work_in_a_good_sample():
+    """What kinlint adds to the metamodels can be seen in use, and found right."""
+    assert own_terms() - vocabulary_in_use() == set(FAULTY)
+
+
+@pytest.mark.parametrize("term", ALGORITHMS)
+def test_a_good_sample_computes_by_it(term):
+    """Kinematics and dynamics are modelled by operators, and dynamics by a solver too."""
+    assert f"https://comp-rob2b.github.io/metamodels/{term}" in vocabulary_in_use()
 
 
 @pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
@@ -39,8 +119,20 @@ def test_a_broken_sample_is_found_broken_where_it_is(file):
     assert found == file.with_suffix(".expected").read_text().splitlines()
 
 
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+def test_a_broken_sample_is_found_by_the_rule_it_is_named_for(file):
+    """Its own rule is among those that find it."""
+    assert file.stem in {finding.rule.name for finding in report(file).findings}
+
+
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+def test_a_broken_sample_can_be_taken_in_at_a_glance(file):
+    """Sixty lines are enough for a fault."""
+    assert len(file.read_text().splitlines()) <= 60
+
+
 def test_every_rule_about_models_has_a_broken_sample():
     """A fault that a rule names can be seen in a file of that name."""
-    about_models = {rule.name for rule in rulebook.load().rules if rule.family != "LNT"}
+    about_models = {rule.name for rule in rules().rules if rule.family != "LNT"}
 
     assert about_models == {file.stem for file in BROKEN}
