@@ -27,6 +27,7 @@ from kinlint.engine.result import Result
 from kinlint.engine.schema import Schema
 from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
+from kinlint.facts.compute import facts
 from kinlint.rulebook import Rulebook
 from kinlint.terms import Term, iri, is_blank
 
@@ -53,15 +54,17 @@ class Subject:
 
     @classmethod
     def of(cls, document: Document, rulebook: Rulebook) -> Subject:
-        """*document* with all that follows from it, to be judged by all of *rulebook*."""
+        """*document* with what follows from it, to be judged by all of *rulebook*."""
         store = Store()
         store.load([document])
         store.load_vocabulary(rulebook.vocabulary)
         close(store, rulebook.axioms)
+        store.state(facts(store))
         statements = (
             *document.statements,
             *Schema.read(store.vocabulary).triples,
             *store.inferred(),
+            *store.facts(),
         )
         files = read_shapes(rulebook.shapes).files
         blank = {each.shape for each in rulebook.constraints if is_blank(each.shape)}

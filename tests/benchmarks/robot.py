@@ -9,13 +9,14 @@ from benchmarks import defects
 
 METAMODELS = "https://comp-rob2b.github.io/metamodels/"
 CONTEXTS = (
-    "geometry/structural-entities.json",
-    "geometry/spatial-relations.json",
-    "geometry/coordinates.json",
-    "kinematic-chain/structural-entities.json",
-    "newtonian-rigid-body-dynamics/structural-entities.json",
-    "newtonian-rigid-body-dynamics/coordinates.json",
-    "qudt.json",
+    f"{METAMODELS}geometry/structural-entities.json",
+    f"{METAMODELS}geometry/spatial-relations.json",
+    f"{METAMODELS}geometry/coordinates.json",
+    f"{METAMODELS}kinematic-chain/structural-entities.json",
+    "https://w3id.org/kinlint/kinematics.json",
+    f"{METAMODELS}newtonian-rigid-body-dynamics/structural-entities.json",
+    f"{METAMODELS}newtonian-rigid-body-dynamics/coordinates.json",
+    f"{METAMODELS}qudt.json",
 )
 Node = dict[str, Any]
 
@@ -48,10 +49,13 @@ def chain(joints: int, *, spoiled: bool = False) -> str:
             "joints": [f"rob:joint{number}" for number in range(joints)],
         }
     )
+    named = {node["@id"]: node for node in nodes}
     if spoiled:
-        defects.inject({node["@id"]: node for node in nodes}, joints)
-    context = [*(METAMODELS + path for path in CONTEXTS), {"rob": "https://example.org/chain#"}]
-    return json.dumps({"@context": context, "@id": "rob:model", "@graph": nodes}, indent=2)
+        defects.inject(named, joints)
+    context = [*CONTEXTS, {"rob": "https://example.org/chain#"}]
+    return json.dumps(
+        {"@context": context, "@id": "rob:model", "@graph": [*named.values()]}, indent=2
+    )
 
 
 def _frame(name: str) -> list[Node]:
@@ -86,14 +90,21 @@ def _pose(number: int) -> list[Node]:
             "quantity-kind": ["Angle", "Length"],
         },
         {
-            "@id": f"rob:link{number}-pose-coord",
-            "@type": ["PoseReference", "PoseCoordinate", "DirectionCosineXYZ", "VectorXYZ"],
+            "@id": f"rob:link{number}-orientation-coord",
+            "@type": ["PoseReference", "PoseCoordinate", "DirectionCosineXYZ"],
             "of-pose": f"rob:link{number}-pose",
             "as-seen-by": root,
-            "unit": ["UNITLESS", "M"],
+            "unit": "UNITLESS",
             "direction-cosine-x": [1.0, 0.0, 0.0],
             "direction-cosine-y": [0.0, 0.0, -1.0],
             "direction-cosine-z": [0.0, 1.0, 0.0],
+        },
+        {
+            "@id": f"rob:link{number}-position-coord",
+            "@type": ["PoseReference", "PoseCoordinate", "VectorXYZ"],
+            "of-pose": f"rob:link{number}-pose",
+            "as-seen-by": root,
+            "unit": "M",
             "x": 0.0,
             "y": 0.0,
             "z": 0.25,
@@ -111,18 +122,24 @@ def _inertia(number: int) -> list[Node]:
             "quantity-kind": ["Mass", "MomentOfInertia"],
         },
         {
-            "@id": f"rob:link{number}-inertia-coord",
+            "@id": f"rob:link{number}-mass",
+            "@type": ["InertiaReference", "RigidBodyInertiaCoordinate", "MassScalar"],
+            "of-inertia": f"rob:link{number}-inertia",
+            "as-seen-by": f"rob:link{number}-root",
+            "unit": "KiloGM",
+            "mass": 1.5,
+        },
+        {
+            "@id": f"rob:link{number}-moments",
             "@type": [
                 "InertiaReference",
                 "RigidBodyInertiaCoordinate",
-                "MassScalar",
                 "MomentOfInertiaXYZ",
                 "ProductOfInertiaXYZ",
             ],
             "of-inertia": f"rob:link{number}-inertia",
             "as-seen-by": f"rob:link{number}-root",
-            "unit": ["KiloGM", "KiloGM-M2"],
-            "mass": 1.5,
+            "unit": "KiloGM-M2",
             "ixx": 0.011,
             "iyy": 0.012,
             "izz": 0.004,
@@ -138,10 +155,18 @@ def _joint(number: int) -> list[Node]:
     return [
         {
             "@id": f"rob:joint{number}",
-            "@type": ["Joint", "RevoluteJoint"],
+            "@type": ["Joint", "RevoluteJoint", "RevoluteJointWithPolarity"],
             "between-attachments": [tip, root],
             "common-axis": f"rob:joint{number}-axis",
             "origin-offset": f"rob:joint{number}-offset",
+            "positive-direction": f"{tip}-z",
+            "handedness": "RightHanded",
+        },
+        {
+            "@id": f"rob:joint{number}-zero",
+            "@type": "ZeroConfiguration",
+            "of-joint": f"rob:joint{number}",
+            "coincidence-of": [f"{tip}-x", f"{root}-x"],
         },
         {
             "@id": f"rob:joint{number}-axis",

@@ -14,6 +14,7 @@ from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
+from kinlint.facts.compute import facts
 from kinlint.findings import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -47,6 +48,8 @@ def stages(joints: int, rulebook: Rulebook, runs: int) -> Mapping[str, float]:
             store.load_vocabulary(rulebook.vocabulary)
         with stage("closure"):
             close(store, rulebook.axioms)
+        with stage("facts"):
+            store.state(facts(store))
         with stage("checking"):
             results = list(check(store, rulebook.constraints))
         with stage("locating"):
