@@ -48,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
         type=int,
         choices=SIZES,
         default=70,
-        help="the longest chain that pySHACL checks: 70 takes it 2 minutes, 700 an hour",
+        help="the longest chain that pySHACL checks: 70 takes it half an hour, 700 days",
     )
     parser.add_argument(
         "--quick", action="store_true", help="only chains of 7, 70 and 700, of 7 for pySHACL"
