@@ -11,7 +11,7 @@ from kinlint.anonymous import AnonymousNodes
 from kinlint.display import Display
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
-from kinlint.engine.constraint import Constraint
+from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import because, explain
 from kinlint.engine.origin import is_fact, items
 from kinlint.engine.result import Result
@@ -32,7 +32,6 @@ from kinlint.terms import (
 from kinlint.text import Span
 from kinlint.vocabulary import FACT, SRC
 
-PLAIN = re.compile(r"<[^<>]*>")
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 OWN = iri(f"{SRC}ownNamespace")
@@ -67,14 +66,6 @@ class Locator:
         """Where *node* is described."""
         found = self.homes.get(node)
         return Location(found[0].source, found[0].map.nodes[node].best) if found else None
-
-    def mention(self, node: Term) -> Location | None:
-        """Where *node*, which nothing describes, is referred to first."""
-        for document in self.documents:
-            for (_, _, value), span in document.map.triples.items():
-                if value == node:
-                    return Location(document.source, span)
-        return None
 
     def triple(
         self, subject: Term, predicate: Term | None, value: Term

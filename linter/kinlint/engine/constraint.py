@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -9,6 +10,9 @@ from kinlint.terms import Term, Triple
 
 FOCUS = "$FOCUS"
 """Stands in `Constraint.single` where the token of the focus node belongs."""
+
+PLAIN = re.compile(r"<[^<>]*>")
+"""The predicate of a premise that is an IRI, and neither a variable nor a path."""
 
 
 @dataclass(frozen=True, slots=True)

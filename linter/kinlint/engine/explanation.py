@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kinlint.engine.axioms import Axiom, Pattern, instantiate, is_variable, match
-from kinlint.engine.constraint import Constraint
+from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.origin import (
     COMPUTED,
     COMPUTED_TOO,
@@ -24,9 +23,6 @@ from kinlint.terms import RDF_TYPE, Term, Triple
 
 DEEPEST = 24
 """Proofs of more levels are cut: nobody reads them."""
-
-
-PLAIN = re.compile(r"<[^<>]*>")
 
 CHOSEN = frozenset({"?k_c", "?k_t"})
 """The variables in the patterns of a constraint's target."""

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Protocol
 
 from kinlint.engine.compiler.names import SUBCLASS
-from kinlint.engine.constraint import Constraint
+from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
-
-PLAIN = re.compile(r"<[^<>]*>")
 
 
 class Lookup(Protocol):
