@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
 from kinlint.terms import Term, Triple, iri, is_iri
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC
+
+TREES = frozenset({"urdf", "xacro", "srdf", "sdf"})
+"""Formats whose files are trees of elements, each with an IRI below that of its document."""
 
 ABOUT, NAME = frozenset({iri(f"{SRC}node"), iri(f"{SRC}subject")}), iri(f"{SRC}name")
 
@@ -24,6 +28,12 @@ class NodeSpans(NamedTuple):
     def best(self) -> Span:
         """The smallest span that names the node."""
         return self.identifier or Span(self.whole.start, min(self.whole.start + 1, self.whole.end))
+
+
+def document_of(node: Term) -> Term:
+    """The graph of the document that *node* would belong to, by its IRI."""
+    at = node.find("#")
+    return f"{node[:at]}>" if at >= 0 else node
 
 
 @dataclass(frozen=True)
@@ -41,6 +51,10 @@ class Document:
     `statements` holds the asserted triples and those of the source layer, in the order of the
     text, each once. `graph` is the IRI token under which a store keeps them. `prefixes` are the
     file's own abbreviations, for messages. `statements` may repeat what another file says.
+    `format` is the name of the front end that read it.
+
+    A document may be put together from several texts. Then spans count through all of them, and
+    `pieces` says at which offset each text begins, *source* first.
     """
 
     source: SourceText
@@ -48,6 +62,21 @@ class Document:
     statements: Sequence[Triple] = field(repr=False)
     map: SourceMap = field(repr=False)
     prefixes: Mapping[str, str] = field(default_factory=dict, repr=False)
+    format: str = ""
+    pieces: Sequence[tuple[int, SourceText]] = field(default=(), repr=False)
+
+    def location(self, span: Span) -> Location:
+        """The place of *span* in the text that it is a span of."""
+        if not self.pieces:
+            return Location(self.source, span)
+        index = bisect_right(self.pieces, span.start, key=lambda piece: piece[0]) - 1
+        start, source = self.pieces[index]
+        return Location(source, Span(span.start - start, span.end - start))
+
+    @property
+    def sources(self) -> tuple[SourceText, ...]:
+        """The texts that the document is made of."""
+        return tuple(source for _, source in self.pieces) or (self.source,)
 
     @cached_property
     def about(self) -> Mapping[Term, Term]:

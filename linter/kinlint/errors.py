@@ -36,6 +36,9 @@ class SourceError(KinlintError):
         self.line = line
         self.column = column
 
+    def __reduce__(self) -> tuple[type[SourceError], tuple[str, str, int | None, int | None]]:
+        return type(self), (self.name, self.cause, self.line, self.column)
+
     def __str__(self) -> str:
         place = [str(part) for part in (self.line, self.column) if part is not None]
         return ":".join([self.name, *place]) + f": {self.cause}"

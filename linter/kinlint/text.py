@@ -28,12 +28,16 @@ class SourceText:
 
     `name` is how the user called the file. `bom` tells that a byte order mark stood before
     the text; it is not part of `text`, and offsets count from the character after it.
-    Line ends are kept as they stand.
+    Line ends are kept as they stand. `misread` are places where the bytes were not what their
+    encoding has, with what is wrong there. A `companion` is read along with others that speak of
+    it, such as the URDF of an SRDF; nothing is reported of it.
     """
 
     name: str
     text: str = field(repr=False)
     bom: bool = False
+    misread: tuple[tuple[Span, str], ...] = field(default=(), repr=False)
+    companion: bool = False
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
@@ -63,3 +67,21 @@ class SourceText:
 
     def __getitem__(self, span: Span) -> str:
         return self.text[span.start : span.end]
+
+
+@dataclass(frozen=True, slots=True)
+class Location:
+    """A span of a source; `start` and `end` are for those who print."""
+
+    source: SourceText
+    span: Span
+
+    @property
+    def start(self) -> Position:
+        """Line and column of the first character."""
+        return self.source.position(self.span.start)
+
+    @property
+    def end(self) -> Position:
+        """Line and column just after the last character."""
+        return self.source.position(self.span.end)

@@ -9,6 +9,13 @@ KL = f"{KINLINT}ns#"
 KIN = f"{KINLINT}kinematics#"
 SRC = f"{KINLINT}source#"
 FACT = f"{KINLINT}fact#"
+FMT = f"{KINLINT}format#"
+ATTRIBUTE = f"{KINLINT}attribute#"
+REFERENCE = f"{KINLINT}reference#"
+EXTENSION = f"{KINLINT}extension#"
+URDF = f"{KINLINT}urdf#"
+SDF = f"{KINLINT}sdf#"
+SRDF = f"{KINLINT}srdf#"
 RULE = f"{KINLINT}rules/"
 
 SH = "http://www.w3.org/ns/shacl#"
@@ -19,11 +26,17 @@ QUDT = "http://qudt.org/schema/qudt/"
 UNIT = "http://qudt.org/vocab/unit/"
 QUANTITY_KIND = "http://qudt.org/vocab/quantitykind/"
 
+DOCUMENT_IRI = "urn:kinlint:document:"
+"""How the IRIs of files begin, and those of the elements in them."""
+
 DOCUMENT_BASE = "https://base.kinlint.invalid/"
 """The sentinel base: an IRI that starts with it was relative where it was written."""
 
 INFERRED_GRAPH = f"<{KINLINT}inferred>"
 """The named graph that holds what the closure added."""
+
+LIFTED_GRAPH = f"<{KINLINT}lifted>"
+"""The named graph that holds what the lifting queries made of other formats."""
 
 FACTS_GRAPH = f"<{KINLINT}facts>"
 """The named graph that holds what was computed."""

@@ -5,10 +5,10 @@ from datetime import date
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, NodeSpans, SourceMap
-from kinlint.model import Finding, Location, Rule, Severity
+from kinlint.model import Finding, Rule, Severity
 from kinlint.suppression import silence
 from kinlint.terms import iri, literal
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import KL, RULE
 
 TODAY = date(2026, 6, 1)

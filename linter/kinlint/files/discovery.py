@@ -1,8 +1,8 @@
 """Finds the files to lint: what was named, and the models in directories and globs.
 
-In directories these are `.jsonld` files and those `.json` files that speak of a context; Turtle
-and N-Quads are as often shapes or vocabularies as models, so they are read only when they are
-named, or when a glob does not leave them out. Everything else is passed over.
+In directories these are `.jsonld` files, those `.json` files that speak of a context, and robots in
+the XML formats; Turtle and N-Quads are as often shapes or vocabularies as models, so they are read
+only when they are named, or when a glob does not leave them out. Everything else is passed over.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
 
-SEARCHED = (".jsonld", ".json")
+ROBOTS = (".urdf", ".xacro", ".srdf", ".sdf", ".world")
+SEARCHED = (".jsonld", ".json", *ROBOTS)
 GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
 """What directories hold that is nobody's model; the default of `exclude`."""

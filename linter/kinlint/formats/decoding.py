@@ -1,4 +1,4 @@
-"""Turns the bytes of a file into text: UTF-8, with or without a byte order mark."""
+"""Turns the bytes of a file into text: UTF-8, or what an XML file says that it is."""
 
 from __future__ import annotations
 
@@ -13,16 +13,23 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "UTF-16"),
     (codecs.BOM_UTF16_BE, "UTF-16"),
 )
+_NO_XML = (".jsonld", ".json", ".ttl", ".nt", ".nq")
+_HEAD = 1024
 
 
 def decode(name: str, data: bytes) -> SourceText:
     """The text of the file *name*.
 
-    Raises SourceError that says what was found, and where, if *data* is no UTF-8 text.
+    Raises SourceError that says what was found, and where, if *data* is no text: XML in the
+    encoding that it declares, anything else in UTF-8.
     """
-    for mark, encoding in _MARKS:
+    if not name.lower().endswith(_NO_XML) and _looks_like_xml(data[:_HEAD]):
+        from kinlint.formats.xml import encoding  # noqa: PLC0415  few files are XML
+
+        return encoding.decode(name, data)
+    for mark, named in _MARKS:
         if data.startswith(mark):
-            raise SourceError(name, f"the file is {encoding}; kinlint reads UTF-8", 1, 1)
+            raise SourceError(name, f"the file is {named}; kinlint reads UTF-8", 1, 1)
     marked = data.startswith(codecs.BOM_UTF8)
     content = data[len(codecs.BOM_UTF8) :] if marked else data
     zero = content.find(b"\0")
@@ -36,6 +43,14 @@ def decode(name: str, data: bytes) -> SourceText:
         byte = content[error.start]
         cause = f"not UTF-8: byte 0x{byte:02X} ({error.reason}); is it Latin-1?"
         raise SourceError(name, cause, *_place(content, error.start)) from None
+
+
+def _looks_like_xml(head: bytes) -> bool:
+    """Whether a text in whatever encoding begins with a tag."""
+    plain = head.removeprefix(codecs.BOM_UTF8).replace(b"\0", b"")
+    for mark, _ in _MARKS:
+        plain = plain.removeprefix(mark.replace(b"\0", b""))
+    return plain.lstrip()[:1] == b"<"
 
 
 def _guess(content: bytes) -> str | None:

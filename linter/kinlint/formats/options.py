@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASES, Contexts, Extra
+from kinlint.files.packages import Packages
 from kinlint.vocabulary import DOCUMENT_BASE
 
 
@@ -28,6 +29,14 @@ class ContextLibrary(Protocol):
         ...
 
 
+def _any_packages(_name: str) -> Packages:
+    return Packages()
+
+
+def _no_arguments(_name: str) -> Mapping[str, str]:
+    return {}
+
+
 @dataclass(frozen=True)
 class ReadOptions:
     """How to read.
@@ -35,7 +44,8 @@ class ReadOptions:
     `releases` are all releases to which a lost term is compared. `base` is what relative IRIs
     are resolved against; an IRI below the default was relative where it was written. `format`
     overrides what the file's name and content say. `memory` is what a front end keeps from one
-    file for the next.
+    file for the next. `packages_of` and `xacro_arguments_of` have the packages and the arguments
+    for the source of a name.
     """
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
@@ -43,6 +53,10 @@ class ReadOptions:
     base: str = DOCUMENT_BASE
     format: str | None = None
     memory: dict[Hashable, Any] = field(default_factory=dict, repr=False, compare=False)
+    packages_of: Callable[[str], Packages] = field(default=_any_packages, compare=False)
+    xacro_arguments_of: Callable[[str], Mapping[str, str]] = field(
+        default=_no_arguments, compare=False
+    )
 
     @classmethod
     def of(cls, settings: Settings) -> ReadOptions:
@@ -51,4 +65,22 @@ class ReadOptions:
         Raises UsageError or ConfigError where they name no release or no context.
         """
         extra: tuple[Extra, ...] = (*settings.context_directories, *settings.extra_contexts.items())
-        return cls(Contexts.bundled(settings.contexts, extra))
+        return cls(
+            Contexts.bundled(settings.contexts, extra),
+            packages_of=_packages_of(settings),
+            xacro_arguments_of=lambda name: dict(settings.of(name).xacro_args),
+        )
+
+
+def _packages_of(settings: Settings) -> Callable[[str], Packages]:
+    """What tells the packages of a source by its name; what it found it keeps."""
+    known: dict[tuple[Hashable, ...], Packages] = {}
+
+    def packages(name: str) -> Packages:
+        own = settings.of(name)
+        key = own.packages, own.workspace
+        if key not in known:
+            known[key] = Packages(dict(own.packages), own.workspace)
+        return known[key]
+
+    return packages

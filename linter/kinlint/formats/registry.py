@@ -13,7 +13,7 @@ from kinlint.formats.decoding import decode
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
 
-__all__ = ["FORMATS", "decode", "read", "recognise"]
+__all__ = ["FORMATS", "decode", "objection", "read", "recognise"]
 
 FrontEnd: TypeAlias = Callable[[SourceText, ReadOptions], Document]
 
@@ -22,10 +22,23 @@ FORMATS = {
     "turtle": "kinlint.formats.turtle.reader",
     "ntriples": "kinlint.formats.nquads",
     "nquads": "kinlint.formats.nquads",
+    "urdf": "kinlint.formats.xml.reader",
+    "srdf": "kinlint.formats.xml.reader",
+    "sdf": "kinlint.formats.sdf.reader",
+    "xacro": "kinlint.formats.xacro.reader",
 }
 """The modules whose `read(source, options)` is the front end of a format."""
 
 _SUFFIXES = {"jsonld": "jsonld", "ttl": "turtle", "nt": "ntriples", "nq": "nquads"}
+
+KNOWN = (
+    "JSON-LD (.jsonld, .json with an @context), Turtle (.ttl), N-Triples (.nt), N-Quads (.nq), "
+    "URDF (.urdf, .xacro), SRDF (.srdf), SDF (.sdf, .world)"
+)
+"""The formats, for messages."""
+
+_HEAD = 1024
+_XML_SUFFIXES = (".urdf", ".srdf", ".sdf", ".world", ".xacro")
 
 _TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
 _CONTEXT = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
@@ -40,7 +53,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     form = options.format or recognise(source.name, source.text)
     if form is None:
-        raise SourceError(source.name, "not a robot model in a format that kinlint reads")
+        raise SourceError(source.name, f"not a robot model: {objection(source.text)}")
     front_end: FrontEnd = import_module(FORMATS[form]).read
     return front_end(source, options)
 
@@ -59,9 +72,34 @@ def recognise(name: str, text: str) -> str | None:
         return "jsonld" if _has_context(text) else None
     if suffix.lower() == "json":
         return None
+    if (found := _robot(name, text)) is not None:
+        return found
     if _TURTLE.search(text):
         return "turtle"
     return "nquads" if _STATEMENT.search(text) else None
+
+
+def objection(text: str) -> str:
+    """What to say of *text* if it is in no format that is known."""
+    if _begins_with_tag(text):
+        from kinlint.formats.xml.recognition import unread  # noqa: PLC0415  few files are XML
+
+        if (kind := unread(text)) is not None:
+            return f"{kind} is not read yet; kinlint reads {KNOWN}"
+    return f"kinlint reads {KNOWN}"
+
+
+def _begins_with_tag(text: str) -> bool:
+    return text[:_HEAD].lstrip()[:1] == "<"
+
+
+def _robot(name: str, text: str) -> str | None:
+    """The format of a robot in XML, by its root element or else by the end of its name."""
+    if not _begins_with_tag(text) and not name.lower().endswith(_XML_SUFFIXES):
+        return None
+    from kinlint.formats.xml.recognition import sniff  # noqa: PLC0415  few files are XML
+
+    return sniff(text, name)
 
 
 def _has_context(text: str) -> bool:

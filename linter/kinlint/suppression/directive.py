@@ -1,7 +1,8 @@
 """The `kl:ignore` statements of models, read for what they silence.
 
 A value names rules by a literal or an IRI (`"UNI001"`, `rule:missing-unit`, `kl:UNI001`), or is
-a node that says so with `kl:rule`, says why with `kl:reason` and until when with `kl:until`.
+a node that says so with `kl:rule`, says why with `kl:reason` and until when with `kl:until`. What a
+comment in XML says is about an element and all that is written within.
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.selection import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
-from kinlint.terms import Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
-from kinlint.text import Span
+from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
+from kinlint.text import Location, Span
 from kinlint.vocabulary import KL, RULE, SRC
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ IGNORE = iri(f"{KL}ignore")
 _RULE, _REASON, _UNTIL = (iri(f"{KL}{name}") for name in ("rule", "reason", "until"))
 _GRAPH_NAME = iri(f"{SRC}name")
 _NAMED_GRAPH = iri(f"{SRC}NamedGraph")
+_COMMENT = iri(f"{SRC}Comment")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,7 +35,7 @@ class Directive:
 
     `codes` are the rules that `selector` names, none if it is unknown. `until` is the end as it
     is written; `active` tells that it is not over. `whole_file` tells that `node` is the name of
-    the file's graph.
+    the file's graph. `extent` is where all is covered that is found there.
     """
 
     document: Document
@@ -45,6 +47,7 @@ class Directive:
     until: str | None = None
     active: bool = True
     whole_file: bool = False
+    extent: Location | None = None
 
     @property
     def node(self) -> Term:
@@ -58,9 +61,8 @@ class Directive:
     @property
     def excuse(self) -> str:
         """Why a finding is silent: the reason given, or where it is ignored."""
-        source = self.document.source
-        line = source.position(self.span.start).line
-        return self.reason or f"kl:ignore at {source.name}:{line}"
+        place = self.document.location(self.span)
+        return self.reason or f"kl:ignore at {place.source.name}:{place.start.line}"
 
 
 def directives(
@@ -81,6 +83,7 @@ def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterato
         if predicate in (_RULE, _REASON, _UNTIL):
             said[subject, predicate].append(value)
     graphs = _graph_names(document)
+    comments = {s for s, p, o in document.statements if o == _COMMENT and p == RDF_TYPE}
     for statement in document.statements:
         if statement[1] != IGNORE:
             continue
@@ -99,7 +102,14 @@ def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterato
                 until=_text(until),
                 active=until is None or _lasts(_text(until) or "", today),
                 whole_file=statement[0] in graphs,
+                extent=_extent(document, statement[0]) if value in comments else None,
             )
+
+
+def _extent(document: Document, node: Term) -> Location | None:
+    """Where *node* is written with all that belongs to it."""
+    spans = document.map.nodes.get(node)
+    return document.location(spans.whole) if spans else None
 
 
 def _graph_names(document: Document) -> frozenset[Term]:

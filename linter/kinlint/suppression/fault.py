@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.configuration.selection import Policies
-from kinlint.model import Finding, Location, Rule
+from kinlint.model import Finding, Rule
 from kinlint.suggestion import nearest
 from kinlint.suppression.directive import Directive
 from kinlint.terms import iri_value, is_iri
@@ -64,7 +64,7 @@ def reported(fault: Fault, rules: Mapping[str, Rule]) -> Finding | None:
         rule=rule,
         severity=rule.severity,
         message=message,
-        location=Location(one.document.source, one.span),
+        location=one.document.location(one.span),
         iri=iri_value(one.node) if is_iri(one.node) else one.node,
         focus=one.node,
         path=one.statement[1],

@@ -7,11 +7,12 @@ from dataclasses import dataclass, field, replace
 
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Ignore
-from kinlint.model import Finding, Location, Rule
+from kinlint.model import Finding, Rule
 from kinlint.suppression import pointer
 from kinlint.suppression.fault import UNUSED, filled
 from kinlint.terms import iri
-from kinlint.text import Span
+from kinlint.text import Location, Span
+from kinlint.vocabulary import DOCUMENT_IRI
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,14 @@ class Ignores:
         return self.policies.catalogue.find(selector)[1]
 
     def _covers(self, path: str, finding: Finding) -> bool:
-        """Whether *finding* is in what the JSON Pointer *path* leads to, its key included."""
+        """Whether *finding* is in what *path* leads to, its key included.
+
+        That is a JSON Pointer, or the way to an element of XML, as in `/link/base/inertial`.
+        """
+        if finding.iri.startswith(DOCUMENT_IRI):
+            _, _, address = finding.entity.partition("#")
+            if f"{address}/".startswith(f"{path}/"):
+                return True
         source, span = finding.location.source, finding.location.span
         key = (source.name, path)
         if key not in self._places:

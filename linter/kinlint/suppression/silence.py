@@ -1,8 +1,9 @@
 """Which findings are silenced, by whom, and which suppressions are themselves at fault.
 
-Two sources silence findings. A model says `kl:ignore` on a node: findings about that node; on the
-name of the file's graph: findings in that file. A configuration says so for files, for a JSON
-Pointer in a file, or for an entity's IRI (`settings.Ignore`). Nothing here removes a finding:
+Two sources silence findings. A model says `kl:ignore` on a node: findings about that node, and if a
+comment says so also those within; on the name of the file's graph: findings in that file. A
+configuration says so for files, for a JSON Pointer in a file, or for an entity's IRI
+(`settings.Ignore`). Nothing here removes a finding:
 `Finding.suppressed` tells why it is not to be shown.
 """
 
@@ -16,6 +17,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.model import Finding
 from kinlint.suppression.directive import Directive, directives
+from kinlint.suppression.extent import Extents
 from kinlint.suppression.fault import FAULTS, UNUSED, Fault, faults, reported
 from kinlint.suppression.ignores import Ignores
 from kinlint.terms import Term
@@ -90,13 +92,15 @@ def _silence(
     in_file: dict[str, list[Directive]] = {}
     for one in stated:
         if one.whole_file:
-            in_file.setdefault(one.document.source.name, []).append(one)
+            in_file.setdefault(one.document.location(one.span).source.name, []).append(one)
         else:
             on_node.setdefault(one.node, []).append(one)
+    within = Extents.of(stated)
     for finding in findings:
         candidates = [
             *on_node.get(finding.focus, ()),
             *on_node.get(about.get(finding.focus, ""), ()),
+            *within.around(finding.location),
             *in_file.get(finding.location.source.name, ()),
         ]
         meant = [one for one in candidates if one.active and finding.rule.code in one.codes]

@@ -1,0 +1,229 @@
+"""States what the tags of an XML file say: a triple for each element, attribute and component.
+
+This is where the time of reading goes, hence the closures over local names and the plain tuples.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, TypeAlias
+from urllib.parse import quote
+
+from kinlint.formats.xml.remarks import Remarks
+from kinlint.formats.xml.schema import ANY, ElementType, Schema
+from kinlint.formats.xml.values import SPACE, Form, reading
+from kinlint.terms import XSD, Term, Triple, iri_value, literal
+from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
+
+if TYPE_CHECKING:
+    from xml.parsers.expat import XMLParserType
+
+MOST_DEEP = 200
+LONGEST_ADDRESS = 4_000
+MOST_ELEMENTS = 1_000_000
+
+SCOPES = frozenset({"robot", "sdf", "world", "model"})
+"""Elements that have named parts."""
+
+Frame: TypeAlias = tuple[str, Term, ElementType, int, dict[str, int]]
+"""An open element: its address, its node, its type, its number, its first child of each tag."""
+
+_ORDER = f"<{SRC}order>"
+_TEXT = f"<{SRC}text>"
+_STRINGS = reading(Form(("text",)))
+
+
+class TooMuch(Exception):
+    """A file is larger or deeper than any robot, as is seen at `byte`."""
+
+    def __init__(self, cause: str, byte: int) -> None:
+        super().__init__(cause)
+        self.byte = byte
+
+
+class _Quoted(dict[str, str]):
+    """Names as they stand in an address."""
+
+    def __missing__(self, name: str) -> str:
+        quoted = self[name] = quote(name, safe="")
+        return quoted
+
+
+class Elements:
+    """What was read so far.
+
+    `index` numbers the elements; `starts` and `ends` tell where their tags begin, in bytes.
+    `closed` is the number of the element that ended last. `scopes` are the addresses of models and
+    the like.
+    """
+
+    def __init__(self, document: Term, schema: Schema) -> None:
+        self.schema = schema
+        self.remarks = Remarks(schema)
+        self.statements: list[Triple] = []
+        self.index: dict[Term, int] = {}
+        self.starts: list[int] = []
+        self.ends: list[int] = []
+        self.closed = -1
+        self.scopes: list[str] = []
+        above = ElementType("", "", children=schema.roots, once=frozenset(schema.roots))
+        self.frames: list[Frame] = [(f"{iri_value(document)}#", document, above, -1, {})]
+        self._texts: dict[int, list[str]] = {}
+
+    def listen(self, parser: XMLParserType, stands_for: Mapping[int, str] | None = None) -> None:
+        """Have *parser* tell what it reads, characters put back that others *stand for*."""
+        pending: list[str] = []
+        start = self._start_handler(parser, pending)
+
+        def characters(text: str) -> None:
+            if not text.isspace():
+                pending.append(text)
+
+        parser.buffer_text = True
+        parser.StartElementHandler = start
+        parser.EndElementHandler = self._end_handler(parser, pending)
+        parser.CharacterDataHandler = characters
+        if stands_for:
+
+            def start_restored(tag: str, attributes: dict[str, str]) -> None:
+                start(tag, {key: said.translate(stands_for) for key, said in attributes.items()})
+
+            def characters_restored(text: str) -> None:
+                characters(text.translate(stands_for))
+
+            parser.StartElementHandler = start_restored
+            parser.CharacterDataHandler = characters_restored
+
+    def _start_handler(  # noqa: C901, PLR0915  one call for each element, not five
+        self, parser: XMLParserType, pending: list[str]
+    ) -> Callable[[str, dict[str, str]], None]:
+        frames, index, starts, ends = self.frames, self.index, self.starts, self.ends
+        add, remarks, texts = self.statements.append, self.remarks, self._texts
+        quoted, counts = _Quoted(), dict[str, int]()
+        namespace = self.schema.namespace
+
+        def start(tag: str, attributes: dict[str, str]) -> None:  # noqa: C901, PLR0912, PLR0915
+            above, parent, outer, holder, first = frames[-1]
+            number = len(starts)
+            starts.append(parser.CurrentByteIndex)
+            ends.append(-1)
+            if pending:
+                texts.setdefault(holder, []).extend(pending)
+                pending.clear()
+
+            type_ = outer.children.get(tag)
+            if type_ is not None:
+                predicate = type_.predicate
+            else:
+                foreign = outer.open or ":" in tag
+                type_, predicate = ANY, f"<{EXTENSION if foreign else namespace}{tag}>"
+
+            name = attributes.get("name")
+            if holder < 0:
+                address = above
+            else:
+                address = f"{above}/{tag}/{quoted[name]}" if name else f"{above}/{tag}"
+            order = counts[address] = counts.get(address, 0) + 1
+            if order > 1:
+                address = f"{address};{order}"
+            node = f"<{address}>"
+            index[node] = number
+            add((parent, predicate, node))
+            if order > 1 and not name:
+                add((node, _ORDER, f'"{order}"^^<{XSD}integer>'))
+
+            if attributes:
+                slots = type_.attributes
+                for key, written in attributes.items():
+                    slot = slots.get(key)
+                    if slot is None:
+                        self._unlisted(number, node, type_, key, attributes)
+                        continue
+                    value = slot.reading[written]
+                    if value.__class__ is str:
+                        add((node, slot.predicate, value))
+                    elif value is None:
+                        add((node, slot.predicate, literal(written)))
+                        remarks.malformed(number, tag, key, written, slot)
+                    else:
+                        components = slot.components(len(value))
+                        for component, each in zip(components, value, strict=True):
+                            add((node, component, each))
+
+            if tag in SCOPES and type_ is not ANY:
+                self.scopes.append(address)
+            before = first.setdefault(tag, number)
+            if before != number and tag in outer.once:
+                remarks.repeated(number, holder, tag, before)
+            if type_ is ANY:
+                remarks.stranger(number, outer, tag, first)
+            elif type_.dated or type_.required or not number:
+                remarks.typed(number, type_, attributes)
+            frames.append((address, node, type_, number, {}))
+            if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
+                raise TooMuch(_excess(len(frames), address), starts[number])
+
+        return start
+
+    def _end_handler(self, parser: XMLParserType, pending: list[str]) -> Callable[[str], None]:
+        frames, ends, texts, remarks = self.frames, self.ends, self._texts, self.remarks
+        scopes = remarks.scopes
+
+        def end(tag: str) -> None:
+            _, node, type_, number, first = frames.pop()
+            ends[number] = parser.CurrentByteIndex
+            if pending or (texts and number in texts):
+                written = "".join((*texts.pop(number, ()), *pending)).strip(SPACE)
+                pending.clear()
+                self._text(number, node, type_, tag, written)
+            for each in type_.requires:
+                if each not in first:
+                    remarks.note("MissingElement", number, None, tag=each, parentTag=tag)
+            if scopes and number in scopes:
+                remarks.leave(number)
+            self.closed = number
+
+        return end
+
+    def _unlisted(
+        self, number: int, node: Term, type_: ElementType, key: str, attributes: Mapping[str, str]
+    ) -> None:
+        """States the one of *attributes* that is called *key*, which its element does not list."""
+        if not self.remarks.belongs(number, type_, key, attributes):
+            return
+        written = attributes[key]
+        value = _STRINGS[written]
+        said = value if isinstance(value, str) else literal(written)
+        self.statements.append((node, f"<{ATTRIBUTE}{key}>", said))
+        if value is None:
+            self.remarks.unexpanded(number, key, written)
+
+    def _text(self, number: int, node: Term, type_: ElementType, tag: str, written: str) -> None:
+        """States the text of an element."""
+        add, slot = self.statements.append, type_.content
+        if slot is None:
+            value = _STRINGS[written]
+            if type_.open:
+                add((node, _TEXT, value if isinstance(value, str) else literal(written)))
+            if value is None:
+                self.remarks.unexpanded(number, "", written)
+            elif not type_.open:
+                self.remarks.note("StrayText", number, "", written=written, tag=tag)
+            return
+        value = slot.reading[written]
+        if value is None:
+            add((node, _TEXT, literal(written)))
+            self.remarks.malformed(number, tag, "", written, slot)
+        elif isinstance(value, str):
+            add((node, _TEXT, value))
+        else:
+            components = slot.components(len(value))
+            self.statements.extend((node, c, v) for c, v in zip(components, value, strict=True))
+
+
+def _excess(depth: int, address: str) -> str:
+    if depth > MOST_DEEP:
+        return f"elements are nested more than {MOST_DEEP} deep"
+    if len(address) > LONGEST_ADDRESS:
+        return f"the names on the way to this element have over {LONGEST_ADDRESS} characters"
+    return f"more than {MOST_ELEMENTS} elements"

@@ -1,0 +1,170 @@
+"""Which URDF an SRDF speaks of: the description of the robot whose links and joints it names.
+
+Told from the texts, without parsing them: files are joined before they are read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import takewhile
+
+from kinlint.document import Document
+from kinlint.files.pathglob import absolute
+from kinlint.formats.naming import document_iri
+from kinlint.formats.xml.recognition import sniff
+from kinlint.terms import RDF_TYPE, Triple, iri, iri_value
+from kinlint.text import SourceText
+from kinlint.vocabulary import SRC
+
+JOINED_TO = iri(f"{SRC}joinedTo")
+LOSSES = frozenset(
+    iri(f"{SRC}{name}")
+    for name in ("Unexpanded", "ExpansionFailure", "UnknownPackage", "UnknownArgument")
+)
+"""What says that a robot may have more than was read of it."""
+UNREAD = frozenset({iri(f"{SRC}unread")})
+SRDF, URDF = "srdf", "urdf"
+MOST = 0.5
+"""How much of what an SRDF names a URDF has to know to be taken for the one that is meant."""
+
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_NAMED = re.compile(r"<(?:link|joint|passive_joint)\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_REFERENCE = re.compile(
+    r"\s(?:base_link|tip_link|parent_link|child_link|link1|link2|joint_name)"
+    r"\s*=\s*(?:\"([^\"]*)\"|'([^']*)')"
+)
+
+
+@dataclass(frozen=True)
+class Description:
+    """A text that describes a robot: a URDF, or an SRDF about one."""
+
+    source: SourceText
+    kind: str
+
+    @cached_property
+    def _text(self) -> str:
+        return _COMMENT.sub("", self.source.text)
+
+    @cached_property
+    def robot(self) -> str:
+        """The name of the robot."""
+        found = _ROBOT.search(self._text)
+        return (found[1] or found[2] or "") if found else ""
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The links and joints that it has or, an SRDF, that it speaks of."""
+        patterns = (_NAMED, _REFERENCE) if self.kind == SRDF else (_NAMED,)
+        return frozenset(
+            one or other for pattern in patterns for one, other in pattern.findall(self._text)
+        )
+
+    @cached_property
+    def generated(self) -> bool:
+        """Whether its names are made up when it is expanded."""
+        return sniff(self.source.text, self.source.name) == "xacro"
+
+    @property
+    def varies(self) -> bool:
+        """Whether arguments that nobody knows decide what is in it."""
+        return self.generated and "<xacro:arg" in self._text
+
+    @property
+    def unexpanded(self) -> bool:
+        """Whether names are left in it that only an expansion would make up."""
+        return not self.generated and any("$" in name for name in (self.robot, *self.names))
+
+    def knows(self, names: frozenset[str]) -> float:
+        """How much of *names* it has, from 0 to 1."""
+        return len(names & self.names) / len(names) if names else 1.0
+
+    def may_mean(self, urdf: Description, *, alone: bool = False) -> bool:
+        """Whether this SRDF may be about *urdf*: the robot's name and most others are there.
+
+        Either will do if the two are *alone*.
+        """
+        named = self.robot == urdf.robot
+        knows = self.generated or urdf.generated or urdf.knows(self.names) >= MOST
+        return named or knows if alone else named and knows
+
+
+def describe(source: SourceText) -> Description | None:
+    """What *source* is; None for what is neither SRDF nor URDF."""
+    form = sniff(source.text, source.name)
+    if form == "xacro":
+        form = SRDF if ".srdf" in source.name.lower() else URDF
+    return Description(source, form) if form in (SRDF, URDF) else None
+
+
+def partners(
+    sources: Iterable[SourceText], told: Callable[[str], str | None] = lambda _: None
+) -> dict[str, str]:
+    """The name of the URDF among *sources* that each SRDF among them is about, by its name.
+
+    It is the one *told*, by its path, or one that has the robot's name and most of the links and
+    joints that the SRDF speaks of: the nearest of several. If there are no others, one of both will
+    do.
+    """
+    every = [one for each in sources if (one := describe(each)) and not one.unexpanded]
+    urdfs = [each for each in every if each.kind == URDF]
+    srdfs = [each for each in every if each.kind == SRDF]
+    found: dict[str, str] = {}
+    for srdf in srdfs:
+        name = srdf.source.name
+        if (path := told(name)) is not None:
+            meant = [each for each in urdfs if _path(each) == path]
+        else:
+            alone = len(srdfs) == len(urdfs) == 1
+            meant = [each for each in urdfs if srdf.may_mean(each, alone=alone)]
+        if meant:
+            found[name] = max(meant, key=lambda urdf: _fitness(srdf, urdf)).source.name
+    return found
+
+
+def _fitness(srdf: Description, urdf: Description) -> tuple[float, int]:
+    """How well the two go together: by their names, then by the folders they share."""
+    steps = zip(_path(srdf).split("/"), _path(urdf).split("/"), strict=False)
+    return urdf.knows(srdf.names), sum(1 for _ in takewhile(lambda step: step[0] == step[1], steps))
+
+
+def _path(description: Description) -> str:
+    return absolute(description.source.name).as_posix()
+
+
+def join(documents: Sequence[Document], partner: Mapping[str, str]) -> list[Document]:
+    """*documents*, in which each SRDF says which URDF its *partner* is, by the names of both.
+
+    None does of which a part could not be read: what is missing there is nobody's fault here.
+    """
+    asked = {*partner, *partner.values()}
+    roots = {
+        each.source.name: _root(each)
+        for each in documents
+        if each.source.name in asked and _is_whole(each)
+    }
+    return [
+        _said(each, (_root(each), JOINED_TO, roots[found]))
+        if each.source.name in roots and (found := partner.get(each.source.name)) in roots
+        else each
+        for each in documents
+    ]
+
+
+def _is_whole(document: Document) -> bool:
+    return not any(
+        predicate in UNREAD or (predicate == RDF_TYPE and value in LOSSES)
+        for _, predicate, value in document.statements
+    )
+
+
+def _root(document: Document) -> str:
+    return iri(iri_value(document_iri(document.source.name)) + "#")
+
+
+def _said(document: Document, triple: Triple) -> Document:
+    return replace(document, statements=(*document.statements, triple))

@@ -1,0 +1,36 @@
+"""Finds the tags of a text without reading it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+TAG = re.compile(r"<(/?)([^\s<>/=\"'!?&]++)((?:[^<>\"']++|\"[^\"]*+\"|'[^']*+')*+)>")
+DEFINITION = "<!DOCTYPE"
+SKIPPED = {"<!--": "-->", "<![CDATA[": "]]>", "<?": "?>", "<!": ">"}
+"""What is no tag, with how it ends; the first that fits."""
+
+
+def first_tag(text: str, wanted: str = "", at: int = 0) -> int:
+    """Where the first tag from *at* on begins, or before it what begins with *wanted*; else -1."""
+    while (at := text.find("<", at)) >= 0:
+        if wanted and text.startswith(wanted, at):
+            return at
+        ends = (end for begin, end in SKIPPED.items() if text.startswith(begin, at))
+        if (end := next(ends, None)) is None:
+            return -1 if wanted else at
+        at = text.find(end, at)
+        if at < 0:
+            break
+    return -1
+
+
+def tags(text: str, at: int, most: int) -> Iterator[re.Match[str]]:
+    """At most *most* tags of *text* from *at* on, as far as they make sense."""
+    for _ in range(most):
+        at = first_tag(text, at=at)
+        match = TAG.match(text, at) if at >= 0 else None
+        if match is None:
+            return
+        yield match
+        at = match.end()

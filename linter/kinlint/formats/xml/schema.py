@@ -1,0 +1,171 @@
+"""What a format knows: its elements, their attributes and what stands below them.
+
+The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a process.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cache
+
+from kinlint import resources
+from kinlint.formats.xml.values import Form, Reading, reading
+from kinlint.terms import Term, iri
+from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
+
+KINDS = ("text", "number", "integer", "boolean", "vectors")
+VECTOR = "vector"
+Version = tuple[int, ...]
+
+
+@dataclass(eq=False, slots=True)
+class Slot:
+    """A place for a value: an attribute, or the text of an element."""
+
+    predicate: Term
+    reading: Reading
+    _stem: str
+    _components: list[Term] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, iri_: str, form: Form) -> Slot:
+        """The slot whose property is *iri_*."""
+        return cls(iri(iri_), reading(form), iri_)
+
+    def components(self, count: int) -> list[Term]:
+        """The properties of *count* components."""
+        known = self._components
+        while len(known) < count:
+            known.append(f"<{self._stem}-{len(known) + 1}>")
+        return known if len(known) == count else known[:count]
+
+
+@dataclass(frozen=True, slots=True)
+class Lifetime:
+    """The first version of a format that has something, and the last, as far as known."""
+
+    since: str | None = None
+    until: str | None = None
+
+
+@dataclass(eq=False, slots=True)
+class ElementType:
+    """An element as it may stand below certain others.
+
+    `once` are tags of children that may stand there once, `requires` those that must, `required`
+    the attributes that must. An `open` one takes anything. A `dated` one is not in every version
+    of the format, or one of its attributes is not.
+    """
+
+    tag: str
+    predicate: Term
+    attributes: dict[str, Slot] = field(default_factory=dict)
+    children: dict[str, ElementType] = field(default_factory=dict)
+    once: frozenset[str] = frozenset()
+    required: tuple[str, ...] = ()
+    requires: tuple[str, ...] = ()
+    content: Slot | None = None
+    open: bool = False
+    lifetime: Lifetime | None = None
+    lifetimes: dict[str, Lifetime] = field(default_factory=dict)
+    dated: bool = False
+
+
+@dataclass(eq=False, slots=True)
+class Schema:
+    """A format: its roots, and for each tag the types that have it and the tags they stand below.
+
+    `version` is what a file that names none is of.
+    """
+
+    namespace: str
+    roots: dict[str, ElementType]
+    types: dict[str, list[ElementType]]
+    parents: dict[str, list[str]]
+    version: str | None = None
+
+
+ANY = ElementType("", "", open=True)
+"""What is not of the format itself, with everything below it."""
+
+
+def version(text: str) -> Version | None:
+    """The parts of a version number; None if *text* is none."""
+    parts = text.strip().split(".")
+    return tuple(int(part) for part in parts) if all(p.isdecimal() for p in parts) else None
+
+
+@cache
+def schema(form: str) -> Schema:
+    """The schema of the format called *form*."""
+    return _Tables(form).schema()
+
+
+class _Tables:
+    """The statements of one schema file, by subject and property."""
+
+    def __init__(self, form: str) -> None:
+        import pyoxigraph as ox  # noqa: PLC0415  a native module
+
+        self.namespace = f"{KINLINT}{form}#"
+        self.nodes: dict[str, dict[str, list[str]]] = {}
+        path = resources.data("shapes") / "formats" / f"{form}.ttl"
+        base = path.absolute().as_uri()
+        for quad in ox.parse(path=path, format=ox.RdfFormat.TURTLE, base_iri=base):
+            said = self.nodes.setdefault(quad.subject.value, {})
+            name = quad.predicate.value.rpartition("#")[2]
+            said.setdefault(name, []).append(quad.object.value)
+        self.infinite = any("true" in said.get("infinite", ()) for said in self.nodes.values())
+
+    def schema(self) -> Schema:
+        """The schema, its types linked with each other."""
+        found = {node: self._type(said) for node, said in self.nodes.items() if "tag" in said}
+        roots: dict[str, ElementType] = {}
+        types: dict[str, list[ElementType]] = {}
+        parents: dict[str, list[str]] = {}
+        default = None
+        for node, type_ in found.items():
+            said = self.nodes[node]
+            types.setdefault(type_.tag, []).append(type_)
+            for child in (*said.get("once", ()), *said.get("many", ())):
+                type_.children[found[child].tag] = found[child]
+                parents.setdefault(found[child].tag, []).append(type_.tag)
+            type_.once = frozenset(found[child].tag for child in said.get("once", ()))
+            type_.requires = tuple(found[child].tag for child in said.get("requires", ()))
+            if f"{FMT}Root" in said.get("type", ()):
+                roots[type_.tag] = type_
+                default = next(iter(said.get("defaultVersion", ())), default)
+        return Schema(self.namespace, roots, types, parents, default)
+
+    def _type(self, said: dict[str, list[str]]) -> ElementType:
+        tag = said["tag"][0]
+        infinite = self.infinite
+        kinds: dict[str, list[str]] = {}
+        for kind, names in said.items():
+            if kind in KINDS or (kind.startswith(VECTOR) and kind[len(VECTOR) :].isdecimal()):
+                for name in names:
+                    kinds.setdefault(name, []).append(kind)
+        content = [each.removeprefix(FMT) for each in said.get("content", ())]
+        since, until = (next(iter(said.get(name, ())), None) for name in ("since", "until"))
+        lifetimes = _lifetimes(said.get("introduced", ()), said.get("removed", ()))
+        return ElementType(
+            tag,
+            iri(self.namespace + tag),
+            {
+                name: Slot.of(ATTRIBUTE + name, Form(tuple(each), infinite))
+                for name, each in kinds.items()
+            },
+            required=tuple(said.get("required", ())),
+            content=Slot.of(f"{SRC}text", Form(tuple(content), infinite)) if content else None,
+            open="true" in said.get("open", ()),
+            lifetime=Lifetime(since, until) if since or until else None,
+            lifetimes=lifetimes,
+            dated=bool(since or until or lifetimes),
+        )
+
+
+def _lifetimes(introduced: Iterable[str], removed: Iterable[str]) -> dict[str, Lifetime]:
+    first = dict(each.split() for each in introduced)
+    last = dict(each.split() for each in removed)
+    return {name: Lifetime(first.get(name), last.get(name)) for name in {**first, **last}}

@@ -1,0 +1,142 @@
+"""What the text of an attribute or element stands for: a string, a number, several of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from math import isfinite
+from typing import TypeAlias
+
+from kinlint.terms import XSD, Term, literal
+
+Value: TypeAlias = Term | tuple[Term, ...] | None
+"""One literal, one for each component, or None for what is not what it should be."""
+
+UNEXPANDED = re.compile(r"\$[{(]")
+"""Begins an expression or a substitution of xacro."""
+
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?,?", re.ASCII)
+INTEGER = re.compile(r"[-+]?\d+", re.ASCII)
+HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]+")
+SPECIAL = {"inf": "INF", "+inf": "INF", "-inf": "-INF", "nan": "NaN", "+nan": "NaN", "-nan": "NaN"}
+TRUTHS = {"true": "true", "false": "false", "1": "1", "0": "0"}
+SPACE = " \t\r\n"
+
+MOST_KEPT = 100_000
+LONGEST_KEPT = 200
+
+
+class Reading(dict[str, Value]):
+    """Values by how they are written, each made out once; subclasses know one kind of value."""
+
+    expected = "text"
+
+    def __missing__(self, written: str) -> Value:
+        value = self.read(written)
+        if len(written) <= LONGEST_KEPT:
+            if len(self) >= MOST_KEPT:
+                self.clear()
+            self[written] = value
+        return value
+
+    def read(self, written: str) -> Value:
+        """The value that *written* stands for; None if it stands for none."""
+        return None if "$" in written and UNEXPANDED.search(written) else literal(written)
+
+    def reason(self, written: str) -> str:
+        """Why *written* stands for no value."""
+        return f"not {self.expected}" if written.strip(SPACE) else "empty"
+
+
+class Numbers(Reading):
+    """Numbers: as many as one of `counts` says, or any if it is empty."""
+
+    def __init__(self, counts: tuple[int, ...], *, vector: bool, infinite: bool) -> None:
+        super().__init__()
+        self.counts, self.vector, self.infinite = counts, vector, infinite
+        if not vector:
+            self.expected = "number"
+        else:
+            many = " or ".join(map(str, counts))
+            self.expected = f"{many} numbers" if many else "numbers"
+
+    def read(self, written: str) -> Value:
+        """The numbers in *written*, spelled as there."""
+        parts = written.split()
+        if (len(parts) not in self.counts) if self.counts else not parts:
+            return None
+        tokens = tuple(token for part in parts if (token := self._number(part)) is not None)
+        if len(tokens) < len(parts):
+            return None
+        return tokens if self.vector else tokens[0]
+
+    def reason(self, written: str) -> str:
+        """The first part of *written* that is no number, or how many there are."""
+        parts = written.split()
+        wrong = next((part for part in parts if self._number(part) is None), None)
+        if not parts:
+            return "empty"
+        if wrong is None:
+            return f"{len(parts)} numbers"
+        if DECIMAL_COMMA.fullmatch(wrong):
+            return f"decimal comma in {wrong}"
+        if NUMBER.fullmatch(wrong):
+            return f"{wrong} is too large for a double"
+        return f"{wrong} is no number"
+
+    def _number(self, part: str) -> Term | None:
+        if NUMBER.fullmatch(part) and (self.infinite or isfinite(float(part))):
+            return f'"{part}"^^<{XSD}double>'
+        if self.infinite and part.lower() in SPECIAL:
+            return f'"{SPECIAL[part.lower()]}"^^<{XSD}double>'
+        return None
+
+
+class Integers(Reading):
+    """Whole numbers."""
+
+    expected = "a whole number"
+
+    def read(self, written: str) -> Value:
+        """The number in *written*, spelled as there."""
+        part = written.strip(SPACE)
+        if HEXADECIMAL.fullmatch(part):
+            part = str(int(part, 16))
+        return f'"{part}"^^<{XSD}integer>' if INTEGER.fullmatch(part) else None
+
+
+class Truths(Reading):
+    """True or false, in words or as a digit."""
+
+    expected = "true or false"
+
+    def read(self, written: str) -> Value:
+        """What *written* says, in lower case."""
+        truth = TRUTHS.get(written.strip(SPACE).lower())
+        return None if truth is None else f'"{truth}"^^<{XSD}boolean>'
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """What a schema says of a value: names of kinds, of which vectors may be several."""
+
+    kinds: tuple[str, ...]
+    infinite: bool = False
+
+
+@cache
+def reading(form: Form) -> Reading:
+    """How to read values of *form*; one for the whole process, since files repeat each other."""
+    kinds = form.kinds
+    if kinds[0] in _PLAIN:
+        return _PLAIN[kinds[0]]()
+    if kinds[0] == "number":
+        return Numbers((1,), vector=False, infinite=form.infinite)
+    counts = tuple(sorted(int(kind.removeprefix("vector")) for kind in kinds if kind != "vectors"))
+    return Numbers(counts, vector=True, infinite=form.infinite)
+
+
+_PLAIN: Mapping[str, type[Reading]] = {"text": Reading, "integer": Integers, "boolean": Truths}

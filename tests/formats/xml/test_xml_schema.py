@@ -1,0 +1,129 @@
+"""The tables of the formats are read, and values are what they say."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from kinlint.formats.xml.schema import schema, version
+from kinlint.formats.xml.values import Form, reading
+from kinlint.terms import literal_value
+
+
+@pytest.mark.parametrize("form", ["urdf", "srdf", "sdf"])
+def test_a_schema_is_linked_and_loaded_once(form: str) -> None:
+    found = schema(form)
+    assert schema(form) is found
+    assert found.roots
+    for types in found.types.values():
+        for each in types:
+            assert each.once <= each.children.keys()
+            assert each.children.keys() >= set(each.requires)
+            assert each.attributes.keys() >= {*each.required, *each.lifetimes}
+            assert all(tag == child.tag for tag, child in each.children.items())
+            lives = [*each.lifetimes.values(), *([each.lifetime] if each.lifetime else [])]
+            assert all(version(life.since or life.until or "") for life in lives)
+
+
+def test_every_type_is_reached_from_a_root() -> None:
+    for form in ("urdf", "srdf", "sdf"):
+        found = schema(form)
+        waiting, seen = list(found.roots.values()), set()
+        while waiting:
+            each = waiting.pop()
+            if id(each) not in seen:
+                seen.add(id(each))
+                waiting += each.children.values()
+        lost = [
+            each.tag for types in found.types.values() for each in types if id(each) not in seen
+        ]
+        assert lost == []
+
+
+@pytest.mark.parametrize(
+    ("kinds", "infinite", "written", "value"),
+    [
+        (("text",), False, " a ", " a "),
+        (("text",), False, "$5", "$5"),
+        (("text",), False, "${a}", None),
+        (("number",), False, " 1.50 ", "1.50"),
+        (("number",), False, "-.5e-3", "-.5e-3"),
+        (("number",), False, "1.", "1."),
+        (("number",), False, "0x1", None),
+        (("number",), False, "1 2", None),
+        (("number",), False, "", None),
+        (("number",), False, "1_0", None),
+        (("number",), False, "\u0661", None),
+        (("number",), False, "inf", None),
+        (("number",), False, "1e999", None),
+        (("number",), False, "1e-999", "1e-999"),
+        (("number",), True, "1e999", "1e999"),
+        (("number",), True, "-Inf", "-INF"),
+        (("number",), True, "nan", "NaN"),
+        (("integer",), False, "+3", "+3"),
+        (("integer",), False, "0x1F", "31"),
+        (("integer",), False, "3.0", None),
+        (("boolean",), False, "TRUE", "true"),
+        (("boolean",), False, "0", "0"),
+        (("boolean",), False, "yes", None),
+        (("vector3",), False, "1 2\t3", ("1", "2", "3")),
+        (("vector3",), False, "1 2", None),
+        (("vector3", "vector4"), False, "1 2 3 4", ("1", "2", "3", "4")),
+        (("vectors",), False, "1", ("1",)),
+        (("vectors",), False, " ", None),
+    ],
+)
+def test_a_value_is_of_its_kind_or_none(
+    kinds: tuple[str, ...], *, infinite: bool, written: str, value: str | tuple[str, ...] | None
+) -> None:
+    found = reading(Form(kinds, infinite))[written]
+    if isinstance(found, tuple):
+        assert tuple(map(literal_value, found)) == value
+    else:
+        assert (None if found is None else literal_value(found)) == value
+
+
+@pytest.mark.parametrize(
+    ("kinds", "written", "reason"),
+    [
+        (("number",), "1,5", "decimal comma in 1,5"),
+        (("vector3",), "1,0, 2,0, 3,0", "decimal comma in 1,0,"),
+        (("vector3",), "1 2 x", "x is no number"),
+        (("number",), "1e999", "1e999 is too large for a double"),
+        (("vector3",), "1 2", "2 numbers"),
+        (("vector3",), "", "empty"),
+        (("boolean",), "yes", "not true or false"),
+        (("integer",), "1.5", "not a whole number"),
+        (("integer",), " ", "empty"),
+    ],
+)
+def test_a_wrong_value_has_a_reason(kinds: tuple[str, ...], written: str, reason: str) -> None:
+    assert reading(Form(kinds)).reason(written) == reason
+
+
+def test_reading_a_robot_imports_no_other_front_end(tmp_path: Path) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_text("<robot name='a'/>")
+    code = (
+        "import sys; from kinlint.formats.registry import read, decode;"
+        "from kinlint.formats.options import ReadOptions;"
+        f"read(decode('arm.urdf', open({str(path)!r}, 'rb').read()), ReadOptions());"
+        "wrong = {'pyld', 'rdflib', 'pyshacl', 'kinlint.formats.jsonld', 'kinlint.formats.xacro'};"
+        "sys.exit(len(wrong & set(sys.modules)))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_reading_json_ld_imports_nothing_of_xml(tmp_path: Path) -> None:
+    path = tmp_path / "arm.jsonld"
+    path.write_text("{}")
+    code = (
+        "import sys; from kinlint.formats.registry import read, decode;"
+        "from kinlint.formats.options import ReadOptions;"
+        f"read(decode('arm.jsonld', open({str(path)!r}, 'rb').read()), ReadOptions());"
+        "sys.exit(any('formats.xml' in name or 'expat' in name for name in sys.modules))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
