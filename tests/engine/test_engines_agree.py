@@ -8,12 +8,14 @@ import pytest
 from data import locate_data
 
 from kinlint import resources
+from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASES, Contexts
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.lifting import lift
 from kinlint.engine.ontology import compile_axioms
 from kinlint.engine.reference.owl import owlrl_closure
 from kinlint.engine.reference.shacl import check_store
@@ -23,6 +25,7 @@ from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.jsonld.reader import read
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read as read_any
 from kinlint.text import SourceText
 
 CHECKOUT = Path(__file__).parents[2]
@@ -63,6 +66,7 @@ def closed(model: list[Document], vocabulary: list[Path]) -> Store:
     store = Store()
     assert store.load(model) == ()
     store.load_vocabulary(vocabulary)
+    lift(store)
     close(store, compile_axioms(vocabulary))
     store.state(facts(store))
     return store
@@ -115,3 +119,31 @@ def test_both_engines_find_the_same_in_a_sample(name):
     found = reported(list(check(store, catalogue())))
 
     assert found == reported(check_store(store, RULES, catalogue()))
+
+
+LIFTED = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "broken/automatic-inertia-of-nothing.sdf")
+
+
+def lifted(name: str) -> Store:
+    """A sample in an XML format with all that it means."""
+    text = (CHECKOUT / "samples" / name).read_text()
+    return closed([read_any(SourceText(name, text), ReadOptions.of(Settings()))], ONTOLOGY)
+
+
+@pytest.mark.parametrize("name", LIFTED)
+def test_the_closure_of_what_is_lifted_is_that_of_owlrl(name):
+    """What is lifted is closed as what is written in JSON-LD."""
+    store = lifted(name)
+    stated = [triple for document in store.documents.values() for triple in document.statements]
+
+    assert set(store.inferred()) == owlrl_closure([*stated, *store.lifted()], ONTOLOGY)
+
+
+@pytest.mark.parametrize("name", LIFTED)
+def test_both_engines_find_the_same_in_what_is_lifted(name):
+    """The whole catalogue, rules of other formats included, on models that came from XML."""
+    store = lifted(name)
+
+    assert reported(list(check(store, catalogue()))) == reported(
+        check_store(store, RULES, catalogue())
+    )

@@ -8,8 +8,9 @@ from contextlib import suppress
 from functools import cache
 
 import pytest
+import xml_mutations
 from model_mutations import mutant, values
-from test_engines_agree import BROKEN, ONTOLOGY, SHAPES, UNITS, closed, reported
+from test_engines_agree import BROKEN, CHECKOUT, ONTOLOGY, SHAPES, UNITS, closed, reported
 
 from kinlint import resources, rulebook
 from kinlint.configuration.settings import Settings
@@ -23,6 +24,13 @@ from kinlint.formats.registry import decode, read
 
 TRIES = 8
 RULES = {file.stem: file for file in sorted(resources.data("rules").rglob("*.ttl"))}
+
+XML = sorted(
+    file
+    for suffix in ("urdf", "xacro", "srdf", "sdf")
+    for file in (CHECKOUT / "samples" / "broken").glob(f"*.{suffix}")
+    if file.stem in RULES
+)
 
 
 @cache
@@ -68,3 +76,25 @@ def test_both_engines_find_the_same_in_a_mutant(file):
     told = findings(results, [document], store, book())
     assert all(each.location.span.end > 0 for each in told)
     assert max(Counter((each.location.span, each.message) for each in told).values()) == 1
+
+
+def broken_trees(file):
+    """*file* as it is and a mutant of it if that can be read, always the same."""
+    for seed in range(2):
+        text = file.read_text()
+        text = xml_mutations.mutant(text, f"{file.stem} {seed}") if seed else text
+        with suppress(SourceError):
+            yield read(decode(str(file), text.encode()), ReadOptions.of(Settings()))
+
+
+@pytest.mark.parametrize("file", XML, ids=lambda file: file.name)
+def test_both_engines_find_the_same_in_a_mutant_of_a_tree(file):
+    """By the rule that the sample is of; a single model, though the rule may speak of several."""
+    shapes = [SHAPES / "prefixes.ttl", RULES[file.stem]]
+    rule = compile_shapes(shapes)
+    for document in broken_trees(file):
+        store = closed([document], [*ONTOLOGY, *UNITS])
+        results = list(check(store, rule))
+        assert found(results) == found(check_store(store, shapes, rule))
+        told = findings(results, [document], store, book())
+        assert all(each.location.span.end > 0 for each in told)

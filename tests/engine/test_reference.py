@@ -140,7 +140,7 @@ def test_shapes_see_what_was_computed():
     """Facts are data like any other."""
     model = document(":j :lower 3 ; :upper 2 .")
 
-    assert len(check([model], shapes(), facts=[(ex("j"), RDF_TYPE, ex("Joint"))])) == 1
+    assert len(check([model], shapes(), computed=[(ex("j"), RDF_TYPE, ex("Joint"))])) == 1
 
 
 def test_several_documents_are_one_graph():

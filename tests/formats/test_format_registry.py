@@ -33,7 +33,7 @@ MODEL = '{"@context": {"p": "https://e.org/p"}, "@id": "https://e.org/a", "p": "
         ("<stdin>", MODEL, "jsonld"),
         ("<stdin>", "# robot\nPREFIX : <https://e.org/>\n", "turtle"),
         ("<stdin>", "<https://e.org/a> <https://e.org/p> _:b .\n", "nquads"),
-        ("<stdin>", "<robot name='arm'/>", None),
+        ("<stdin>", "<robot name='arm'/>", "urdf"),
         ("<stdin>", "", None),
     ],
 )

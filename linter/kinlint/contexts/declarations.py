@@ -59,7 +59,7 @@ def _declared(names: tuple[str, ...]) -> dict[str, Declaration]:
     for name in names:
         release = bundled_source(name)
         for path, document in release["documents"].items():
-            for iri, line in _terms(release["base"], path, document):
+            for _, iri, line in terms(release["base"], path, document):
                 term = found.setdefault(iri, Declaration())
                 term.documents += {path} - {*term.documents}
                 term.releases += {name} & {*RELEASES} - {*term.releases}
@@ -69,24 +69,28 @@ def _declared(names: tuple[str, ...]) -> dict[str, Declaration]:
     return found
 
 
-def _terms(base: str, path: str, document: Mapping[str, Any]) -> Iterator[tuple[str, str | None]]:
-    """The IRI of each term with its line of the notation; None for one that is no property."""
+def terms(
+    base: str, path: str, document: Mapping[str, Any]
+) -> Iterator[tuple[str, str, str | None]]:
+    """Each term with its IRI and its line of the notation; None for one that is no property."""
     local = context(base, path, document)
     classes = document.get("classes", "")
     groups = {classes: {}} if isinstance(classes, str) else classes
     properties = [(document.get("properties", {}), local)]
     for names, scoped in groups.items():
         for name in names.split():
-            yield _iri(local, local[name]), None
+            yield name, _iri(local, local[name]), None
             if scoped:
                 properties.append((scoped, local[name]["@context"]))
     for lines, scope in properties:
         for names, line in lines.items():
             for name in names.split():
-                yield _iri(local, scope[name]), line
+                yield name, _iri(local, scope[name]), line
                 inner = scope[name].get("@context", {})
                 members = (inner[member] for member in inner if member != "@base")
-                yield from ((_iri(local, member), None) for member in members if "//" not in member)
+                yield from (
+                    (member, _iri(local, member), None) for member in members if "//" not in member
+                )
 
 
 def _iri(local: Mapping[str, Any], definition: str | Mapping[str, Any]) -> str:

@@ -35,7 +35,8 @@ class Constraint:
     taken apart; a predicate that is any other path is SPARQL text. `targets` are the patterns by
     one of which the target node was chosen, with classes as if closed; there are none where a shape
     names its target nodes. `deferred` says why only the reference engine may judge this; then
-    `select` and `single` are empty.
+    `select` and `single` are empty. `formats` are those of its rule that it looks at, none for all:
+    one that speaks of the text of a format spares what another says of the model.
     """
 
     owner: str
@@ -49,6 +50,7 @@ class Constraint:
     premises: tuple[Triple, ...] = ()
     targets: tuple[Triple, ...] = ()
     deferred: str | None = None
+    formats: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The constraint as JSON values; what has its default is left out."""
@@ -61,6 +63,7 @@ class Constraint:
             **{
                 **values,
                 "messages": tuple(values.get("messages", ())),
+                "formats": tuple(values.get("formats", ())),
                 "premises": tuple((s, p, o) for s, p, o in values.get("premises", ())),
                 "targets": tuple((s, p, o) for s, p, o in values.get("targets", ())),
             }

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import pyoxigraph as ox
 
+from kinlint.document import document_of
 from kinlint.engine.spelling import Spelling
 from kinlint.errors import RuleInvalid
-from kinlint.terms import Term, Triple, iri_value, literal
-from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT
+from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal
+from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT, LIFTED_GRAPH
 
 if TYPE_CHECKING:
     from kinlint.document import Document
@@ -47,9 +48,9 @@ def statement(triple: Triple) -> ox.Quad:
 class Store:
     """What all documents of a run say, with the vocabulary and what follows from both.
 
-    There are three named graphs, asserted, inferred and computed, which share no triple. One for
-    each document would not do: Oxigraph's union of graphs repeats a triple that two of them
-    hold, and with it solutions and counts.
+    There are four named graphs, asserted, lifted, inferred and computed, which share no
+    triple. One for each document would not do: Oxigraph's union of graphs repeats a triple that
+    two of them hold, and with it solutions and counts.
 
     Blank node labels of documents are kept, so documents must not share them. Literals come
     back in Oxigraph's spelling, which for typed ones may differ from the document's: `written`
@@ -154,6 +155,10 @@ class Store:
         self.oxigraph.clear_graph(ox.NamedNode(iri_value(FACTS_GRAPH)))
         self._extend(tuple(facts), FACTS_GRAPH)
 
+    def lifted(self) -> Iterator[Triple]:
+        """What the lifting queries made."""
+        return self._statements(LIFTED_GRAPH)
+
     def facts(self) -> Iterator[Triple]:
         """What was computed."""
         return self._statements(FACTS_GRAPH)
@@ -161,6 +166,16 @@ class Store:
     def inferred(self) -> Iterator[Triple]:
         """What was inferred."""
         return self._statements(INFERRED_GRAPH)
+
+    def infers(self, predicate: Term | None, value: Term | None = None) -> bool:
+        """Whether something of *predicate* was inferred; None is any.
+
+        Of types, only whether *value* was, if it is given.
+        """
+        kind = ox.NamedNode(iri_value(value)) if value and predicate == RDF_TYPE else None
+        property_ = ox.NamedNode(iri_value(predicate)) if predicate else None
+        graph = ox.NamedNode(iri_value(INFERRED_GRAPH))
+        return any(True for _ in self.oxigraph.quads_for_pattern(None, property_, kind, graph))
 
     def _statements(self, name: Term) -> Iterator[Triple]:
         graph = ox.NamedNode(iri_value(name))
@@ -173,6 +188,18 @@ class Store:
         given = quad.object if value else None
         for found in self.oxigraph.quads_for_pattern(None, quad.predicate, given, None):
             yield token(found.subject)
+
+    def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
+        """The values of *predicate* for an IRI."""
+        node, property_ = ox.NamedNode(iri_value(subject)), ox.NamedNode(iri_value(predicate))
+        for quad in self.oxigraph.quads_for_pattern(node, property_, None, None):
+            yield token(quad.object)
+
+    def said(self, subject: Term) -> Iterator[tuple[Term, Term]]:
+        """What is said of an IRI, by property."""
+        node = ox.NamedNode(iri_value(subject))
+        for quad in self.oxigraph.quads_for_pattern(node, None, None, None):
+            yield token(quad.predicate), token(quad.object)
 
     def holds(self, triple: Triple) -> bool:
         """Whether *triple* is asserted or inferred."""
@@ -198,8 +225,10 @@ class Store:
         The triples are keys of `document.map.triples`. No *predicate* means any. Triples that
         were inferred or stand in the vocabulary are written nowhere.
         """
+        own = self.documents.get(document_of(subject))
+        among = self.documents.items() if own is None else ((own.graph, own),)
         for each in (predicate,) if predicate else self._between(subject, value):
-            for graph, document in self.documents.items():
+            for graph, document in among:
                 if graph not in self._spellings:
                     self._spellings[graph] = Spelling(document)
                 triple = self._spellings[graph].of((subject, each, value))

@@ -21,24 +21,24 @@ def components(scan: Scan) -> Iterator[Triple]:
     """The pieces of each chain, or the joint because of which they cannot be told."""
     numbers = count(1)
     for chain_, joints in sorted(scan.table(JOINTS).items()):
-        reach = {joint: _reach(scan, joint) for joint in sorted(joints)}
-        loose = next((joint for joint, bodies in reach.items() if not bodies), None)
+        joined = {joint: joined_by(scan, joint) for joint in sorted(joints)}
+        loose = next((joint for joint, bodies in joined.items() if not bodies), None)
         if loose is not None:
             yield chain_, fact("undecided"), loose
             continue
         places = _listed(scan, chain_, joints)
-        for piece in _pieces(reach):
+        for piece in _pieces(joined):
             node = fact_node("component", next(numbers))
             yield chain_, fact("component"), node
             yield node, DERIVED_FROM, chain_
             yield node, fact("first"), min(piece, key=lambda joint: places[joint])
             yield node, fact("size"), integer(len(piece))
-            bodies = (body for joint in piece for body in reach[joint])
+            bodies = (body for joint in piece for body in joined[joint])
             for member in dict.fromkeys((*piece, *bodies)):
                 yield node, MEMBER, member
 
 
-def _reach(scan: Scan, joint: Term) -> tuple[Term, ...]:
+def joined_by(scan: Scan, joint: Term) -> tuple[Term, ...]:
     """The bodies that *joint* joins; none if it joins fewer than two as far as is known."""
     bodies = scan.table(ON_BODY)
     ends = scan.table(ATTACHMENTS).of(joint)
@@ -48,14 +48,14 @@ def _reach(scan: Scan, joint: Term) -> tuple[Term, ...]:
     return joined if len(joined) > 1 else ()
 
 
-def _pieces(reach: Mapping[Term, Sequence[Term]]) -> list[list[Term]]:
-    """The joints of *reach* in groups, each connected by the bodies it reaches."""
+def _pieces(joined: Mapping[Term, Sequence[Term]]) -> list[list[Term]]:
+    """The joints of *joined* in groups, each connected by the bodies it reaches."""
     roots = Roots()
-    for joint, bodies in reach.items():
+    for joint, bodies in joined.items():
         for body in bodies:
             roots.join(joint, body)
     pieces: dict[Term, list[Term]] = {}
-    for joint in sorted(reach):
+    for joint in sorted(joined):
         pieces.setdefault(roots.of(joint), []).append(joint)
     return list(pieces.values())
 

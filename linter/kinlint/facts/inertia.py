@@ -8,8 +8,8 @@ from functools import cached_property
 from itertools import chain
 
 from kinlint.facts.companion import Companions
-from kinlint.facts.linear import Matrix, Vector, dot, eigenvalues, length, scale
-from kinlint.facts.names import body
+from kinlint.facts.linear import ZERO, Matrix, Vector, dot, eigenvalues, length, scale
+from kinlint.facts.names import FROM, body
 from kinlint.facts.names import inertia as inertial
 from kinlint.facts.quantity import Quantities
 from kinlint.facts.scan import Scan
@@ -68,6 +68,21 @@ class Inertias:
             if unit is not None or not self.units.has(node):
                 factor = unit.factor if unit else 1.0
                 found[node] = scale(factor, (row[0], row[1], row[2]))
+        return found
+
+    @cached_property
+    def central(self) -> Mapping[Term, Matrix]:
+        """The tensors about the centre of mass, where it is known to be the point they are for.
+
+        What is lifted from a format that knows no other point says nothing of a first moment.
+        """
+        moments = Companions(self.scan).with_moment(self.first_moments)
+        found: dict[Term, Matrix] = {}
+        for node, tensor in self.tensors.items():
+            shifted = moments.of(node)
+            away = self.first_moments[shifted] if shifted is not None else None
+            if away == ZERO or (away is None and node in self.scan.table(FROM)):
+                found[node] = tensor
         return found
 
     def facts(self) -> Iterator[Triple]:

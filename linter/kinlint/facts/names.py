@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.terms import Term, iri
-from kinlint.vocabulary import KIN, METAMODELS, QUDT
+from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE, SDF, SRC, SRDF, URDF
 
 GEOMETRY = f"{METAMODELS}geometry/"
 DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
@@ -54,7 +54,43 @@ def qudt(name: str) -> Term:
     return iri(QUDT + name)
 
 
+def urdf(name: str) -> Term:
+    """An element of URDF."""
+    return iri(URDF + name)
+
+
+def sdf(name: str) -> Term:
+    """An element of SDFormat."""
+    return iri(SDF + name)
+
+
+def srdf(name: str) -> Term:
+    """An element of SRDF."""
+    return iri(SRDF + name)
+
+
+def reference(name: str) -> Term:
+    """What the attribute of this name refers to, where its value is the name of something."""
+    return iri(REFERENCE + name)
+
+
+def attribute(name: str) -> Term:
+    """An attribute of an element, in any XML format."""
+    return iri(ATTRIBUTE + name)
+
+
+FROM = iri(f"{SRC}from")
 OF = rel("of")
 WITH_RESPECT_TO = rel("with-respect-to")
 COORDINATE_OF = kin("coordinate-of")
 AS_SEEN_BY = kin("as-seen-by")
+REFERENCES = tuple(
+    map(
+        reference,
+        (
+            *("link", "link1", "link2", "base_link", "tip_link", "parent_link", "child_link"),
+            *("joint", "group", "parent_group", "reference"),
+        ),
+    )
+)
+"""All that refers by name to something of another file, or of another part of the file."""

@@ -53,4 +53,5 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
     layer.uses_terms(spans)
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
-    return Document(source, graph, tuple(spans), SourceMap(spans, {**nodes, **layer.nodes}))
+    places = SourceMap(spans, {**nodes, **layer.nodes})
+    return Document(source, graph, tuple(spans), places, format=form)

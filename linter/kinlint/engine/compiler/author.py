@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -87,6 +88,13 @@ def _vouch(text: str, prefixes: dict[str, str], path: str) -> None:
     """Raise `NotSparql` unless rdflib too takes *text* for SPARQL 1.1."""
     text = re.sub(r"[$?]PATH\b", lambda _: path, text)
     known = "".join(f"PREFIX {prefix}: <{namespace}> " for prefix, namespace in prefixes.items())
+    if problem := _problem(known, text):
+        raise NotSparql(f"not SPARQL 1.1{problem}")
+
+
+@lru_cache(maxsize=4096)
+def _problem(known: str, text: str) -> str:
+    """What rdflib has against *text* after the prefixes *known*; it takes long to say."""
     from pyparsing import ParseException  # noqa: PLC0415
     from rdflib.plugins.sparql import prepareQuery  # noqa: PLC0415
 
@@ -94,10 +102,10 @@ def _vouch(text: str, prefixes: dict[str, str], path: str) -> None:
         prepareQuery(known + text)
     except ParseException as error:
         near = (known + text)[error.loc :].strip().split("\n")[0].strip()
-        where = f"near '{near}'" if near else "at its end"
-        raise NotSparql(f"not SPARQL 1.1 {where}") from error
-    except Exception as error:  # rdflib raises bare exceptions
-        raise NotSparql(f"not SPARQL 1.1: {error}") from error
+        return f" near '{near}'" if near else " at its end"
+    except Exception as error:  # noqa: BLE001  rdflib raises bare exceptions
+        return f": {error}"
+    return ""
 
 
 def _defer(select: Select, found: tuple[str, ...]) -> None:

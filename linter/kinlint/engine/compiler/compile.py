@@ -78,6 +78,7 @@ class _Walk:
             messages=messages,
             path=shape.path.predicate or None if shape.path else None,
             deferred=reason,
+            formats=violation.formats,
         )
         if reason is not None:
             return common

@@ -1,6 +1,6 @@
-"""Rewrites EXISTS for Oxigraph, whose planner does not know what is bound around it.
+"""Rewrites queries for Oxigraph, whose planner does not know what is bound around a group.
 
-Two rewrites, neither needed for a right answer. Both spare Oxigraph work that grows with the
+Three rewrites, none needed for a right answer. They spare Oxigraph work that grows with the
 square of the model (oxigraph#885). Whatever they do not fully understand stays as it stands.
 """
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import count
 
+from kinlint.engine.compiler.correlated import correlated
 from kinlint.engine.compiler.hoist import hoisted
 from kinlint.engine.compiler.patterns import Pattern, patterns
 from kinlint.engine.compiler.reach import reach
@@ -40,7 +41,7 @@ def tuned(select: Select, bound: frozenset[str]) -> Select:
 def _group(group: Group, bound: frozenset[str], names: count[int]) -> Group:
     within = bound | certain(group)
     elements = tuple(_element(each, within, bound, names) for each in group.elements)
-    return reach(Group(elements), bound, certain(group), names)
+    return correlated(reach(Group(elements), bound, certain(group), names))
 
 
 def _element(

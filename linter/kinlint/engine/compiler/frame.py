@@ -59,7 +59,8 @@ class Violation:
     `groups` are evaluated one inside the other, the focus node bound; each solution for which
     `condition` holds is a violation. `condition` is never an error. `shown` are the variables
     of a result; `at_value` says that the value node is its value. `path` says that a variable
-    rather than the shape tells the path.
+    rather than the shape tells the path. `formats` are those it is for, where not all that the
+    rule is for.
     """
 
     component: str
@@ -71,6 +72,7 @@ class Violation:
     own_messages: bool = False
     premises: tuple[Triple, ...] = ()
     deferred: str | None = None
+    formats: tuple[str, ...] = ()
 
     @property
     def body(self) -> str:

@@ -10,11 +10,15 @@ from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.frame import THIS, Frame, Violation, component, shown
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.shape import messages
+from kinlint.terms import literal_value
+from kinlint.vocabulary import KL
 
 if TYPE_CHECKING:
     from kinlint.engine.compiler.author import Query
+    from kinlint.engine.compiler.graph import ShapesGraph
     from kinlint.terms import Term
 
+FORMAT = f"<{KL}format>"
 TARGET_NODE = sh("targetNode")
 VALUE = "?k_value"
 
@@ -42,7 +46,13 @@ def sparql(frame: Frame) -> Iterator[Violation]:
             messages=own or (f"'{{?this}}' violates '{name}'.",),
             own_messages=True,
             premises=query.premises,
+            formats=formats(shape.graph, node),
         )
+
+
+def formats(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
+    """The formats that a constraint says it looks at, by `kl:format`."""
+    return tuple(sorted(map(literal_value, graph.values(node, FORMAT))))
 
 
 def query_for(frame: Frame, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:

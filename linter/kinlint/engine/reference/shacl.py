@@ -12,6 +12,7 @@ from rdflib import Graph, URIRef
 from kinlint.document import Document
 from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.shape import messages, read_shape
+from kinlint.engine.compiler.sparql import formats
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.reference.nodes import graph, term
 from kinlint.engine.reference.owl import owlrl_closure
@@ -34,17 +35,17 @@ def check(
     shape_files: Sequence[Source],
     vocabulary_files: Sequence[Path] = (),
     constraints: Iterable[Constraint] = (),
-    facts: Iterable[Triple] = (),
+    computed: Iterable[Triple] = (),
 ) -> list[Result]:
     """The violations of the shapes in *shape_files* that pySHACL finds in *documents*.
 
-    What follows from the vocabulary is inferred by owlrl; *facts* are what was computed from
-    both. For the rest see `check_store`.
+    What follows from the vocabulary is inferred by owlrl; *computed* is what was lifted from
+    other formats, and the facts. For the rest see `check_store`.
     """
     store = Store()
     store.load(documents)
     store.load_vocabulary(vocabulary_files)
-    store.state(facts)
+    store.state(computed)
     stated = list(_statements(store))
     inferred = owlrl_closure(stated, vocabulary_files)
     return list(_judge([*stated, *inferred], shape_files, constraints))
@@ -78,6 +79,7 @@ def _statements(store: Store) -> Iterator[Triple]:
     for document in store.documents.values():
         yield from document.statements
     yield from Schema.read(store.vocabulary).triples
+    yield from store.lifted()
     yield from store.inferred()
     yield from store.facts()
 
@@ -134,6 +136,7 @@ def _constraint(shapes: ShapesGraph, record: Record) -> Constraint:
         severity=shape.severity,
         messages=said or shape.messages,
         path=path if path is not None and is_iri(path) else None,
+        formats=formats(shapes, term(record.source)) if record.source is not None else (),
     )
 
 

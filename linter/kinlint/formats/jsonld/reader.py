@@ -66,7 +66,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**triples.nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), places, processor.record.prefixes)
+    return Document(source, graph, tuple(spans), places, processor.record.prefixes, FORMAT)
 
 
 def _check_contexts(parsed: Parsed, source: SourceText) -> None:

@@ -59,7 +59,7 @@ def _document(
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), origins, grammar.prefixes)
+    return Document(source, graph, tuple(spans), origins, grammar.prefixes, FORMAT)
 
 
 def _shape(found: Iterable[tuple[Term, Term, Term]]) -> Counter[tuple[Term, ...]]:

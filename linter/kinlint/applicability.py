@@ -1,0 +1,93 @@
+"""Which rules speak of which files: a rule names the formats that it applies to."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+
+from kinlint.document import Document, document_of
+from kinlint.engine.axioms import Axiom
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.demand import relevant, terms
+from kinlint.engine.lifting import FORMATS, LIFTED_AS
+from kinlint.engine.result import Result
+from kinlint.facts.needs import INFERRED, sources
+from kinlint.model import Rule
+from kinlint.terms import Term, is_iri
+
+COMPOSABLE = frozenset({"", "jsonld", "turtle", "ntriples", "nquads"})
+"""Formats in which models are written as they are meant; a rule for one is a rule for all."""
+
+
+def applicability(
+    rules: Iterable[Rule], documents: Sequence[Document]
+) -> Mapping[str, frozenset[str]]:
+    """The rules, by IRI, that apply to some of *documents*, each with the formats it applies to."""
+    present = {document.format for document in documents}
+    found = {rule.iri: frozenset(f for f in present if _covers(rule.formats, f)) for rule in rules}
+    return {owner: formats for owner, formats in found.items() if formats}
+
+
+def applicable(
+    constraints: Iterable[Constraint], owners: Mapping[str, frozenset[str]]
+) -> list[Constraint]:
+    """Those of *constraints* that look at a format which their rule, of *owners*, applies to."""
+    return [
+        each
+        for each in constraints
+        if any(_covers(each.formats, form) for form in owners.get(each.owner, ()))
+    ]
+
+
+def _covers(named: Collection[str], form: str) -> bool:
+    """Whether what is for the formats *named*, or for all if none is, is for files of *form*."""
+    if form in COMPOSABLE:
+        return not named or not COMPOSABLE.isdisjoint(named)
+    return not named or form in named or LIFTED_AS.get(form) in named
+
+
+def formats(documents: Iterable[Document]) -> Mapping[str, str]:
+    """The format of each text, by its name; what is lifted counts as what it is lifted as."""
+    return {
+        source.name: LIFTED_AS.get(document.format, document.format)
+        for document in documents
+        for source in document.sources
+    }
+
+
+def applies(
+    results: Iterable[Result],
+    documents: Sequence[Document],
+    owners: Mapping[str, frozenset[str]],
+) -> Iterator[Result]:
+    """Those of *results* that are about a file of a format that their rule applies to."""
+    forms = {document.graph: document.format for document in documents}
+    homes = {
+        node: document.format
+        for document in documents
+        for node in document.map.nodes
+        if not is_iri(node)
+    }
+    for result in results:
+        form = forms.get(document_of(result.focus)) or homes.get(result.focus)
+        constraint = result.constraint
+        if form is None or (form in owners[constraint.owner] and _covers(constraint.formats, form)):
+            yield result
+
+
+def demand(constraints: Iterable[Constraint]) -> frozenset[Term] | None:
+    """The terms that *constraints* look at, and what those are computed from; None for any."""
+    found = terms(constraints)
+    return None if found is None else sources(found)
+
+
+def axioms_for(
+    documents: Iterable[Document], axioms: Sequence[Axiom], wanted: frozenset[Term] | None
+) -> Sequence[Axiom]:
+    """The *axioms* worth applying: where every file is lifted, those that make what is *wanted*.
+
+    What is lifted is complete by construction, and most of it asked for by nobody.
+    """
+    present = {LIFTED_AS.get(document.format, document.format) for document in documents}
+    if wanted is None or not present <= FORMATS:
+        return axioms
+    return relevant(axioms, wanted | INFERRED)

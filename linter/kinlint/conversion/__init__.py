@@ -1,0 +1,1 @@
+"""Writes what is lifted from a robot as a composable model."""

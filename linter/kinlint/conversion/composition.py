@@ -1,0 +1,102 @@
+"""Makes one composable model of what is lifted from robots in XML formats."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from urllib.parse import quote
+
+from kinlint.conversion.losses import Loss, losses
+from kinlint.conversion.nodes import Node, Order, Statements, named, nodes
+from kinlint.conversion.published import contexts_of
+from kinlint.document import TREES, Document
+from kinlint.engine.lifting import lift
+from kinlint.engine.store import Store
+from kinlint.errors import UsageError
+from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
+from kinlint.vocabulary import ATTRIBUTE, KINLINT
+
+EXAMPLE = "https://example.org/"
+"""Where names live for which nobody has said where they live."""
+
+PREFIX = "robot"
+NAME = iri(f"{ATTRIBUTE}name")
+
+
+@dataclass(frozen=True)
+class Composition:
+    """A model as nodes of expanded JSON-LD, the contexts that say it, and what is not in it."""
+
+    nodes: Sequence[Node]
+    contexts: Sequence[str]
+    namespaces: Mapping[str, str]
+    losses: Sequence[Loss]
+
+
+def compose(documents: Sequence[Document], namespace: str | None = None) -> Composition:
+    """The model that *documents* describe together.
+
+    Its names live under *namespace*, or under one for each robot. Raises `UsageError` where a
+    document is none to be lifted, where nothing is, and where two things would have one name.
+    """
+    for document in documents:
+        if document.format not in TREES:
+            raise UsageError(f"{document.source.name}: composable already, nothing to convert")
+    store = Store()
+    store.load(documents)
+    lift(store)
+    lifted = list(store.lifted())
+    statements = Statements(lifted)
+    if not statements.subjects:
+        raise UsageError(f"{documents[0].source.name}: no links and joints, nothing to convert")
+    names = {
+        iri_value(each.graph): namespace or f"{EXAMPLE}{quote(robot(each), safe='')}#"
+        for each in documents
+    }
+    _distinct(statements, names)
+    made = list(nodes(statements, Order(statements, documents), names))
+    return Composition(made, contexts_of(_terms(made)), _prefixes(names), losses(documents, lifted))
+
+
+def robot(document: Document) -> str:
+    """The name of the robot: of the root, or of the one model in it; else that of the file."""
+    below: dict[Term, list[Term]] = {}
+    called: dict[Term, str] = {}
+    for s, p, o in document.statements:
+        if p == NAME and is_literal(o):
+            called[s] = literal_value(o)
+        elif p.startswith(f"<{KINLINT}{document.format}#") or p == iri(f"{KINLINT}urdf#robot"):
+            below.setdefault(s, []).append(o)
+    for root in below.get(document.graph, ()):
+        held = [called[each] for each in below.get(root, ()) if each in called]
+        if found := called.get(root) or (held[0] if len(held) == 1 else ""):
+            return found
+    return PurePath(document.source.name).name.partition(".")[0] or PREFIX
+
+
+def _distinct(statements: Statements, names: Mapping[str, str]) -> None:
+    """Raise `UsageError` if two subjects get one name."""
+    taken: dict[str, Term] = {}
+    for subject in statements.subjects:
+        name = named(subject, names)
+        if taken.setdefault(name, subject) != subject:
+            raise UsageError(f"two files both describe <{name}>: convert them one by one")
+
+
+def _terms(made: Sequence[Node]) -> set[str]:
+    """The properties and classes of nodes."""
+    found: set[str] = set()
+    for node in made:
+        found.update(node["@type"])
+        found.update(key for key in node if key[0] != "@")
+    return found
+
+
+def _prefixes(names: Mapping[str, str]) -> dict[str, str]:
+    """A prefix for each namespace."""
+    spaces = dict.fromkeys(names.values())
+    return {
+        PREFIX if number == 1 else f"{PREFIX}{number}": space
+        for number, space in enumerate(spaces, 1)
+    }

@@ -1,0 +1,122 @@
+"""What of a format the lifting queries make something of, and why nothing is made of the rest."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+
+from kinlint import resources
+from kinlint.conversion.published import published
+from kinlint.engine.lifting import Lifting, queries
+from kinlint.formats.xml.schema import ElementType, schema
+from kinlint.terms import iri_value
+
+FORMATS = ("urdf", "srdf", "sdf")
+REASONS = "lifting/left-out.tsv"
+"""Where below shapes/ the reasons stand."""
+
+REST = ("attribute", "lifted", "why")
+DEEPEST = 12
+"""No deeper than this do elements stand below each other that may stand below themselves."""
+
+_COMPONENT = re.compile(r"-\d+$")
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """Why nothing, or not everything, is made of an element or an attribute.
+
+    `path` ends with the tag, after those of elements that it must stand below. `lifted` is "no",
+    "part", or "yes" for what the queries take without naming it.
+    """
+
+    format: str
+    path: tuple[str, ...]
+    attribute: str
+    lifted: str
+    why: str
+
+    def covers(self, path: tuple[str, ...], attribute: str) -> bool:
+        """Whether it speaks of *attribute*, or with "" of the element itself, at *path*."""
+        return self.attribute == attribute and path[-len(self.path) :] == self.path
+
+
+@cache
+def reasons() -> tuple[Reason, ...]:
+    """All reasons, the most specific first."""
+    file = resources.data("shapes") / REASONS
+    with file.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream, delimiter="\t"))
+    found = [
+        Reason(row["format"], tuple(row["element"].split("/")), *map(row.__getitem__, REST))
+        for row in rows
+    ]
+    return tuple(sorted(found, key=lambda one: -len(one.path)))
+
+
+class Coverage:
+    """What is lifted of one format."""
+
+    def __init__(self, form: str) -> None:
+        self.form = form
+        self.reasons = [one for one in reasons() if one.format == form]
+        self._mentions = [_mentions(each) for each in queries() if each.format == form]
+
+    def reason(self, path: tuple[str, ...], attribute: str = "") -> Reason | None:
+        """Why the element at *path*, or its *attribute*, is not lifted, or not all of it."""
+        return next((one for one in self.reasons if one.covers(path, attribute)), None)
+
+    def lifts(self, path: tuple[str, ...]) -> bool:
+        """Whether a query takes elements at *path*, whose parents are lifted."""
+        if (reason := self.reason(path)) is not None:
+            return reason.lifted != "no"
+        near = set(path[-2:])
+        return any(near <= tags for tags, _ in self._mentions)
+
+    def lifts_attribute(self, path: tuple[str, ...], attribute: str) -> bool:
+        """Whether a query takes *attribute* of the elements at *path*, which are lifted."""
+        if (reason := self.reason(path, attribute)) is not None:
+            return reason.lifted != "no"
+        if attribute == "name":
+            return True
+        near = set(path[-2:])
+        return any(near <= tags and attribute in taken for tags, taken in self._mentions)
+
+    def left_out(self) -> Iterator[tuple[tuple[str, ...], str]]:
+        """The path of each element that is not lifted, but its parent is, and such attributes."""
+        roots = schema(self.form).roots
+        pending: list[tuple[tuple[str, ...], ElementType]] = [
+            ((tag,), type_) for tag, type_ in reversed(roots.items())
+        ]
+        seen: set[tuple[tuple[str, ...], int]] = set()
+        while pending:
+            path, type_ = pending.pop()
+            if (path[-2:], id(type_)) in seen or len(path) > DEEPEST:
+                continue
+            seen.add((path[-2:], id(type_)))
+            if len(path) > 1 and not self.lifts(path):
+                yield path, ""
+                continue
+            yield from (
+                (path, name) for name in type_.attributes if not self.lifts_attribute(path, name)
+            )
+            pending += [((*path, tag), each) for tag, each in reversed(type_.children.items())]
+
+
+def _mentions(query: Lifting) -> tuple[frozenset[str], frozenset[str]]:
+    """The tags and attributes that *query* names, if published contexts can say what it makes."""
+    known = published()
+    if not any(iri_value(term) in known for term in query.makes):
+        return frozenset(), frozenset()
+    names = re.findall(rf"\b({query.format}|at):([\w.-]+)", query.update)
+    tags = frozenset(name for prefix, name in names if prefix == query.format)
+    return tags, frozenset(_COMPONENT.sub("", name) for prefix, name in names if prefix == "at")
+
+
+@cache
+def coverage(form: str) -> Coverage:
+    """What is lifted of the format called *form*."""
+    return Coverage(form)

@@ -1,0 +1,83 @@
+"""A composed model as text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+
+from kinlint.contexts.library import Contexts
+from kinlint.conversion.composition import Composition
+from kinlint.conversion.layout import layout
+from kinlint.conversion.nodes import Node
+from kinlint.conversion.published import order
+from kinlint.conversion.triples import Triples
+from kinlint.resources import data
+
+LAST = (9, 0)
+
+
+def jsonld(model: Composition) -> str:
+    """*model* as JSON-LD under the published contexts, as people would write it."""
+    from kinlint.formats.jsonld.writer import framed  # noqa: PLC0415  PyLD is slow to import
+
+    context: list[str | Mapping[str, str]] = [*model.contexts, dict(model.namespaces)]
+    compact = {node["@id"]: node for node in framed(model.nodes, context, Contexts.bundled())}
+    graph = [_arranged(compact[_compact(node["@id"], model.namespaces)]) for node in model.nodes]
+    return layout({"@context": context, "@graph": graph}) + "\n"
+
+
+def _compact(iri: str, namespaces: Mapping[str, str]) -> str:
+    """*iri* as PyLD writes it: by the prefix of the longest namespace that it begins with."""
+    found = [each for each in namespaces.items() if iri.startswith(each[1])]
+    if not found:
+        return iri
+    prefix, space = max(found, key=lambda each: len(each[1]))
+    return f"{prefix}:{iri[len(space) :]}"
+
+
+def _arranged(node: Node) -> Node:
+    """The types and the keys of *node* in the order of the contexts."""
+    ranks = order()
+
+    def rank(name: str) -> tuple[int, int]:
+        return ranks.get(name, LAST)
+
+    types = node["@type"]
+    kinds = sorted(types, key=lambda name: rank(name)[1]) if isinstance(types, list) else types
+    rest = sorted((key for key in node if key[0] != "@"), key=rank)
+    return {"@id": node["@id"], "@type": kinds, **{key: node[key] for key in rest}}
+
+
+def turtle(model: Composition) -> str:
+    """*model* as Turtle."""
+    return _serialized(model, "TURTLE", {**_prefixes(), **model.namespaces})
+
+
+def ntriples(model: Composition) -> str:
+    """*model* as N-Triples."""
+    return _serialized(model, "N_TRIPLES", {})
+
+
+WRITERS: Mapping[str, Callable[[Composition], str]] = {
+    "jsonld": jsonld,
+    "turtle": turtle,
+    "ntriples": ntriples,
+}
+"""What writes a model in each format."""
+
+
+def _serialized(model: Composition, form: str, prefixes: Mapping[str, str]) -> str:
+    import pyoxigraph as ox  # noqa: PLC0415  a native module
+
+    triples = list(Triples(model))
+    written = "".join(map(str, triples))
+    used = {name: space for name, space in prefixes.items() if f"<{space}" in written}
+    text = ox.serialize(triples, format=getattr(ox.RdfFormat, form), prefixes=used or None)
+    lines = (text or b"").decode().splitlines(keepends=True)
+    return "".join([*sorted(lines[: len(used)]), *lines[len(used) :]])
+
+
+def _prefixes() -> Mapping[str, str]:
+    """The prefixes that rules use, which are those of the metamodels."""
+    text = (data("shapes") / "prefixes.ttl").read_text(encoding="utf-8")
+    return dict(re.findall(r'sh:prefix "([^"]+)" ; sh:namespace "([^"]+)"', text))

@@ -1,0 +1,107 @@
+"""What the published contexts can say, and in which order a reader expects it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+from kinlint.contexts.declarations import terms
+from kinlint.contexts.library import NEWEST, bundled_source
+from kinlint.contexts.notation import UNCOERCED
+
+FIRST = (
+    "geometry/structural-entities",
+    "geometry/spatial-relations",
+    "geometry/coordinates",
+    "kinematic-chain/structural-entities",
+    "kinematics",
+    "actuation",
+)
+"""Documents in the order in which a robot is described; the others follow as they are bundled."""
+
+REFERENCE, MEASURE, NUMBER = range(3)
+"""The order of the keys of a node: what it belongs to, in what it is measured, and its numbers."""
+
+
+class Line(NamedTuple):
+    """A term as one context defines it; `words` are those of its notation, None for a class."""
+
+    context: str
+    name: str
+    iri: str
+    words: tuple[str, ...] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Published:
+    """A class or property: the contexts that define it, the least of them first.
+
+    `coercion` is the datatype that contexts give to its values, or "" where they give none.
+    """
+
+    contexts: tuple[str, ...]
+    coercion: str = ""
+    is_property: bool = False
+
+
+@cache
+def lines() -> tuple[Line, ...]:
+    """All terms of the newest contexts that go together, in order."""
+    return tuple(_lines())
+
+
+def _lines() -> Iterator[Line]:
+    known: dict[str, dict[str, Any]] = {}
+    for name in (NEWEST, "kinlint"):
+        source = bundled_source(name)
+        paths = source["composable"] if "composable" in source else source["documents"]
+        known.update(dict.fromkeys(paths, source))
+    for path in sorted(known, key=lambda path: FIRST.index(path) if path in FIRST else len(FIRST)):
+        base, document = known[path]["base"], known[path]["documents"][path]
+        for name, iri, line in terms(base, path, document):
+            words = None if line is None else tuple(line.partition("one of ")[0].split())
+            yield Line(f"{base}{path}.json", name, iri, words)
+
+
+@cache
+def published() -> Mapping[str, Published]:
+    """Each class and property by its IRI."""
+    contexts: dict[str, dict[str, None]] = {}
+    found: dict[str, Published] = {}
+    for context, _, iri, words in lines():
+        contexts.setdefault(iri, {})[context] = None
+        coercion = next((word for word in words or () if word.startswith("xsd:")), "")
+        found.setdefault(iri, Published((), coercion, is_property=words is not None))
+    return {
+        iri: Published(tuple(contexts[iri]), one.coercion, one.is_property)
+        for iri, one in found.items()
+    }
+
+
+@cache
+def order() -> Mapping[str, tuple[int, int]]:
+    """Where a term stands among the types, or among the keys, of a node."""
+    found: dict[str, tuple[int, int]] = {}
+    for number, (context, name, _, words) in enumerate(lines()):
+        found.setdefault(name, (_group(context, words or ()), number))
+    return found
+
+
+def _group(context: str, words: Collection[str]) -> int:
+    if context.endswith("/qudt.json"):
+        return MEASURE
+    coerced = any(word.startswith("xsd:") or word in UNCOERCED for word in words)
+    return NUMBER if coerced else REFERENCE
+
+
+def contexts_of(used: Collection[str]) -> tuple[str, ...]:
+    """The contexts, in order, that define all terms *used*; few, and those of the classes first."""
+    known = published()
+    needed: set[str] = set()
+    for iri in sorted(used, key=lambda iri: known[iri].is_property):
+        if needed.isdisjoint(known[iri].contexts):
+            needed.add(known[iri].contexts[0])
+    every = dict.fromkeys(line.context for line in lines())
+    return tuple(context for context in every if context in needed)

@@ -1,0 +1,22 @@
+"""Reads the files of one robot, each SRDF joined to the URDF it speaks of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
+from kinlint.formats.xml.joining import join, partners
+from kinlint.text import SourceText
+
+
+def documents(sources: Sequence[SourceText], settings: Settings) -> list[Document]:
+    """What *sources* say.
+
+    Raises `SourceError` for the first that cannot be read.
+    """
+    options = ReadOptions.of(settings)
+    found = [read(source, options) for source in sources]
+    return join(found, partners(sources, settings.partner))

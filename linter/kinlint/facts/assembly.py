@@ -1,0 +1,101 @@
+"""Bodies that fixed joints make one, and what they weigh together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from kinlint.facts.companion import Companions
+from kinlint.facts.component import joined_by
+from kinlint.facts.forest import Roots
+from kinlint.facts.inertia import Inertias
+from kinlint.facts.names import kin
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import fact, numbers
+from kinlint.facts.tree import Trees, domain
+from kinlint.terms import Term, Triple
+
+FIXED = kin("FixedJoint")
+MOVING = frozenset({"revolute", "continuous", "prismatic", "floating", "planar"})
+MASS_PROPERTY = kin("MassProperty")
+
+
+class Assemblies:
+    """The bodies of a model in groups that no joint moves within."""
+
+    def __init__(self, scan: Scan, inertias: Inertias, trees: Trees) -> None:
+        self.scan = scan
+        self.inertias = inertias
+        self.trees = trees
+        self.companions = Companions(scan)
+
+    @cached_property
+    def _welded(self) -> Roots:
+        groups = Roots()
+        for joint in self.scan.instances(FIXED):
+            bodies = joined_by(self.scan, joint)
+            for body in bodies[1:]:
+                groups.join(bodies[0], body)
+        return groups
+
+    def of(self, body: Term) -> Term:
+        """The body that stands for all that *body* is fixed to."""
+        return self._welded.of(body)
+
+    def body(self, node: Term) -> Term | None:
+        """The body that a node which states mass or inertia is of."""
+        return self.companions.bodies.get(self.companions.relations.get(node, node))
+
+    @cached_property
+    def masses(self) -> Mapping[Term, float]:
+        """The mass in kg of each body, the largest where several are stated."""
+        found: dict[Term, float] = {}
+        for node, mass in self.inertias.quantities.masses.items():
+            body = self.body(node)
+            if body is not None:
+                found[body] = max(mass, found.get(body, mass))
+        return found
+
+    @cached_property
+    def totals(self) -> Mapping[Term, float]:
+        """The mass of each assembly; what is stated as negative counts as nothing."""
+        found: dict[Term, float] = {}
+        for body, mass in self.masses.items():
+            whole = self.of(body)
+            found[whole] = found.get(whole, 0.0) + max(mass, 0.0)
+        return found
+
+    @cached_property
+    def _still(self) -> frozenset[Term]:
+        """The assemblies that hold the root of a tree: nothing in the file moves them."""
+        roots = self.trees.roots.values()
+        return frozenset(self.of(domain(link)) for links in roots for link in links)
+
+    @cached_property
+    def _weighed(self) -> frozenset[Term]:
+        """The assemblies of which anything is stated that resists acceleration."""
+        bodies = self.scan.single(kin("of-body"))
+        stated = self.scan.instances(MASS_PROPERTY)
+        return frozenset(self.of(bodies[node]) for node in stated if node in bodies)
+
+    def facts(self) -> Iterator[Triple]:
+        """What each stated mass is fixed to, and the bodies that move and weigh nothing."""
+        stating = {*self.inertias.quantities.masses, *self.inertias.tensors}
+        for node in sorted(stating):
+            body = self.body(node)
+            if body is None:
+                continue
+            whole = self.of(body)
+            others = self.totals.get(whole, 0.0) - max(self.masses.get(body, 0.0), 0.0)
+            if others > 0.0:
+                yield from numbers(node, [("welded-mass", others)])
+            elif whole in self._still:
+                yield node, fact("rests-on"), whole
+        yield from self._bare()
+
+    def _bare(self) -> Iterator[Triple]:
+        """The bodies that a joint of a tree moves, where nothing fixed to them has an inertia."""
+        excused = self._weighed | self._still
+        for link, edge in self.trees.above.items():
+            if edge.kind in MOVING and self.of(domain(link)) not in excused:
+                yield domain(link), fact("moved-by"), domain(edge.joint)

@@ -1,0 +1,181 @@
+"""Where two files of different formats that describe one robot say different things of it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations
+from typing import TypeAlias
+from urllib.parse import unquote
+
+from kinlint.document import Document, document_of
+from kinlint.facts.assembly import Assemblies
+from kinlint.facts.linear import Vector, length, subtract
+from kinlint.facts.names import attribute, chain, kin, sdf, urdf
+from kinlint.facts.placement import Placements
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import fact, fact_node, numbers
+from kinlint.terms import Term, Triple, is_iri, literal, literal_value
+
+TREES = frozenset({"urdf", "xacro", "sdf"})
+COMPOSED = "composed"
+"""The format of all composable models of a run, which are one model."""
+SHARED = 2.0 / 3.0
+"""Files with one robot's name are of one robot where at least so many joints have one name."""
+RELATIVE = 0.01
+MILLIMETRE = 1e-3
+
+
+Difference: TypeAlias = tuple[Term, Term, str, float, float]
+"""Two parts, what of them differs, and both values."""
+
+
+@dataclass
+class Description:
+    """What one file, or all composable models together, call the parts of a robot."""
+
+    form: str
+    bodies: dict[str, Term] = field(default_factory=dict)
+    joints: dict[str, Term] = field(default_factory=dict)
+
+
+class Drifts:
+    """The robots of a run that are described more than once."""
+
+    def __init__(self, scan: Scan, assemblies: Assemblies) -> None:
+        self.scan = scan
+        self.assemblies = assemblies
+        self.placements = Placements(scan)
+
+    def facts(self) -> Iterator[Triple]:
+        """Each difference: of which part, of what, and both values."""
+        forms = {_form(document) for document in self.scan.documents}
+        if len(forms - {""}) < 2:  # noqa: PLR2004
+            return
+        number = 0
+        for one, other in self._pairs():
+            for at, there, what, mine, yours in self._differences(one, other):
+                node = fact_node("drift", number := number + 1)
+                yield at, fact("drift"), node
+                yield node, fact("from"), there
+                yield node, fact("quantity"), literal(what)
+                yield from numbers(node, [("here", mine), ("there", yours)])
+
+    @cached_property
+    def _described(self) -> Mapping[Term, Description]:
+        """What each document describes."""
+        forms = {document.graph: _form(document) for document in self.scan.documents}
+        found: dict[Term, Description] = {}
+        joints = sorted(filter(is_iri, self.scan.instances(chain("Joint"))))
+        bodies = sorted(filter(is_iri, self.assemblies.masses))
+        for kind, nodes in (("joints", joints), ("bodies", bodies)):
+            for node in nodes:
+                home = document_of(node)
+                form = forms.get(home, COMPOSED)
+                home = home if form in TREES else COMPOSED
+                description = found.setdefault(home, Description(form))
+                getattr(description, kind).setdefault(_name(node), node)
+        return found
+
+    def _pairs(self) -> Iterator[tuple[Description, Description]]:
+        """The descriptions that are of one robot, in the order of the run."""
+        named: dict[str, list[Term]] = defaultdict(list)
+        for document in self.scan.documents:
+            for name in self._names(document):
+                named[name].append(document.graph)
+        pairs = [pair for homes in named.values() for pair in combinations(homes, 2)]
+        if COMPOSED in self._described:
+            pairs += [(COMPOSED, document.graph) for document in self.scan.documents]
+        for early, late in dict.fromkeys(pairs):
+            one, other = self._described.get(early), self._described.get(late)
+            if one and other and one.form != other.form and _alike(one, other):
+                yield one, other
+
+    def _names(self, document: Document) -> Iterator[str]:
+        """What *document* calls its robot, in lower case; nothing for one of several formats."""
+        if _form(document) not in TREES:
+            return
+        for root in self.scan.table(urdf("robot")).of(document.graph):
+            yield from self._called(root)
+        for root in self.scan.table(sdf("sdf")).of(document.graph):
+            for model in self.scan.table(sdf("model")).of(root):
+                yield from self._called(model)
+
+    def _called(self, element: Term) -> Iterator[str]:
+        name = self.scan.single(attribute("name")).get(element)
+        if name is not None:
+            yield literal_value(name).casefold()
+
+    def _differences(self, one: Description, other: Description) -> Iterator[Difference]:
+        for name in sorted(one.bodies.keys() & other.bodies.keys()):
+            yield from self._weights(one.bodies[name], other.bodies[name])
+        for name in sorted(one.joints.keys() & other.joints.keys()):
+            at, there = one.joints[name], other.joints[name]
+            for what, table in self._bounds.items():
+                mine, yours = table.get(at), table.get(there)
+                if mine is not None and yours is not None and _apart(mine, yours):
+                    yield at, there, what, mine, yours
+            yield from _moved(at, there, "axis", self.placements.axes)
+            carriers = self.placements.carriers
+            if carriers.get(at) == carriers.get(there):
+                yield from _moved(at, there, "origin", self.placements.origins)
+
+    def _weights(self, at: Term, there: Term) -> Iterator[Difference]:
+        """What differs of two bodies that is not made up for by what is fixed to them."""
+        masses, totals = self.assemblies.masses, self.assemblies.totals
+        wholes = [totals.get(self.assemblies.of(body), 0.0) for body in (at, there)]
+        if _apart(masses[at], masses[there]):
+            if _apart(wholes[0], wholes[1]):
+                yield at, there, "mass in kg", masses[at], masses[there]
+        elif not _apart(wholes[0], wholes[1]):
+            yield from _moved(at, there, "centre of mass", self.placements.centres)
+
+    @cached_property
+    def _bounds(self) -> Mapping[str, Mapping[Term, float]]:
+        """The limits of position of each joint."""
+        ranges = self.scan.instances(kin("JointPositionLimit"))
+        joint_of = self.scan.single(kin("of-joint"))
+        return {
+            f"{end} limit": {
+                joint_of[limit]: value
+                for limit, value in self.scan.numbers(kin(end)).items()
+                if limit in ranges and limit in joint_of
+            }
+            for end in ("lower", "upper")
+        }
+
+
+def _moved(at: Term, there: Term, what: str, known: Mapping[Term, Vector]) -> Iterator[Difference]:
+    """The first component of a point or direction that differs by more than a thousandth."""
+    mine, yours = known.get(at), known.get(there)
+    if mine is None or yours is None or length(subtract(mine, yours)) <= MILLIMETRE:
+        return
+    apart = [abs(a - b) for a, b in zip(mine, yours, strict=True)]
+    index = apart.index(max(apart))
+    yield at, there, f"{what} along {'xyz'[index]}", mine[index], yours[index]
+
+
+def _apart(mine: float, yours: float) -> bool:
+    return abs(mine - yours) > RELATIVE * max(abs(mine), abs(yours)) + 1e-9
+
+
+def _alike(one: Description, other: Description) -> bool:
+    """Whether most joints of the smaller robot have their namesakes in the other."""
+    least = min(len(one.joints), len(other.joints))
+    shared = len(one.joints.keys() & other.joints.keys())
+    return shared > 0 and shared >= SHARED * least
+
+
+def _form(document: Document) -> str:
+    """The format of *document*, one for all composable ones; none for what is no description."""
+    if document.format in TREES:
+        return document.format
+    return "" if document.format == "srdf" else COMPOSED
+
+
+def _name(node: Term) -> str:
+    """The last part of an IRI."""
+    text = node[:-1]
+    return unquote(text[max(text.rfind("#"), text.rfind("/")) + 1 :])

@@ -1,0 +1,183 @@
+"""How large the shapes of a body are: their volumes, and how far they extend."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from kinlint.facts.linear import ZERO, Vector, length, subtract
+from kinlint.facts.names import FROM, attribute, kin, sdf, urdf
+from kinlint.facts.scan import Scan
+from kinlint.facts.units import LENGTH, Units
+from kinlint.terms import Term, iri
+from kinlint.vocabulary import SRC
+
+COLLISION = kin("CollisionGeometry")
+KINDS = tuple(kin(name) for name in ("Box", "Sphere", "Cylinder", "Capsule"))
+BOX, SPHERE, CYLINDER, CAPSULE = KINDS
+MESH = kin("mesh")
+
+GEOMETRY = re.compile(r"/geometry(;[0-9]+)?(/[^/]+)?>$")
+"""What the address of a shape has beyond that of the element which places it."""
+ORIGIN = tuple(attribute(f"xyz-{number}") for number in (1, 2, 3))
+POSE = tuple(iri(f"{SRC}text-{number}") for number in (1, 2, 3))
+RELATIVE_TO = attribute("relative_to")
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """One shape of a body: its volume in m³, its largest extent in m, and the node it is of.
+
+    `key` is what tells it from shapes of other form or size.
+    """
+
+    volume: float
+    extent: float
+    node: Term
+    collides: bool
+    key: tuple[object, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Extents:
+    """What is known of the shapes of one body: the largest extent of all that are drawn or hit.
+
+    None where a mesh, or a shape of unknown size or place, leaves it open.
+    """
+
+    extent: float | None
+    least_volume: float | None
+    greatest_volume: float | None
+
+
+UNKNOWN = Extents(None, None, None)
+
+
+class Geometries:
+    """The shapes of each body."""
+
+    def __init__(self, scan: Scan, units: Units) -> None:
+        self.scan = scan
+        self.units = units
+        self._known: dict[Term, Extents] = {}
+
+    @cached_property
+    def references(self) -> Mapping[Term, list[Term]]:
+        """The nodes that give each body a shape."""
+        known = self.scan.instances(kin("GeometryReference"))
+        found: dict[Term, list[Term]] = {}
+        for node, body in self.scan.single(kin("of-body")).items():
+            if node in known:
+                found.setdefault(body, []).append(node)
+        return found
+
+    def of(self, body: Term) -> Extents:
+        """How large *body* is by its shapes."""
+        if body not in self._known:
+            self._known[body] = self._extents(body)
+        return self._known[body]
+
+    def _extents(self, body: Term) -> Extents:
+        shapes = [self._shape(node) for node in self.references.get(body, ())]
+        known = [shape for shape in shapes if shape is not None]
+        if not known or len(known) < len(shapes):
+            return UNKNOWN
+        sums = [
+            sum(each.volume for each in known if each.collides is side) for side in (True, False)
+        ]
+        volumes = [each for each in sums if each > 0.0]
+        return Extents(self._extent(known), min(volumes, default=None), max(volumes, default=None))
+
+    def _extent(self, shapes: list[Shape]) -> float | None:
+        """At most how far apart two points of *shapes* are."""
+        if len(shapes) == 1:
+            return shapes[0].extent
+        middles = [self._middle(shape.node) for shape in shapes]
+        known = [middle for middle in middles if middle is not None]
+        if len(known) < len(shapes):
+            return None
+        reaches = (
+            length(subtract(middle, known[0])) + shape.extent / 2.0
+            for middle, shape in zip(known, shapes, strict=True)
+        )
+        return 2.0 * max(reaches)
+
+    def outside(self, body: Term, point: Vector) -> float | None:
+        """How far *point* is from the nearest ball about a shape of *body*, if all are known."""
+        shapes = [self._shape(node) for node in self.references.get(body, ())]
+        known = [(shape, self._middle(shape.node)) for shape in shapes if shape is not None]
+        if not known or len(known) < len(shapes):
+            return None
+        gaps = [
+            length(subtract(point, middle)) - shape.extent / 2.0
+            for shape, middle in known
+            if middle is not None
+        ]
+        return min(gaps) if len(gaps) == len(known) else None
+
+    def form(self, body: Term) -> frozenset[tuple[object, ...]]:
+        """What the shapes of *body* look like, wherever they are."""
+        return frozenset(self._form(node) for node in self.references.get(body, ()))
+
+    def _form(self, node: Term) -> tuple[object, ...]:
+        meshes = tuple(sorted(self.scan.table(MESH).of(node)))
+        shape = self._shape(node)
+        return meshes or (shape.key if shape is not None else (node,))
+
+    def _shape(self, node: Term) -> Shape | None:
+        """The shape of *node*, where it has one simple form and its size is known."""
+        kind = next((each for each in KINDS if node in self.scan.instances(each)), None)
+        unit = self.units.measuring(node, LENGTH)
+        if kind is None or unit is None or node in self.scan.table(MESH):
+            return None
+        size = self._size(node, kind)
+        if size is None or min(size) <= 0.0:
+            return None
+        metres = tuple(unit.si(each) for each in size)
+        volume, extent = _measures(kind, metres)
+        collides = node in self.scan.instances(COLLISION)
+        return Shape(volume, extent, node, collides, (kind, *metres))
+
+    def _size(self, node: Term, kind: Term) -> tuple[float, ...] | None:
+        """Three edges, a radius, or a radius and a length."""
+        if kind == BOX:
+            return self._boxes.get(node)
+        names = ("radius",) if kind == SPHERE else ("radius", "length")
+        found = tuple(self.scan.numbers(kin(name)).get(node) for name in names)
+        known = tuple(each for each in found if each is not None)
+        return known if len(known) == len(found) else None
+
+    @cached_property
+    def _boxes(self) -> Mapping[Term, tuple[float, ...]]:
+        return self.scan.lists(kin("size"), 3)
+
+    def _middle(self, node: Term) -> Vector | None:
+        """Where the shape is on its link, as far as the element that it was made from says."""
+        source = min(self.scan.table(FROM).of(node), key=len, default=None)
+        if source is None:
+            return None
+        owner = GEOMETRY.sub(">", source)
+        for place, component in ((urdf("origin"), ORIGIN), (sdf("pose"), POSE)):
+            for element in self.scan.table(place).of(owner)[:1]:
+                if element in self.scan.table(RELATIVE_TO):
+                    return None
+                x, y, z = (self.scan.numbers(each).get(element, 0.0) for each in component)
+                return x, y, z
+        return ZERO
+
+
+def _measures(kind: Term, size: tuple[float, ...]) -> tuple[float, float]:
+    """Volume, and the largest distance between two points."""
+    if kind == BOX:
+        return math.prod(size), math.hypot(*size)
+    radius = size[0]
+    ball = 4.0 / 3.0 * math.pi * radius**3
+    if kind == SPHERE:
+        return ball, 2.0 * radius
+    column = math.pi * radius**2 * size[1]
+    if kind == CYLINDER:
+        return column, math.hypot(2.0 * radius, size[1])
+    return column + ball, size[1] + 2.0 * radius

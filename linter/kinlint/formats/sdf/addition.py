@@ -1,0 +1,73 @@
+"""Adds statements to a document, each at a place of its own or where its subject is written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats.source_layer import SourceLayer
+from kinlint.terms import Term, Triple, literal
+from kinlint.text import Span
+
+
+class _Triples(Mapping[Triple, Span]):
+    """The places of triples; those without one of their own are where their subject is."""
+
+    def __init__(
+        self,
+        written: Mapping[Triple, Span],
+        added: Mapping[Triple, Span | None],
+        nodes: Mapping[Term, NodeSpans],
+    ) -> None:
+        self.written, self.added, self.nodes = written, added, nodes
+
+    def __getitem__(self, triple: Triple) -> Span:
+        if triple in self.added:
+            return self.added[triple] or self.nodes[triple[0]].best
+        return self.written[triple]
+
+    def __iter__(self) -> Iterator[Triple]:
+        yield from self.written
+        yield from self.added
+
+    def __len__(self) -> int:
+        return len(self.written) + len(self.added)
+
+
+class _Nodes(Mapping[Term, NodeSpans]):
+    """The places of nodes together with those of further ones."""
+
+    def __init__(self, written: Mapping[Term, NodeSpans], added: Mapping[Term, NodeSpans]) -> None:
+        self.written, self.added = written, added
+
+    def __getitem__(self, node: Term) -> NodeSpans:
+        return self.added[node] if node in self.added else self.written[node]
+
+    def __iter__(self) -> Iterator[Term]:
+        yield from self.written
+        yield from self.added
+
+    def __len__(self) -> int:
+        return len(self.written) + len(self.added)
+
+
+def stated(document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()) -> Document:
+    """*document* with the statements of *layer*, and *triples* that follow from its own."""
+    if not layer.triples and not triples:
+        return document
+    added: dict[Triple, Span | None] = {**dict.fromkeys(triples), **layer.triples}
+    nodes = _Nodes(document.map.nodes, layer.nodes)
+    places = SourceMap(_Triples(document.map.triples, added, nodes), nodes)
+    return replace(document, statements=[*document.statements, *added], map=places)
+
+
+def place(document: Document, node: Term, ways: Iterable[Term], written: str) -> Span:
+    """Where *node* says *written*, by one of the properties *ways*; else where it is."""
+    said = literal(written)
+    for way in ways:
+        found = document.map.triples.get((node, way, said))
+        if found is not None:
+            return found
+    spans = document.map.nodes.get(node)
+    return spans.best if spans else Span(0, 0)

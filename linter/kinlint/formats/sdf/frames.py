@@ -1,0 +1,240 @@
+"""What the frames of an SDF file are attached to, and where they are when no joint has moved.
+
+Everything is worked out along the references from frame to frame, once for each frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from itertools import dropwhile
+from typing import TypeAlias
+
+from kinlint.formats.sdf.scopes import WORLD, Scopes, Unknown
+from kinlint.formats.sdf.transform import IDENTITY, Transform, composed, inverse, transform
+from kinlint.formats.sdf.tree import Element
+from kinlint.suggestion import nearest
+
+Found: TypeAlias = Element | None
+"""An element, or None for what is unknown."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A reference that leads nowhere: `carrier` says *written* as its attribute or text `role`.
+
+    `members` are what else is on the cycle, if it is one.
+    """
+
+    kind: str
+    owner: Element
+    carrier: Element
+    role: str
+    written: str
+    resembles: str | None = None
+    members: tuple[Element, ...] = ()
+
+
+@dataclass
+class Frames:
+    """The frames in *scopes*; `problems` are what was met on the way."""
+
+    scopes: Scopes
+    problems: list[Problem] = field(default_factory=list)
+    _bases: dict[Element, Found] = field(default_factory=dict)
+    _bodies: dict[Element, Found] = field(default_factory=dict)
+    _places: dict[Element, Transform | None] = field(default_factory=dict)
+    _told: set[tuple[Element, str]] = field(default_factory=set)
+
+    def named(self, name: str, owner: Element, carrier: Element, role: str) -> Found:
+        """What *owner* calls *name* in its scope."""
+        return self._checked(self.scopes.find(name, owner), name, owner, carrier, role)
+
+    def _checked(
+        self, found: Element | Unknown, name: str, owner: Element, carrier: Element, role: str
+    ) -> Found:
+        if isinstance(found, Element):
+            return found
+        if found.certain and (carrier, role) not in self._told:
+            self._told.add((carrier, role))
+            near = nearest(name, found.known)
+            self.problems.append(Problem("UndefinedName", owner, carrier, role, name, near))
+        return None
+
+    # Poses
+
+    def pose(self, element: Element) -> Element | None:
+        """The `pose` of *element*; that of an include counts instead of the model's own."""
+        include = self.scopes.included.get(element)
+        return (include.first("pose") if include else None) or element.first("pose")
+
+    def base(self, element: Element) -> Found:
+        """The frame that sees the pose of *element*: one in its scope, or a world."""
+        if element not in self._bases:
+            pose = self.pose(element)
+            told = pose.attributes if pose else {}
+            name = told.get("relative_to") or told.get("frame", "")
+            if pose is not None and name:
+                self._bases[element] = self.named(name, element, pose, "relative_to")
+            elif element.tag == "joint":
+                self._bases[element] = self.end(element, "child")
+            elif element.tag == "frame" and element.attributes.get("attached_to"):
+                self._bases[element] = self._attached(element)
+            else:
+                self._bases[element] = element.holder
+        return self._bases[element]
+
+    def end(self, joint: Element, tag: str) -> Found:
+        """The frame that *joint* names as its parent or child."""
+        said = joint.first(tag)
+        name = said.text.strip() if said else ""
+        if said is None or not name:
+            return None
+        if name == WORLD and name not in self.scopes.around[joint].names:
+            return self.scopes.outermost(joint)
+        return self.named(name, joint, said, tag)
+
+    def place(self, element: Element) -> Transform | None:
+        """Where *element* is in its world, if that can be told."""
+        path: dict[Element, None] = {}
+        at: Found = element
+        while at is not None and at not in self._places:
+            if at not in self.scopes.around:
+                self._places[at] = IDENTITY
+                break
+            if at in path:
+                self._circular(_from(at, path), self._why_posed)
+                self._places.update(path)
+                break
+            path[at] = None
+            at = self.base(at)
+        seen = self._places.get(at) if at is not None else None
+        for each in reversed(path):
+            if each not in self._places:
+                own = self._own(each)
+                self._places[each] = None if seen is None or own is None else composed(seen, own)
+            seen = self._places[each]
+        return self._places[element]
+
+    def _own(self, element: Element) -> Transform | None:
+        """The pose of *element* as its base sees it."""
+        own = written(self.pose(element))
+        if own is None or element.tag != "model":
+            return own
+        inner = self._placed_by(element)
+        return own if inner is None else composed(own, inverse(inner))
+
+    def _placement_frame(self, model: Element) -> tuple[str, Element]:
+        include = self.scopes.included.get(model)
+        told = include.first("placement_frame") if include else None
+        if told is not None:
+            return told.text.strip(), told
+        return model.attributes.get("placement_frame", ""), model
+
+    def _placed_by(self, model: Element) -> Transform | None:
+        """The pose, in *model*, of the frame that the pose of *model* is meant to place."""
+        name, carrier = self._placement_frame(model)
+        if not name:
+            return None
+        role = "placement_frame"
+        found = self._checked(self.scopes.inside(name, model), name, model, carrier, role)
+        at, pose, seen = found, IDENTITY, {model}
+        while at is not None and at not in seen and at in self.scopes.around:
+            seen.add(at)
+            own = self._own(at)
+            if own is None:
+                return None
+            pose = composed(own, pose)
+            at = self.base(at)
+        return pose if at is model else None
+
+    # Bodies
+
+    def body(self, element: Element) -> Found:
+        """The link that *element* is attached to, or a world."""
+        path: dict[Element, None] = {}
+        at: Found = element
+        while at is not None and at not in self._bodies:
+            if at.tag == "link" or at not in self.scopes.around:
+                self._bodies[at] = at
+                break
+            if at in path:
+                self._circular(_from(at, path), self._why_attached)
+                self._bodies.update(path)
+                break
+            path[at] = None
+            at = self._carrier(at)
+        found = self._bodies.get(at) if at is not None else None
+        for each in path:
+            self._bodies.setdefault(each, found)
+        return self._bodies[element]
+
+    def _carrier(self, element: Element) -> Found:
+        """What *element* is attached to."""
+        if element.tag == "joint":
+            return self.end(element, "child")
+        if element.tag == "model":
+            return self.canonical(element)
+        return self._attached(element) if element.attributes.get("attached_to") else element.holder
+
+    def _attached(self, frame: Element) -> Found:
+        return self.named(frame.attributes["attached_to"], frame, frame, "attached_to")
+
+    def canonical(self, model: Element) -> Found:
+        """The link, or the model, that the frame of *model* is attached to."""
+        name = model.attributes.get("canonical_link", "")
+        if name:
+            inside = self.scopes.inside(name, model)
+            return self._checked(inside, name, model, model, "canonical_link")
+        scope = self.scopes.of[model]
+        own = model.first("link")
+        every = [own] if own else [*scope.names.values()]
+        links = (each for each in every if each.tag == "link" and each is not model)
+        models = (each for each in every if each.tag == "model" and each is not model)
+        return next(links, None) or next(models, None)
+
+    # Cycles
+
+    def _circular(
+        self, cycle: list[Element], why: Callable[[Element], tuple[Element, str, str] | None]
+    ) -> None:
+        """Note a cycle once, where it says so first."""
+        order = sorted(cycle, key=lambda each: each.order)
+        for each in order:
+            reason = why(each)
+            if reason is not None:
+                carrier, role, name = reason
+                others = tuple(other for other in order if other is not each)
+                problem = Problem("CircularReference", each, carrier, role, name, None, others)
+                if (carrier, role) not in self._told:
+                    self._told.add((carrier, role))
+                    self.problems.append(problem)
+                return
+
+    def _why_posed(self, element: Element) -> tuple[Element, str, str] | None:
+        pose = self.pose(element)
+        if pose is not None:
+            for name in ("relative_to", "frame"):
+                if pose.attributes.get(name):
+                    return pose, "relative_to", pose.attributes[name]
+        return self._why_attached(element)
+
+    @staticmethod
+    def _why_attached(element: Element) -> tuple[Element, str, str] | None:
+        if element.tag == "frame" and element.attributes.get("attached_to"):
+            return element, "attached_to", element.attributes["attached_to"]
+        child = element.first("child") if element.tag == "joint" else None
+        return (child, "child", child.text.strip()) if child is not None else None
+
+
+def _from(first: Element, path: Iterable[Element]) -> list[Element]:
+    """The end of *path* that begins with *first*."""
+    return list(dropwhile(lambda each: each is not first, path))
+
+
+def written(pose: Element | None) -> Transform | None:
+    """What *pose* says; no pose at all, and an empty one, move nothing."""
+    if pose is None or not (pose.numbers or pose.text.strip()):
+        return IDENTITY
+    degrees = pose.attributes.get("degrees", "").lower() in ("true", "1")
+    return transform(pose.numbers, degrees=degrees)

@@ -1,0 +1,172 @@
+"""Puts the statements of an included file where the include stands, as if they were written there.
+
+The nodes of the file move below that of the include, so that a file that is included twice is two
+models, and its spans move behind the text of the file that includes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.terms import XSD, Term, Triple, is_blank, is_iri, literal, literal_value
+from kinlint.text import SourceText, Span
+from kinlint.vocabulary import SDF, SRC
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+_OFFSET, _ROOT = f"<{SRC}offset>", f"<{SDF}sdf>"
+
+
+@dataclass(frozen=True)
+class Graft:
+    """An included `document`, the node of the `include`, and where its text begins."""
+
+    document: Document
+    include: Term
+    onto: Term
+    start: int
+
+    def out(self, term: Term) -> Term:
+        """What is called *term* in the included file, as the whole calls it."""
+        if term.startswith(self._own):
+            return f"{self.include[:-1]}/sdf{term[len(self._own) :]}"
+        if is_blank(term):
+            return f"{term}n{self.start}"
+        return self.onto if term == self.document.graph else term
+
+    def back(self, term: Term) -> Term | None:
+        """What the whole calls *term*, as the included file calls it; None if it is not in it."""
+        if term == self.onto:
+            return self.document.graph
+        if term.startswith(self._moved) and term[len(self._moved)] in "/;>":
+            return f"{self._own}{term[len(self._moved) :]}"
+        if is_blank(term):
+            tail = f"n{self.start}"
+            return term.removesuffix(tail) if term.endswith(tail) else None
+        return term if not is_iri(term) or not term.startswith(self.onto[:-1]) else None
+
+    @property
+    def _own(self) -> str:
+        return f"{self.document.graph[:-1]}#"
+
+    @property
+    def _moved(self) -> str:
+        return f"{self.include[:-1]}/sdf"
+
+    def statements(self) -> Iterator[Triple]:
+        """What the included file says, except of the file itself."""
+        for subject, predicate, value in self.document.statements:
+            if subject == self.document.graph:
+                if predicate == _ROOT:
+                    yield self.include, predicate, self.out(value)
+            elif predicate == _OFFSET:
+                moved = literal(str(int(literal_value(value)) + self.start), f"{XSD}integer")
+                yield self.out(subject), predicate, moved
+            else:
+                yield self.out(subject), predicate, self.out(value)
+
+    def original(self, triple: Triple) -> Triple | None:
+        """*triple* as the included file says it."""
+        subject, predicate, value = triple
+        if predicate == _ROOT and subject == self.include:
+            inside = self.back(value)
+            return None if inside is None else (self.document.graph, predicate, inside)
+        own = self.back(subject)
+        if own is None or subject == value:
+            return None
+        if predicate == _OFFSET:
+            offset = int(literal_value(value)) - self.start
+            return own, predicate, literal(str(offset), f"{XSD}integer")
+        inside = self.back(value)
+        return None if inside is None else (own, predicate, inside)
+
+    def moved(self, span: Span) -> Span:
+        """*span* of the included file as a span of the whole."""
+        return Span(span.start + self.start, span.end + self.start)
+
+
+class _Joined(Mapping[K, V], Generic[K, V]):
+    """One mapping of a document together with those of what is grafted onto it."""
+
+    def __init__(self, base: Mapping[K, V], grafts: Sequence[Graft]) -> None:
+        self.base, self.grafts = base, grafts
+
+    def __getitem__(self, key: K) -> V:
+        if key in self.base:
+            return self.base[key]
+        for graft in reversed(self.grafts):
+            found = self._in(graft, key)
+            if found is not None:
+                return found
+        raise KeyError(key)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def _in(self, graft: Graft, key: K) -> V | None:
+        raise NotImplementedError
+
+    def __contains__(self, key: Any) -> bool:
+        return self.get(key) is not None
+
+
+class _Triples(_Joined[Triple, Span]):
+    def _in(self, graft: Graft, key: Triple) -> Span | None:
+        own = graft.original(key)
+        span = graft.document.map.triples.get(own) if own else None
+        return graft.moved(span) if span else None
+
+    def __iter__(self) -> Iterator[Triple]:
+        yield from self.base
+        for graft in self.grafts:
+            yield from graft.statements()
+
+
+class _Nodes(_Joined[Term, NodeSpans]):
+    def _in(self, graft: Graft, key: Term) -> NodeSpans | None:
+        own = graft.back(key)
+        spans = graft.document.map.nodes.get(own) if own else None
+        if spans is None:
+            return None
+        name = graft.moved(spans.identifier) if spans.identifier else None
+        return NodeSpans(graft.moved(spans.whole), name)
+
+    def __iter__(self) -> Iterator[Term]:
+        yield from self.base
+        for graft in self.grafts:
+            own = graft.document.graph
+            yield from (graft.out(each) for each in graft.document.map.nodes if each != own)
+
+
+def length(document: Document) -> int:
+    """How far the spans of *document* reach."""
+    if not document.pieces:
+        return len(document.source.text)
+    start, last = document.pieces[-1]
+    return start + len(last.text)
+
+
+def grafted(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
+    """*document* with each of the documents *included* at the node of its include."""
+    grafts: list[Graft] = []
+    pieces: list[tuple[int, SourceText]] = list(document.pieces or [(0, document.source)])
+    end = length(document) + 1
+    for include, each in included:
+        grafts.append(Graft(each, include, document.graph, end))
+        own = each.pieces or [(0, each.source)]
+        pieces += [(end + start, text) for start, text in own]
+        end += length(each) + 1
+    if not grafts:
+        return document
+    statements = [*document.statements]
+    for graft in grafts:
+        statements += graft.statements()
+    places = SourceMap(_Triples(document.map.triples, grafts), _Nodes(document.map.nodes, grafts))
+    return Document(
+        document.source, document.graph, statements, places, document.prefixes, document.format,
+        pieces,
+    )  # fmt: skip

@@ -1,0 +1,88 @@
+"""Finds the files that an SDF file includes; only here, never on the network."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from kinlint.files.packages import Packages
+from kinlint.files.pathglob import absolute
+
+MANIFESTS = ("model.config", "manifest.xml")
+DEFAULT = "model.sdf"
+_SDF = re.compile(r"<sdf\b([^>]*)>\s*([^<>\s][^<>]*?)\s*</sdf>")
+_VERSION = re.compile(r"\bversion\s*=\s*[\"']([\d.]+)[\"']")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+NEWEST = (1, 12)
+HEAD = 1 << 16
+LOCAL = ("", "file", "model", "package")
+
+
+@dataclass(frozen=True)
+class Missing:
+    """Why there is no file to include."""
+
+    reason: str
+
+
+def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Missing:
+    """The SDF file that *uri* names in the last file of *chain*, which include each other."""
+    scheme = urlsplit(uri).scheme if "://" in uri else ""
+    if scheme not in LOCAL:
+        return Missing("it is on the network")
+    candidates = _candidates(uri, scheme, chain[-1].parent, packages)
+    found = next((each for each in candidates if each in chain or each.exists()), None)
+    if found is None:
+        return Missing("there is no such file or model")
+    if not found.is_dir():
+        return found
+    inner = _named_by_manifest(found)
+    if inner is None:
+        return Missing(f"the directory has no {MANIFESTS[0]}")
+    if inner.is_file():
+        return inner
+    return Missing(f"its {MANIFESTS[0]} names {inner.name}, which is not there")
+
+
+def _candidates(uri: str, scheme: str, near: Path, packages: Packages) -> Iterator[Path]:
+    """The paths to try: beside the file that includes, then among the known models."""
+    if scheme in ("model", "package"):
+        resolved = packages.resolve(uri, near)
+        if resolved is not None:
+            yield resolved
+        return
+    path = unquote(uri.removeprefix("file://"))
+    yield absolute(near / path)
+    if scheme == "" and not path.startswith("/"):
+        resolved = packages.resolve(f"model://{path}", near)
+        if resolved is not None:
+            yield resolved
+
+
+def _named_by_manifest(directory: Path) -> Path | None:
+    """The file of the newest version that the model in *directory* has, as its manifest says.
+
+    Without a manifest it is `model.sdf`, or the only SDF file there.
+    """
+    for name in MANIFESTS:
+        try:
+            with (directory / name).open(encoding="utf-8", errors="replace") as stream:
+                text = _COMMENT.sub("", stream.read(HEAD))
+        except OSError:
+            continue
+        versions: Mapping[tuple[int, ...], str] = {
+            _version(match[1]): match[2] for match in _SDF.finditer(text)
+        }
+        readable = {each: file for each, file in versions.items() if each <= NEWEST}
+        if readable:
+            return directory / readable[max(readable)]
+    default, *others = directory / DEFAULT, *sorted(directory.glob("*.sdf"))
+    return default if default.is_file() else others[0] if len(others) == 1 else None
+
+
+def _version(attributes: str) -> tuple[int, ...]:
+    match = _VERSION.search(attributes)
+    return tuple(int(part) for part in match[1].split(".") if part) if match else ()

@@ -1,0 +1,142 @@
+"""Reads one SDF file, with all that it includes, and states what its names and poses come to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.document import Document
+from kinlint.errors import SourceError
+from kinlint.files.packages import Packages
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import shown
+from kinlint.formats.decoding import decode
+from kinlint.formats.naming import BlankNodes
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.sdf.addition import place, stated
+from kinlint.formats.sdf.frames import Problem
+from kinlint.formats.sdf.graft import grafted
+from kinlint.formats.sdf.inclusion import Missing, locate
+from kinlint.formats.sdf.resolution import resolved
+from kinlint.formats.sdf.tree import Element, tree
+from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.xml import reader as xml
+from kinlint.formats.xml.recognition import sniff
+from kinlint.terms import Triple, literal
+from kinlint.text import SourceText
+from kinlint.vocabulary import ATTRIBUTE
+
+FORMAT = "sdf"
+MOST_DEEP = 16
+MOST_INCLUDED = 1_000
+LARGEST = 1 << 26
+"""How deep files include each other, how many times in all, and how many bytes a file has."""
+
+
+def read(source: SourceText, options: ReadOptions) -> Document:
+    """What an SDF file states, what it includes as if it were written in it.
+
+    Raises SourceError for a file that cannot be read; one that is included and cannot is stated.
+    """
+    inclusion = _Inclusion(options, options.packages_of(source.name))
+    whole = inclusion.read(source, (absolute(Path(source.name)),))
+    root = tree(whole.graph, whole.statements)
+    if root is None:
+        return whole
+    triples, problems = resolved(root)
+    return _with_names(whole, triples, problems)
+
+
+@dataclass
+class _Inclusion:
+    """The files that one file includes, directly or not; `count` is how many times so far."""
+
+    options: ReadOptions
+    packages: Packages
+    count: int = 0
+
+    def read(self, source: SourceText, chain: tuple[Path, ...]) -> Document:
+        """*source* with what it includes; *chain* are the files that include each other."""
+        document = xml.read(source, self.options, FORMAT)
+        root = tree(document.graph, document.statements)
+        if root is None:
+            return document
+        layer = SourceLayer(document.graph, BlankNodes(f"{source.name}#included"))
+        found = []
+        for include in _includes(root):
+            uri = include.first("uri")
+            if uri is None or not uri.text.strip():
+                continue
+            kind, included = self._included(uri.text.strip(), chain)
+            if isinstance(included, Document):
+                found.append((include.node, included))
+                continue
+            span = place(document, uri.node, (src("text"),), uri.text)
+            written, reason = literal(uri.text.strip()), literal(included.reason)
+            details = ("node", include.node), ("written", written), ("reason", reason)
+            layer.about(kind, span, *details)
+        return grafted(stated(document, layer), found)
+
+    def _included(self, uri: str, chain: tuple[Path, ...]) -> tuple[str, Document | Missing]:
+        unread = "UnresolvedInclude"
+        path = locate(uri, chain, self.packages)
+        if isinstance(path, Missing):
+            return unread, path
+        if path in chain:
+            return "CircularInclude", Missing(f"{path.name} includes itself")
+        self.count += 1
+        if len(chain) > MOST_DEEP or self.count > MOST_INCLUDED:
+            return unread, Missing("too many files include each other")
+        try:
+            source = self._text(path)
+            if sniff(source.text, source.name) != FORMAT:
+                return unread, Missing(f"{source.name} is no SDF")
+            return unread, self.read(source, (*chain, path))
+        except SourceError as error:
+            return unread, Missing(f"{path.name} cannot be read: {error.cause}")
+
+    def _text(self, path: Path) -> SourceText:
+        """The text of the file at *path*, the same object for the whole run."""
+        key = FORMAT, path
+        if key not in self.options.memory:
+            name = shown(path)
+            try:
+                if path.stat().st_size > LARGEST:
+                    raise SourceError(name, "the file is too large")
+                self.options.memory[key] = decode(name, path.read_bytes())
+            except OSError as error:
+                raise SourceError(name, error.strerror or str(error)) from None
+        text: SourceText = self.options.memory[key]
+        return text
+
+
+def _includes(root: Element) -> Iterator[Element]:
+    """The includes of all worlds and models below *root*."""
+    pending = [root]
+    while pending:
+        at = pending.pop()
+        yield from at.all("include")
+        pending += [each for each in at.children if each.tag in ("world", "model")]
+
+
+def _with_names(
+    document: Document, triples: Sequence[Triple], problems: Sequence[Problem]
+) -> Document:
+    """*document* with what was found out of it."""
+    layer = SourceLayer(document.graph, BlankNodes(f"{document.source.name}#names"))
+    for problem in problems:
+        carrier, role = problem.carrier.node, problem.role
+        ways = (f"<{ATTRIBUTE}{role}>", src("text"), f"<{ATTRIBUTE}frame>")
+        node = layer.about(
+            problem.kind,
+            place(document, carrier, ways, problem.written),
+            ("node", problem.owner.node),
+            ("role", literal(role)),
+            ("written", literal(problem.written)),
+            ("resembles", literal(problem.resembles) if problem.resembles else None),
+        )
+        layer.triples[carrier, src("undefined"), node] = layer.nodes[node].best
+        for member in problem.members:
+            layer.triples[node, src("member"), member.node] = layer.nodes[node].best
+    return stated(document, layer, triples)

@@ -1,0 +1,175 @@
+"""States what the names and poses of an SDF file come to, which no query could work out.
+
+Of each element: the scope it is in, the frame its pose is seen by, the bodies a joint joins and
+where the joint sits on them, the direction of an axis in the joint frame. What leads nowhere is
+stated, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import hypot
+
+from kinlint.formats.sdf.frames import Frames, Problem, written
+from kinlint.formats.sdf.scopes import FRAMES, MODEL, Scopes
+from kinlint.formats.sdf.transform import (
+    Transform,
+    between,
+    composed,
+    inverse,
+    rounded,
+    turned,
+)
+from kinlint.formats.sdf.tree import Element
+from kinlint.formats.source_layer import src
+from kinlint.terms import XSD, Term, Triple, literal
+
+AXES = ("axis", "axis2")
+ENTITIES = ("model", "actor", "light")
+JOINT_FRAME = (1, 5)
+"""The version since which an axis is given in the joint frame, and not in that of the model."""
+COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
+
+
+def resolved(root: Element) -> tuple[list[Triple], list[Problem]]:
+    """What follows from all below *root*, each triple about the element it is from."""
+    scopes = Scopes.below(root)
+    resolution = _Resolution(root, scopes, Frames(scopes))
+    triples = [*dict.fromkeys(resolution.statements())]
+    return triples, resolution.frames.problems
+
+
+class _Resolution:
+    def __init__(self, root: Element, scopes: Scopes, frames: Frames) -> None:
+        self.root = root
+        self.scopes, self.frames = scopes, frames
+        self.earth = f"{root.node[:-1]}/world>"
+
+    def node(self, element: Element) -> Term:
+        """What stands for *element*; for the world of a file that describes none, as well."""
+        return self.earth if element.tag == "sdf" else element.node
+
+    def statements(self) -> Iterator[Triple]:
+        """Everything there is to say."""
+        yield from self._left_out()
+        for element, scope in self.scopes.around.items():
+            yield element.node, src("scope"), self.node(scope.element)
+            self.frames.place(element)
+            base, body = self.frames.base(element), self.frames.body(element)
+            if body is not None and element.tag in ("frame", "model"):
+                yield element.node, src("attachedTo"), self.node(body)
+            if element.tag != "link" and (element.tag != "joint" or self._moved(element)):
+                yield from self._seen(element, body, base, self.frames.place(element))
+            if element.tag in ("link", "joint"):
+                yield from self._parts(element, body)
+            if element.tag == "joint":
+                yield from self._joint(element)
+
+    def _left_out(self) -> Iterator[Triple]:
+        """What stands beside the one model, actor or light that readers take from a file."""
+        files = [self.root, *(m.parent for m in self.scopes.included if m.parent is not None)]
+        for root in dict.fromkeys(files):
+            entities = [each for each in root.children if each.tag in ENTITIES]
+            for each in entities[1:]:
+                yield each.node, src("leftOutFor"), entities[0].node
+
+    def _seen(
+        self, element: Element, body: Element | None, base: Element | None, place: Transform | None
+    ) -> Iterator[Triple]:
+        """Where *element* is on its *body*: as written, if *base*, which sees it, is on it, too."""
+        seer = self._seat(base) if base is not None else None
+        pose = self.frames.pose(element)
+        if body is None or place is None:
+            return
+        if seer is not None and self._fixed(element, seer, body):
+            if pose is not None and pose.numbers:
+                yield pose.node, src("poseOf"), element.node
+                yield pose.node, src("relativeTo"), self.node(seer)
+            else:
+                yield element.node, src("coincidesWith"), self.node(seer)
+        elif (on := self.frames.place(body)) is not None:
+            yield element.node, src("placedOn"), self.node(body)
+            yield from _pose(element.node, "placed", between(on, place))
+
+    def _fixed(self, element: Element, seer: Element, body: Element) -> bool:
+        """Whether *element* and *seer*, which sees its pose, are both fixed to *body*."""
+        return element.tag != "model" and self.frames.body(seer) is body
+
+    def _seat(self, element: Element) -> Element | None:
+        """What has the frame of *element*: a joint without a pose has that of its child."""
+        at: Element | None = element
+        seen = set()
+        while at is not None and at.tag == "joint" and not self._moved(at):
+            if at in seen:
+                return None
+            seen.add(at)
+            at = self.frames.end(at, "child")
+        return at
+
+    def _parts(self, element: Element, body: Element | None) -> Iterator[Triple]:
+        """The poses of what is in a link or a joint."""
+        for part in element.children:
+            pose = part.first("pose") if part.tag not in (*FRAMES, "inertial") else None
+            if pose is None:
+                continue
+            name = pose.attributes.get("relative_to") or pose.attributes.get("frame", "")
+            seer = self.frames.named(name, element, pose, "relative_to") if name else element
+            seen, own = self.frames.place(seer) if seer else None, written(pose)
+            if pose.numbers and seen is not None and own is not None:
+                yield from self._seen(part, body, seer, composed(seen, own))
+
+    def _joint(self, joint: Element) -> Iterator[Triple]:
+        place = self.frames.place(joint)
+        seat = self._seat(joint)
+        if seat is not None:
+            yield joint.node, src("childFrame"), self.node(seat)
+        for tag in ("parent", "child"):
+            end = self.frames.end(joint, tag)
+            body = self.frames.body(end) if end is not None else None
+            if body is None:
+                continue
+            yield joint.node, src(f"{tag}Body"), self.node(body)
+            on = self.frames.place(body)
+            if tag == "parent" and place is not None and on is not None:
+                yield from _pose(joint.node, tag, between(on, place))
+        for axis in (each for each in joint.children if each.tag in AXES):
+            yield from self._axis(joint, axis, place)
+            mimic = axis.first("mimic")
+            leader = mimic.attributes.get("joint", "") if mimic else ""
+            if mimic is not None and leader:
+                found = self.frames.named(leader, joint, mimic, "joint")
+                if found is not None:
+                    yield mimic.node, src("leader"), found.node
+
+    @staticmethod
+    def _moved(joint: Element) -> bool:
+        pose = joint.first("pose")
+        return pose is not None and bool(pose.numbers)
+
+    def _axis(self, joint: Element, axis: Element, place: Transform | None) -> Iterator[Triple]:
+        xyz = axis.first("xyz")
+        if xyz is None or len(xyz.numbers) != len("xyz"):
+            return
+        length = hypot(*xyz.numbers)
+        if not 0 < length < float("inf"):
+            return
+        x, y, z = (each / length for each in xyz.numbers)
+        name = xyz.attributes.get("expressed_in", "")
+        old = axis.truth("use_parent_model_frame") or () < joint.version < JOINT_FRAME
+        if name or old:
+            seer = self.frames.named(name or MODEL, joint, xyz, "expressed_in")
+            seen = self.frames.place(seer) if seer is not None else None
+            if seen is None or place is None:
+                return
+            x, y, z = turned(inverse(place)[1], turned(seen[1], (x, y, z)))
+        for component, value in zip("xyz", rounded((x, y, z)), strict=True):
+            yield xyz.node, src(component), _number(value)
+
+
+def _pose(node: Term, body: str, pose: Transform) -> Iterator[Triple]:
+    for component, value in zip(COMPONENTS, rounded((*pose[0], *pose[1])), strict=True):
+        yield node, src(f"{body}-{component}"), _number(value)
+
+
+def _number(value: float) -> Term:
+    return literal(repr(value), f"{XSD}double")

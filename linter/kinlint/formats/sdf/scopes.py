@@ -1,0 +1,120 @@
+"""Which names an SDF file may use where, and what they stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from kinlint.formats.sdf.tree import Element
+
+FRAMES = ("link", "joint", "frame", "model")
+"""The elements whose names stand for frames."""
+
+MODEL, WORLD = "__model__", "world"
+SEPARATOR = "::"
+
+
+@dataclass(eq=False)
+class Scope:
+    """The names of one world or model, with those of models that are merged into it.
+
+    `unread` are the names of what it includes from files that nobody could read; None among them
+    is one whose name is in the file.
+    """
+
+    element: Element
+    outer: Scope | None = None
+    names: dict[str, Element] = field(default_factory=dict)
+    unread: set[str | None] = field(default_factory=set)
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """A name that stands for nothing; `certain` tells that no unread file may define it."""
+
+    certain: bool
+    known: tuple[str, ...] = ()
+
+
+@dataclass
+class Scopes:
+    """The scopes of a file: `of` the inside of each world and model, `around` each element.
+
+    `included` is the `include` that a model comes from, and `models` are all models.
+    """
+
+    world: Element
+    of: dict[Element, Scope] = field(default_factory=dict)
+    around: dict[Element, Scope] = field(default_factory=dict)
+    included: dict[Element, Element] = field(default_factory=dict)
+    models: list[Element] = field(default_factory=list)
+
+    @classmethod
+    def below(cls, root: Element) -> Scopes:
+        """The scopes of a whole file; *root* stands for the world if it has none."""
+        scopes = cls(root)
+        scopes._enter(root, Scope(root))
+        for world in root.all("world"):
+            scopes._enter(world, Scope(world))
+        return scopes
+
+    def _enter(self, element: Element, scope: Scope) -> None:
+        """Take in the names of *element* and of all models in it."""
+        pending = [(element, scope)]
+        while pending:
+            at, inside = pending.pop()
+            self.of.setdefault(at, inside)
+            for child, name, merged in self._members(at, inside):
+                self.around[child] = inside
+                if child.tag == "model":
+                    self.models.append(child)
+                    pending.append((child, inside if merged else Scope(child, inside)))
+                if not merged:
+                    inside.names.setdefault(name, child)
+
+    def _members(self, at: Element, scope: Scope) -> Iterator[tuple[Element, str, bool]]:
+        """The frames of *at*, what they are called, and whether they are merged into it."""
+        for child in at.children:
+            if child.tag in FRAMES:
+                yield child, child.name, False
+            elif child.tag == "include":
+                merged = child.attributes.get("merge", "").lower() in ("true", "1")
+                name = child.said("name")
+                file = child.first("sdf")
+                model = file.first("model") if file else None
+                if model is not None:
+                    self.included[model] = child
+                    yield model, name or model.name, merged
+                elif file is None:
+                    scope.unread.add(None if merged else name or None)
+
+    def find(self, name: str, user: Element) -> Element | Unknown:
+        """What *name* stands for where *user*, something in a scope, uses it."""
+        scope = self.around[user]
+        if name == WORLD and name not in scope.names and scope.element.tag != "model":
+            return scope.element
+        return self._found(name, scope, user.holder or scope.element)
+
+    def outermost(self, user: Element) -> Element:
+        """The world that *user* is in."""
+        scope = self.around[user]
+        while scope.outer is not None:
+            scope = scope.outer
+        return scope.element
+
+    def inside(self, name: str, model: Element) -> Element | Unknown:
+        """What *name* stands for inside *model*."""
+        return self._found(name, self.of[model], model)
+
+    def _found(self, name: str, scope: Scope, home: Element) -> Element | Unknown:
+        while True:
+            if name == MODEL and home.tag == "model":
+                return home
+            if name in scope.names:
+                return scope.names[name]
+            first, separator, rest = name.partition(SEPARATOR)
+            model = scope.names.get(first)
+            if not separator or model is None or model.tag != "model":
+                certain = None not in scope.unread and first not in scope.unread
+                return Unknown(certain, tuple(scope.names))
+            name, scope, home = rest, self.of[model], model

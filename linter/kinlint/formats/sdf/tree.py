@@ -1,0 +1,90 @@
+"""The elements of an SDF file and of those that it includes, as far as names and poses matter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from kinlint.terms import Term, Triple, is_iri, literal_value
+from kinlint.vocabulary import ATTRIBUTE, SDF, SRC
+
+_CHILD, _AT, _TEXT = f"<{SDF}", f"<{ATTRIBUTE}", f"<{SRC}text"
+
+
+@dataclass(eq=False, slots=True)
+class Element:
+    """An element: the node that stands for it, where it stands, and what it says.
+
+    `numbers` are the components of its text, if that is a vector; `order` is how many elements
+    stand before it.
+    """
+
+    node: Term
+    tag: str
+    parent: Element | None
+    order: int = 0
+    attributes: dict[str, str] = field(default_factory=dict)
+    children: list[Element] = field(default_factory=list)
+    text: str = ""
+    numbers: list[float] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """What it is called, or nothing."""
+        return self.attributes.get("name", "")
+
+    def all(self, tag: str) -> Iterator[Element]:
+        """The children with *tag*."""
+        return (each for each in self.children if each.tag == tag)
+
+    def first(self, tag: str) -> Element | None:
+        """The first child with *tag*."""
+        return next(self.all(tag), None)
+
+    def said(self, tag: str) -> str:
+        """The text of the first child with *tag*, or nothing."""
+        found = self.first(tag)
+        return found.text.strip() if found else ""
+
+    def truth(self, tag: str) -> bool:
+        """Whether the first child with *tag* says true."""
+        return self.said(tag).lower() in ("true", "1")
+
+    @property
+    def holder(self) -> Element | None:
+        """The element that it stands in, whatever file that is in."""
+        above = self.parent
+        if above is not None and above.tag == "sdf" and above.parent is not None:
+            include = above.parent
+            return include.parent if include.tag == "include" else above
+        return above
+
+    @property
+    def version(self) -> tuple[int, ...]:
+        """The version of SDF that its file claims to be written in."""
+        at = self
+        while at.tag != "sdf" and at.parent is not None:
+            at = at.parent
+        parts = at.attributes.get("version", "").split(".")
+        return tuple(int(part) for part in parts) if all(p.isdecimal() for p in parts) else ()
+
+
+def tree(document: Term, statements: Iterable[Triple]) -> Element | None:
+    """The root element of what *statements* say of *document*, with all below it."""
+    top = Element(document, "", None)
+    known = {document: top}
+    for subject, predicate, value in statements:
+        element = known.get(subject)
+        if element is None:
+            continue
+        if predicate.startswith(_CHILD) and is_iri(value):
+            child = known[value] = Element(value, predicate[len(_CHILD) : -1], element, len(known))
+            element.children.append(child)
+        elif predicate.startswith(_AT):
+            element.attributes.setdefault(predicate[len(_AT) : -1], literal_value(value))
+        elif predicate.startswith(_TEXT):
+            if predicate == f"{_TEXT}>":
+                element.text = literal_value(value)
+            else:
+                element.numbers.append(float(literal_value(value)))
+    return top.first("sdf")

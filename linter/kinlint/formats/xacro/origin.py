@@ -1,0 +1,68 @@
+"""Where a node is written, and the attributes of its start tag."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from kinlint.text import SourceText, Span
+
+_ATTRIBUTE = re.compile(r"""[ \t\r\n]+([^ \t\r\n=/>]+)[ \t\r\n]*=[ \t\r\n]*("[^"]*"|'[^']*')""")
+
+
+class AttributeSpans(NamedTuple):
+    """The places of an attribute's name, and of its value without quotes."""
+
+    name: Span
+    value: Span
+
+
+def attributes(text: str, start: int, end: int) -> dict[str, AttributeSpans]:
+    """The attributes of the start tag of a well-formed *text* from *start* to *end*, by name."""
+    return {
+        match[1]: AttributeSpans(Span(*match.span(1)), Span(match.start(2) + 1, match.end(2) - 1))
+        for match in _ATTRIBUTE.finditer(text, start, end)
+    }
+
+
+@dataclass
+class Origin:
+    """The text that wrote a node: `start` to `end` of `source`.
+
+    Of an element, `inside` is where its start tag ends and `closing` where its end tag begins;
+    they are the end if it has none.
+    """
+
+    source: SourceText
+    start: int
+    end: int
+    inside: int = 0
+    closing: int = 0
+
+    @property
+    def span(self) -> Span:
+        """All of it."""
+        return Span(self.start, self.end)
+
+    @cached_property
+    def attributes(self) -> dict[str, AttributeSpans]:
+        """Where the attributes of the start tag are written."""
+        return attributes(self.source.text, self.start, self.inside)
+
+    @property
+    def stripped(self) -> Span:
+        """The span without the blanks at its ends."""
+        text = self.source.text[self.start : self.end]
+        start = self.start + len(text) - len(text.lstrip())
+        return Span(start, max(start, self.start + len(text.rstrip())))
+
+    @cached_property
+    def tag(self) -> Span:
+        """The name in the start tag."""
+        text, at = self.source.text, self.start + 1
+        end = at
+        while end < self.inside and text[end] not in " \t\r\n/>":
+            end += 1
+        return Span(at, end)

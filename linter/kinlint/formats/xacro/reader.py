@@ -1,0 +1,165 @@
+"""Reads a xacro file: the robot it expands to, each statement placed in the text that wrote it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from importlib import import_module
+
+from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.errors import SourceError
+from kinlint.formats import registry
+from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.xacro.definitions import state_definitions
+from kinlint.formats.xacro.failure import MALFORMED, Fault
+from kinlint.formats.xacro.files import Pieces, place
+from kinlint.formats.xacro.mapping import Mapped, Places
+from kinlint.formats.xacro.parse import Parsed
+from kinlint.formats.xacro.session import Expansion, Session
+from kinlint.formats.xacro.writer import write
+from kinlint.formats.xml.recognition import SEMANTIC, sniff
+from kinlint.terms import XSD, Term, Triple, literal
+from kinlint.text import SourceText, Span
+
+FORMAT = "xacro"
+OFFSET = src("offset")
+TRUE = literal("true", f"{XSD}boolean")
+UNKNOWN = {
+    "argument": ("UnknownArgument", "argument"),
+    "package": ("UnknownPackage", "package"),
+}
+"""What is stated of a name that is not known here, by its kind."""
+BODIES = frozenset({"link", "joint"})
+
+
+def read(source: SourceText, options: ReadOptions) -> Document:
+    """What the robot states that *source* expands to, and what there is to say of the xacro.
+
+    Of a file that does not expand, or that only defines what others use, that is all.
+    """
+    pieces = Pieces(source, place(source.name), options.memory)
+    packages = options.packages_of(source.name)
+    session = Session(pieces, options.xacro_arguments_of(source.name), packages)
+    expansion = session.expand()
+    layer = _layer(source, pieces, expansion)
+    if expansion.fault is None and _is_robot(expansion.parsed):
+        written = write(expansion.parsed, pieces)
+        form = sniff(written.text)
+        if form is not None and form != FORMAT:
+            expanded = replace(source, text=written.text)
+            try:
+                robot = _front_end(form)(expanded, replace(options, format=form))
+            except SourceError as error:
+                span = written.span(_told(error, expanded))
+                layer.about("ExpansionFailure", span, ("reason", literal(error.cause)))
+            else:
+                triple = layer.document, src("format"), literal(FORMAT)
+                layer.triples[triple] = Span(0, min(1, len(source.text)))
+                return _moved(robot, source, written, layer, pieces)
+    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    places = SourceMap(layer.triples, layer.nodes)
+    return Document(source, layer.document, tuple(layer.triples), places, {}, FORMAT, pieces.listed)
+
+
+def _is_robot(parsed: Parsed) -> bool:
+    """Whether there is a robot, and not only what files that include this one may use.
+
+    Those are told by their root, which has no name, or has nothing of a robot inside.
+    """
+    root = parsed.root
+    assert root is not None
+    if root.tagName != "robot":
+        return True
+    inside = {each.tagName for each in root.elements}
+    return bool(inside & (BODIES | SEMANTIC)) and bool(root.getAttribute("name"))
+
+
+def _front_end(form: str) -> Callable[[SourceText, ReadOptions], Document]:
+    front_end: Callable[[SourceText, ReadOptions], Document]
+    front_end = import_module(registry.FORMATS[form]).read
+    return front_end
+
+
+def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLayer:
+    """What there is to say of the xacro itself."""
+    graph = document_iri(source.name)
+    layer = SourceLayer(graph, BlankNodes(f"{source.name} as xacro"))
+
+    def at(text: SourceText, span: Span) -> Span:
+        begin = pieces.begin(text)
+        return Span(begin + span.start, begin + span.end)
+
+    for _, included in pieces.listed[1:] if expansion.fault is None else ():
+        triple = graph, src("includes"), document_iri(included.name)
+        layer.triples[triple] = Span(0, min(1, len(source.text)))
+    if expansion.fault is not None:
+        _state_fault(layer, expansion.fault, at)
+    for remark in expansion.remarks:
+        kind, prop, value = "XacroRemark", "reason", remark.message
+        if remark.symbol:
+            kind, prop, value = "ShadowedSymbol", "symbol", remark.symbol
+        span = at(remark.source, remark.span)
+        layer.about(kind, span, (prop, literal(value)), ("node", graph))
+    state_definitions(layer, expansion.files, at)
+    return layer
+
+
+def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Span], Span]) -> None:
+    node = ("node", layer.document)
+    if fault.kind in UNKNOWN:
+        kind, prop = UNKNOWN[fault.kind]
+        layer.about(kind, at(fault.source, fault.span), (prop, literal(fault.name)), node)
+        return
+    span, reason = at(fault.source, fault.span), ("reason", literal(fault.reason))
+    if fault.kind == MALFORMED:
+        layer.about("MalformedText", span, reason, ("unread", TRUE), node)
+    else:
+        layer.about("ExpansionFailure", span, reason, node)
+
+
+def _moved(
+    robot: Document, source: SourceText, written: Mapped, layer: SourceLayer, pieces: Pieces
+) -> Document:
+    """*robot* with its places in *pieces*, and what *layer* says besides."""
+    others = [(start, pieces.append(text) - start) for start, text in robot.pieces[1:]]
+
+    def back(span: Span) -> Span:
+        """Where what the robot's reader placed at *span* was written."""
+        if not others or span.start < others[0][0]:
+            return written.span(span)
+        shift = next(by for start, by in reversed(others) if start <= span.start)
+        return Span(span.start + shift, span.end + shift)
+
+    def back_to_node(spans: NodeSpans) -> NodeSpans:
+        identifier = spans.identifier
+        return NodeSpans(back(spans.whole), None if identifier is None else back(identifier))
+
+    statements: list[Triple] = []
+    own: dict[Triple, Span] = {}
+    for triple in robot.statements:
+        if triple[1] == OFFSET:
+            span = back(robot.map.triples[triple])
+            moved = triple[0], OFFSET, _number(span.start)
+            own[moved] = span
+            statements.append(moved)
+        else:
+            statements.append(triple)
+    known = set(layer.triples) - set(robot.statements) if layer.triples else set()
+    own |= {triple: span for triple, span in layer.triples.items() if triple in known}
+    statements += [triple for triple in layer.triples if triple in known]
+    nodes = Places(robot.map.nodes, back_to_node, layer.nodes)
+    places = SourceMap(Places(robot.map.triples, back, own), nodes)
+    form = FORMAT if robot.format == "urdf" else robot.format
+    return Document(source, robot.graph, statements, places, robot.prefixes, form, pieces.listed)
+
+
+def _told(error: SourceError, text: SourceText) -> Span:
+    """The place in *text* that *error* names."""
+    start = text.line_starts[(error.line or 1) - 1] + (error.column or 1) - 1
+    return Span(start, start + 1)
+
+
+def _number(offset: int) -> Term:
+    return literal(str(offset), f"{XSD}integer")

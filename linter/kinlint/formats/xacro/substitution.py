@@ -1,0 +1,96 @@
+"""What `$(…)` stands for: arguments, packages, the environment, directories."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, MutableMapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from kinlint.formats.xacro.bounds import Refused
+
+
+class Unknown(Exception):
+    """What a substitution names is not known here; it may be elsewhere."""
+
+    def __init__(self, kind: str, name: str) -> None:
+        super().__init__(f"{kind} '{name}' is not known")
+        self.kind = kind
+        self.name = name
+
+
+@dataclass
+class Substitution:
+    """The substitutions of one expansion.
+
+    `arguments` are those given and those with defaults so far. `find` gives the directory of a
+    package, `directory` that of the file at work, `evaluate` the value of an expression.
+    """
+
+    arguments: MutableMapping[str, str]
+    find: Callable[[str], Path | None]
+    directory: Callable[[], Path]
+    evaluate: Callable[[str, Mapping[str, Any]], Any]
+
+    def value(self, inside: str) -> str:
+        """The text for `$(inside)`. Raises Unknown, or ValueError for what is no substitution."""
+        command, _, rest = inside.strip().partition(" ")
+        rest = rest.strip()
+        words = rest.split()
+        if command == "eval":
+            return self._eval(rest)
+        expected = {"cwd": 0, "dirname": 0, "arg": 1, "find": 1, "env": 1}.get(command)
+        if expected is None and (command != "optenv" or not words):
+            raise ValueError(f"'$({inside})' is no substitution that xacro knows")
+        if expected is not None and len(words) != expected:
+            raise ValueError(
+                f"'$({inside})' takes {expected or 'no'} argument{'s' * (not expected)}"
+            )
+        if command == "optenv":
+            return os.environ.get(words[0], " ".join(words[1:]))
+        simple: Mapping[str, Callable[..., str]] = {
+            "cwd": lambda: str(Path.cwd()),
+            "dirname": lambda: str(self.directory()),
+            "arg": self.argument,
+            "find": self._find,
+            "env": self._env,
+        }
+        return simple[command](*words)
+
+    def argument(self, name: str) -> str:
+        """The value of the argument *name*."""
+        try:
+            return self.arguments[name]
+        except KeyError:
+            raise Unknown("argument", name) from None
+
+    def _find(self, name: str) -> str:
+        found = self.find(name)
+        if found is None:
+            raise Unknown("package", name)
+        return str(found)
+
+    def _env(self, name: str) -> str:
+        try:
+            return os.environ[name]
+        except KeyError:
+            raise Unknown("environment variable", name) from None
+
+    def _eval(self, expression: str) -> str:
+        if "__" in expression:
+            raise Refused("'__' in $(eval …)")
+        names: dict[str, Any] = {name: _typed(value) for name, value in self.arguments.items()}
+        names |= {"true": True, "false": False, "find": self._find, "env": self._env}
+        names["optenv"] = lambda name, default="": os.environ.get(name, default)
+        names["arg"] = lambda name: _typed(self.argument(name))
+        names["dirname"] = lambda: str(self.directory())
+        return str(self.evaluate(expression, names))
+
+
+def _typed(value: str) -> bool | float | str:
+    """An argument as `$(eval …)` sees it: a number or a truth value if it looks like one."""
+    try:
+        return float(value) if "." in value else int(value)
+    except ValueError:
+        return {"true": True, "false": False}.get(value.lower(), value)

@@ -1,0 +1,61 @@
+"""Reads YAML as xacro does, with its units, but nothing that grows when it is unfolded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import yaml
+
+from kinlint.formats.xacro.bounds import Bounds, TooMuch
+from kinlint.formats.xacro.files import Unreadable
+from kinlint.formats.xacro.symbols import dotted
+
+MERGED = 10_000
+UNITS = {
+    "!radians": 1.0,
+    "!degrees": math.pi / 180.0,
+    "!meters": 1.0,
+    "!millimeters": 0.001,
+    "!foot": 0.3048,
+    "!inches": 0.0254,
+}
+
+
+def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Bounds) -> Any:
+    """What the YAML *data* of the file *name* say, tables with entries to be named with a dot.
+
+    A value with a unit is an expression that *evaluate* knows.
+    """
+
+    class Loader(yaml.SafeLoader):  # type: ignore[misc]
+        """PyYAML's safe loader with units, and without merging beyond measure."""
+
+        def flatten_mapping(self, node: yaml.MappingNode) -> None:
+            for _, value in node.value:
+                if isinstance(value, yaml.SequenceNode) and len(value.value) > MERGED:
+                    return
+            super().flatten_mapping(node)
+            if len(node.value) > MERGED:
+                raise TooMuch(f"'{name}' merges more than {MERGED} entries")
+
+    def with_unit(loader: yaml.SafeLoader, tag: str, node: yaml.Node) -> float:
+        return float(evaluate(str(loader.construct_scalar(node)))) * UNITS["!" + tag]
+
+    Loader.add_multi_constructor("!", with_unit)
+    try:
+        loader = Loader(data)
+        try:
+            value = loader.get_single_data()
+        finally:
+            loader.dispose()
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        at = f":{mark.line + 1}:{mark.column + 1}" if mark else ""
+        what = getattr(error, "problem", None) or "no YAML"
+        raise Unreadable(f"'{name}{at}' is no YAML: {what}") from None
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise Unreadable(f"'{name}' is no YAML that xacro reads: {error}") from None
+    bounds.result(value)
+    return dotted(value)

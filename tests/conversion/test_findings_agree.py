@@ -1,0 +1,115 @@
+"""Linting what was converted finds what linting the robot found, where a rule is about robots."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from kinlint import lint, rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.conversion.composition import compose
+from kinlint.conversion.output import jsonld
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
+from kinlint.model import Rule
+from kinlint.text import SourceText
+
+BOOK = rulebook.load()
+TREES = ("urdf", "sdf")
+APART = {
+    "INE003": "joints of the metamodels do not say which of two bodies carries the other",
+    "LNT001": "comments are not converted",
+    "LNT002": "comments are not converted",
+    "LNT003": "comments are not converted",
+    "LNT004": "comments are not converted",
+    "UNI009": "an actuator of the metamodels may have a gear, that of a file in XML has none",
+    "TOP009": "the frames of SDF are resolved when a file is read",
+}
+"""Why some rules find other things in a composable model."""
+
+ELEMENTS = re.compile(r"(?<![\w-])(?:urdf|srdf|sdf|ext|at):\w")
+
+
+def about_robots(rule: Rule) -> bool:
+    """Whether *rule* speaks of no element of a format, and has no other reason to differ."""
+    text = Path(rule.path).read_text(encoding="utf-8").partition("kl:example")[0]
+    return not ELEMENTS.search(text) and rule.code not in APART
+
+
+UNRESOLVED = "CMP016"
+"""What is found where a file includes another that is not there: its content is not converted."""
+
+EXAMPLES = [
+    pytest.param(rule, example, id=f"{rule.code}-{number}")
+    for rule in BOOK.rules
+    if {"jsonld", *TREES} & {*rule.formats} > {"jsonld"} and about_robots(rule)
+    for number, example in enumerate(rule.examples)
+    if example.format in TREES
+]
+
+
+@pytest.mark.parametrize(("rule", "example"), EXAMPLES)
+def test_examples_of_rules_about_robots(rule, example):
+    for text in filter(None, (example.bad, example.good)):
+        robot = SourceText(
+            f"robot.{example.format}", text.replace("[|", "").replace("|]", "").strip()
+        )
+        composed = SourceText("robot.jsonld", jsonld(compose([read(robot, ReadOptions())])))
+        codes = found(robot)
+        assert (rule.code in codes) == (rule.code in found(composed)) or UNRESOLVED in codes
+
+
+def found(source: SourceText) -> set[str]:
+    report = lint.run([source], [], Settings(), BOOK)
+    return {finding.rule.code for finding in report.findings}
+
+
+BROKEN = """
+<robot name="broken">
+  <link name="base"/>
+  <link name="arm">
+    <inertial>
+      <origin xyz="0 0 0.1" rpy="0 0 90"/>
+      <mass value="1.5"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <link name="hand">
+    <inertial>
+      <mass value="-0.5"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="-0.1"/>
+    </inertial>
+    <collision>
+      <geometry>
+        <box size="0.1 0 0.2"/>
+      </geometry>
+    </collision>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="2" upper="-2" effort="-1" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="prismatic">
+    <parent link="arm"/>
+    <child link="hand"/>
+    <axis xyz="1 0 0"/>
+    <limit upper="0.3" effort="5" velocity="1"/>
+    <mimic joint="wrist"/>
+  </joint>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    "code",
+    ["CMP007", "GEO004", "INE001", "INE002", "INE003", "LIM001", "LIM002", "LIM007", "UNI003"],
+)
+def test_one_robot_with_many_faults(code):
+    robot = SourceText("broken.urdf", BROKEN.strip())
+    composed = SourceText("broken.jsonld", jsonld(compose([read(robot, ReadOptions())])))
+    assert code in found(robot)
+    assert code in found(composed)

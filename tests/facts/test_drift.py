@@ -1,0 +1,94 @@
+"""What differs between files of two formats that describe one robot."""
+
+from __future__ import annotations
+
+import json
+
+from described import closed, inertial, joint, link
+
+from kinlint.facts.compute import facts
+from kinlint.terms import literal_value
+from kinlint.vocabulary import FACT
+
+LIMIT = '<limit lower="-1" upper="{}" effort="1" velocity="1"/>'
+ARM = """<sdf version="1.9"><model name="{name}">
+  <link name="base"/>
+  <link name="hand"><pose>0 0 {z} 0 0 0</pose>
+    <inertial><mass>{mass}</mass></inertial></link>
+  <joint name="wrist" type="revolute"><parent>base</parent><child>hand</child>
+    <axis><xyz>{axis}</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis></joint>
+</model></sdf>"""
+SAME = {"name": "arm", "z": 0.5, "mass": 2, "axis": "0 0 1"}
+
+
+def robot(*more: str, mass: float = 2.0, upper: float = 1.0, z: float = 0.5) -> str:
+    origin = f'<origin xyz="0 0 {z}"/><axis xyz="0 0 2"/>'
+    parts = (
+        *(link("base"), link("hand", inertial(mass))),
+        joint("wrist", "base", "hand", "revolute", origin, LIMIT.format(upper)),
+        *more,
+    )
+    return f'<robot name="Arm">{"".join(parts)}</robot>'
+
+
+def drift(**texts: str) -> list[tuple[str, float, float]]:
+    """What differs, with the value of the first file and that of the other."""
+    store = closed({f"a.{form}": text for form, text in texts.items()})
+    said: dict[str, dict[str, str]] = {}
+    for subject, predicate, value in facts(store):
+        if "urn:kinlint:fact:drift:" in subject:
+            said.setdefault(subject, {})[predicate[1:-1].removeprefix(FACT)] = value
+    return sorted(
+        (
+            literal_value(each["quantity"]),
+            float(literal_value(each["here"])),
+            float(literal_value(each["there"])),
+        )
+        for each in said.values()
+    )
+
+
+def test_the_same_robot_twice_is_no_drift():
+    """Upper and lower case of its name, and the length of an axis, do not matter."""
+    assert drift(urdf=robot(), sdf=ARM.format(**SAME)) == []
+
+
+def test_what_differs_is_told_once():
+    """With the number of the file that comes first."""
+    assert drift(urdf=robot(mass=2.5), sdf=ARM.format(**SAME)) == [("mass in kg", 2.5, 2.0)]
+    assert drift(urdf=robot(upper=1.2), sdf=ARM.format(**SAME)) == [("upper limit", 1.2, 1.0)]
+    assert drift(urdf=robot(z=0.54), sdf=ARM.format(**SAME)) == [("origin along z", 0.54, 0.5)]
+    turned = ARM.format(**SAME | {"axis": "0 1 0"})
+    assert [what for what, _, _ in drift(urdf=robot(), sdf=turned)] == ["axis along y"]
+
+
+def test_less_than_the_tolerances_is_no_drift():
+    """One percent, and a millimetre."""
+    assert drift(urdf=robot(mass=2.01, z=0.5005), sdf=ARM.format(**SAME)) == []
+
+
+def test_robots_of_other_names_or_joints_are_other_robots():
+    """Two thirds of the joints have to be shared."""
+    assert drift(urdf=robot(mass=3), sdf=ARM.format(**SAME | {"name": "leg"})) == []
+    other = ARM.format(**SAME).replace("wrist", "ankle")
+    assert drift(urdf=robot(mass=3), sdf=other) == []
+
+
+def test_what_is_fixed_to_a_body_weighs_with_it():
+    """Converters to SDF make one link of links that are fixed to each other."""
+    tip = link("tip", inertial(0.5)), joint("screw", "hand", "tip", "fixed")
+
+    assert drift(urdf=robot(*tip, mass=1.5), sdf=ARM.format(**SAME)) == []
+
+
+def test_composable_models_are_compared_by_their_joints():
+    """They have no name for the robot as a whole."""
+    limit = {"@id": "ex:wrist-limit", "@type": "JointPositionLimit", "of-joint": "ex:wrist"}
+    nodes = [
+        {"@id": "ex:wrist", "@type": ["Joint", "RevoluteJoint"]},
+        limit | {"unit": "RAD", "lower": -1.0, "upper": 2.0},
+    ]
+    context = ["https://w3id.org/kinlint/composable.json", {"ex": "https://example.org/arm#"}]
+    model = json.dumps({"@context": context, "@graph": nodes})
+
+    assert drift(jsonld=model, urdf=robot()) == [("upper limit", 2.0, 1.0)]
