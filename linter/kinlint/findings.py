@@ -3,175 +3,84 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
-from kinlint.anonymous import AnonymousNodes
 from kinlint.display import Display
 from kinlint.document import Document
-from kinlint.engine.axioms import Axiom
-from kinlint.engine.constraint import PLAIN, Constraint
-from kinlint.engine.explanation import because, explain
+from kinlint.engine.explanation import because
 from kinlint.engine.origin import is_fact, items
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.model import Finding, Location, Premise, Related, Rule
+from kinlint.grouping import COUNT, PLACEHOLDER
+from kinlint.locator import Locator
+from kinlint.model import Finding, Premise, Related, Rule
 from kinlint.rulebook import Rulebook
 from kinlint.terms import (
     RDF_TYPE,
     Term,
     Triple,
-    iri,
     iri_value,
     is_blank,
     is_iri,
     is_literal,
-    literal_value,
 )
-from kinlint.text import Span
-from kinlint.vocabulary import FACT, SRC
+from kinlint.text import Location
+from kinlint.vocabulary import FACT
 
-PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
-OWN = iri(f"{SRC}ownNamespace")
+ELEMENT = "urn:kinlint:document:"
+"""How addresses in files of elements begin, where one line of text may make several things."""
+
 CONSTRAINT = "ConstraintComponent"
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "message"})
-
-
-@dataclass(frozen=True)
-class Locator:
-    """The documents of a run, and the store that knows which of them says what."""
-
-    documents: Sequence[Document]
-    store: Store
-
-    @cached_property
-    def homes(self) -> Mapping[Term, list[Document]]:
-        """The documents that describe each node, those that say what it is first."""
-        homes: dict[Term, list[Document]] = {}
-        for document in self.documents:
-            for node in document.map.nodes:
-                homes.setdefault(node, []).append(document)
-        shared = {node: found for node, found in homes.items() if len(found) > 1}
-        if shared:
-            typed = {
-                (d.graph, s) for d in self.documents for s, p, _ in d.statements if p == RDF_TYPE
-            }
-            for node, found in shared.items():
-                found.sort(key=lambda document, node=node: (document.graph, node) not in typed)  # type: ignore[misc]
-        return homes
-
-    def node(self, node: Term) -> Location | None:
-        """Where *node* is described."""
-        found = self.homes.get(node)
-        return Location(found[0].source, found[0].map.nodes[node].best) if found else None
-
-    def triple(
-        self, subject: Term, predicate: Term | None, value: Term
-    ) -> tuple[Location, Term] | None:
-        """Where *value* is written as a value of *subject*, and of which predicate.
-
-        No *predicate* means any.
-        """
-        for document, triple in self.store.written(subject, predicate, value):
-            if (span := document.map.triples.get(triple)) is not None:
-                return Location(document.source, span), triple[1]
-        return None
-
-    def of(self, result: Result, axioms: Sequence[Axiom]) -> Location:
-        """The smallest place that shows *result*: a triple, its node, a mention of it, or a file.
-
-        They are those of `?at`, if the rule says so, or else of the focus node. A triple that
-        follows by *axioms* is shown by the first one written that it follows from.
-        """
-        at = result.bindings.get("at", result.focus)
-        if result.path is not None and result.value is not None:
-            triple = at, result.path, result.value
-            proof = explain(self.store, axioms, triple) if self.store.is_inferred(triple) else ()
-            for subject, predicate, value in (triple, *(step.triple for step in proof)):
-                if (said := self.triple(subject, predicate, value)) is not None:
-                    return said[0]
-        place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
-        return place or Location(self.documents[0].source, Span(0, 0))
-
-    @cached_property
-    def _mentions(self) -> Mapping[Term, Location]:
-        """The first place of each term that is a value, for what no file describes."""
-        found: dict[Term, Location] = {}
-        for document in self.documents:
-            for (_, _, value), span in document.map.triples.items():
-                found.setdefault(value, Location(document.source, span))
-        return found
-
-    @cached_property
-    def _inferred(self) -> frozenset[Term]:
-        """The properties, and the classes, of which something was inferred."""
-        return frozenset(o if p == RDF_TYPE else p for _, p, o in self.store.inferred())
-
-    def may_be_inferred(self, constraint: Constraint) -> bool:
-        """Whether something that *constraint* matches may have been inferred."""
-        if constraint not in self._judged:
-            self._judged[constraint] = bool(self._inferred) and any(
-                not PLAIN.fullmatch(p)
-                or p in self._inferred
-                or (p == RDF_TYPE and (o[0] == "?" or o in self._inferred))
-                for _, p, o in (*constraint.premises, *constraint.targets)
-            )
-        return self._judged[constraint]
-
-    @cached_property
-    def _judged(self) -> dict[Constraint, bool]:
-        return {}
-
-    def about(self, focus: Term) -> Term:
-        """The entity concerned: what a statement of the source layer speaks of, or *focus*."""
-        if not is_blank(focus):
-            return focus
-        found = (document.about.get(focus) for document in self.documents)
-        return next((node for node in found if node is not None), focus)
-
-    def anonymous(self, node: Term, location: Location) -> Term:
-        """A label for a blank node that survives edits of other nodes."""
-        for document in self.documents:
-            if document.source is location.source:
-                return self._anonymous[document.graph].label(node)
-        return node
-
-    @cached_property
-    def _anonymous(self) -> Mapping[Term, AnonymousNodes]:
-        return {document.graph: AnonymousNodes(document) for document in self.documents}
-
-    def display(self, location: Location) -> Display:
-        """How the file of *location* abbreviates."""
-        for document in self.documents:
-            if document.source is location.source:
-                return self._displays[document.graph]
-        return Display()
-
-    @cached_property
-    def _displays(self) -> Mapping[Term, Display]:
-        return {
-            document.graph: Display(
-                document.prefixes,
-                tuple(literal_value(o) for _, p, o in document.statements if p == OWN),
-            )
-            for document in self.documents
-        }
 
 
 def findings(
     results: Iterable[Result], documents: Sequence[Document], store: Store, rulebook: Rulebook
 ) -> list[Finding]:
     """One finding for each of *results*, in their order; what says the same twice comes once."""
-    locator = Locator(documents, store)
-    found = [_finding(result, locator, rulebook) for result in results]
-    return list({_identity(finding): finding for finding in reversed(found)}.values())[::-1]
+    account = Account(results, documents, store, rulebook)
+    return list(map(account.detailed, account.brief()))
 
 
-def _identity(finding: Finding) -> tuple[object, ...]:
+class Account:
+    """What results of an engine come to: first in brief, and for those that are told in detail."""
+
+    def __init__(
+        self,
+        results: Iterable[Result],
+        documents: Sequence[Document],
+        store: Store,
+        rulebook: Rulebook,
+    ) -> None:
+        self.rulebook = rulebook
+        self._locator = Locator(documents, store)
+        found = [(_finding(result, self._locator, rulebook), result) for result in results]
+        self._told = {identity(finding): (finding, result) for finding, result in reversed(found)}
+
+    def brief(self) -> list[Finding]:
+        """One finding for each result, without `related` and `because`; what says the same once."""
+        return [finding for finding, _ in self._told.values()][::-1]
+
+    def detailed(self, finding: Finding) -> Finding:
+        """*finding*, if it is one of these, with what else it speaks of and what it rests on."""
+        if (told := self._told.get(identity(finding))) is None:
+            return finding
+        result, location = told[1], finding.location
+        display = self._locator.display(location)
+        return replace(
+            finding,
+            related=tuple(_related(result, location, self._locator, display)),
+            because=tuple(_because(result, self._locator, self.rulebook, display)),
+        )
+
+
+def identity(finding: Finding) -> tuple[object, ...]:
+    """What findings that say the same of one place have in common."""
     where = (finding.location.source.name, finding.location.span)
-    return finding.rule.code, where, finding.message, finding.focus
+    about = None if finding.iri.startswith(ELEMENT) else finding.focus
+    return finding.rule.code, where, finding.message, about
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
@@ -187,6 +96,8 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     }
     names = list(dict.fromkeys(PLACEHOLDER.findall(template)))
     shown = {name: display.term(term) if (term := terms.get(name)) else "" for name in names}
+    if rule.group_by and COUNT in shown:
+        shown[COUNT] = "1"
     about = locator.about(result.focus)
     return Finding(
         rule=rule,
@@ -199,8 +110,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         value=result.value,
         template=template,
         arguments=tuple(shown.values()),
-        related=tuple(_related(result, location, locator, display)),
-        because=tuple(_because(result, locator, rulebook, display)),
+        group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
     )
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterator
+from dataclasses import astuple
 from pathlib import Path
 from textwrap import dedent
 from typing import TYPE_CHECKING
@@ -10,7 +12,7 @@ from typing import TYPE_CHECKING
 import pyoxigraph as ox
 
 from kinlint.errors import RuleInvalid
-from kinlint.model import Example, Rule, Severity
+from kinlint.model import Example, Rule, Severity, SeverityFor
 from kinlint.vocabulary import KL, SH
 
 if TYPE_CHECKING:
@@ -67,16 +69,13 @@ def _rule(graph: Graph, subject: Node, file: Path) -> Rule:
         raise RuleInvalid(f"{file}: rule {name} has no kl:code")
     if name != file.stem:
         raise RuleInvalid(f"{file}: the rule is called {name}, so its file must be {name}.ttl")
-    severity = value(f"{SH}severity") or f"{SH}Violation"
-    if severity not in SEVERITIES:
-        raise RuleInvalid(f"{file}: {severity} is no severity that kinlint knows")
     return Rule(
         iri=str(subject),
         code=code,
         name=name,
         title=value(str(RDFS.label)) or name,
         why=_prose(value(str(RDFS.comment))),
-        severity=SEVERITIES[severity],
+        severity=_severity(value(f"{SH}severity") or f"{SH}Violation", file),
         antipatterns=tuple(tag.removeprefix(KL) for tag in values(f"{KL}antiPattern")),
         symptoms=values(f"{KL}symptom"),
         formats=values(f"{KL}format"),
@@ -86,7 +85,30 @@ def _rule(graph: Graph, subject: Node, file: Path) -> Rule:
         since=value(f"{KL}since"),
         path=str(file),
         whole_model=value(f"{KL}wholeModel") == "true",
+        targets=values(f"{KL}target"),
+        severity_for=tuple(sorted(_severity_for(graph, subject, file), key=astuple)),
+        group_by=values(f"{KL}groupBy"),
+        optional=value(f"{KL}optional") == "true",
     )
+
+
+def _severity(said: str, file: Path) -> Severity:
+    if said not in SEVERITIES:
+        raise RuleInvalid(f"{file}: {said} is no severity that kinlint knows")
+    return SEVERITIES[said]
+
+
+def _severity_for(graph: Graph, subject: Node, file: Path) -> Iterator[SeverityFor]:
+    """What the rule counts as where `kl:severityFor` says that it is something else."""
+    from rdflib import URIRef  # noqa: PLC0415
+
+    for each in graph.objects(subject, URIRef(f"{KL}severityFor")):
+        targets, formats = (
+            tuple(sorted(map(str, graph.objects(each, URIRef(f"{KL}{name}")))))
+            for name in ("target", "format")
+        )
+        severity = _severity(str(graph.value(each, URIRef(f"{SH}severity"))), file)
+        yield SeverityFor(severity, targets, formats)
 
 
 def _examples(graph: Graph, subject: Node) -> list[Example]:
@@ -101,8 +123,20 @@ def _examples(graph: Graph, subject: Node) -> list[Example]:
         bad, good = text(example, "bad"), text(example, "good")
         written = next((each for each in (bad, good) if each is not None), None)
         format_ = str(written.datatype or "").removeprefix(KL) if written is not None else ""
-        examples.append(Example(format_, _source(bad), _source(good)))
+        beside = sorted(str(path) for path in graph.objects(example, URIRef(f"{KL}beside")))
+        companions = tuple(_companions(graph, example))
+        examples.append(Example(format_, _source(bad), _source(good), tuple(beside), companions))
     return sorted(examples, key=lambda each: (each.bad or "", each.good or ""))
+
+
+def _companions(graph: Graph, example: Node) -> Iterator[tuple[str, str]]:
+    """The files that are read with *example*: the format and the text of each."""
+    from rdflib import Literal, URIRef  # noqa: PLC0415
+
+    for each in sorted(graph.objects(example, URIRef(f"{KL}with")), key=str):
+        text = _source(each)
+        if isinstance(each, Literal) and text is not None:
+            yield str(each.datatype or "").removeprefix(KL), text
 
 
 def _source(text: Node | None) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,13 +19,16 @@ from kinlint.engine.compiler.prefixes import declared
 from kinlint.engine.compiler.syntax import render
 from kinlint.engine.compiler.tokens import tokens
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.facts.compute import facts
 from kinlint.findings import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.formats.xml.joining import join, partners
 from kinlint.model import Rule
+from kinlint.references import references
 from kinlint.rule_mutant import mutants
 from kinlint.rulebook import PREFIXES, Rulebook
 from kinlint.terms import literal_value
@@ -41,10 +44,10 @@ class Bench:
 
     rule: Rule
     rulebook: Rulebook
-    examples: tuple[tuple[Document, Store], ...]
+    examples: tuple[tuple[Sequence[Document], Store], ...]
 
     @classmethod
-    def of(cls, rule: Rule, rulebook: Rulebook, texts: Iterable[SourceText]) -> Bench:
+    def of(cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]) -> Bench:
         """The bench for the examples *texts* of *rule*."""
         return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
 
@@ -55,22 +58,24 @@ class Bench:
                 sorted(
                     (finding.location.span, finding.iri, finding.path or "", finding.message)
                     for finding in findings(
-                        check(store, constraints), [document], store, self.rulebook
+                        check(store, constraints), documents, store, self.rulebook
                     )
                 )
             )
-            for document, store in self.examples
+            for documents, store in self.examples
         ]
 
 
-def _closed(text: SourceText, rulebook: Rulebook) -> tuple[Document, Store]:
-    document = read(text, ReadOptions())
+def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
+    options = ReadOptions()
+    documents = join([read(text, options) for text in texts], partners(texts))
     store = Store()
-    store.load([document])
+    store.load(documents)
     store.load_vocabulary(rulebook.vocabulary)
+    lift(store)
     close(store, rulebook.axioms)
-    store.state(facts(store))
-    return document, store
+    store.state((*facts(store), *references(documents, options.packages_of)))
+    return documents, store
 
 
 def idle(bench: Bench) -> Iterator[str]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from tempfile import TemporaryDirectory
+from typing import Literal, TypeAlias
 
 from kinlint import lint, resources
-from kinlint.configuration.settings import FileSettings, Settings
+from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.engine.check import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
@@ -22,8 +24,19 @@ from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
-STRICT = FileSettings(require_reason=True)
-SUFFIXES = {"jsonld": ".jsonld", "turtle": ".ttl"}
+STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
+SUFFIXES = {
+    "jsonld": ".jsonld",
+    "turtle": ".ttl",
+    "urdf": ".urdf",
+    "xacro": ".xacro",
+    "srdf": ".srdf",
+    "sdf": ".sdf",
+}
+
+
+Texts: TypeAlias = tuple[SourceText, ...]
+"""An example, and what is read with it."""
 
 
 def unmarked(text: str) -> tuple[str, list[Span]]:
@@ -48,11 +61,12 @@ def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     yield from form(rule)
     yield from messages(rule)
+    yield from grouping(rule, rulebook)
     if not rule.examples:
         yield "it has no example"
     for number, example in enumerate(rule.examples, 1):
         if example.format not in SUFFIXES:
-            yield f"example {number} is neither ^^kl:jsonld nor ^^kl:turtle"
+            yield f"example {number} is in none of the formats {', '.join(SUFFIXES)}"
             continue
         try:
             yield from _judged(rule, rulebook, number, example)
@@ -61,71 +75,90 @@ def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 
 def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> Iterator[str]:
-    if example.bad is not None:
-        yield from _bad(rule, rulebook, number, example.format, example.bad)
-    if example.good is not None:
-        for finding in found(rule, rulebook, example.format, example.good):
-            yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
+    with _beside(example) as home:
+        if example.bad is not None:
+            text, expected = unmarked(example.bad)
+            yield from _bad(rule, rulebook, number, _source(example, text, home), expected)
+        if example.good is not None:
+            for finding in found(rule, rulebook, _source(example, example.good, home)):
+                yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
 
 
-def _texts(example: Example) -> Iterator[SourceText]:
-    for text in (example.bad, example.good):
-        if text is not None:
-            yield _source(example.format, unmarked(text)[0])
+def _texts(example: Example) -> Iterator[Texts]:
+    with _beside(example) as home:
+        for text in (example.bad, example.good):
+            if text is not None:
+                yield _source(example, unmarked(text)[0], home)
 
 
-def _source(language: str, text: str) -> SourceText:
-    return SourceText("example" + SUFFIXES[language], text)
+@contextmanager
+def _beside(example: Example) -> Iterator[str]:
+    """The name of a directory that has the files beside *example*; none if there are none."""
+    if not example.beside:
+        yield ""
+        return
+    with TemporaryDirectory() as home:
+        for path in (Path(home, each) for each in example.beside):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.touch()
+        yield home
 
 
-def _bad(rule: Rule, rulebook: Rulebook, number: int, language: str, marked: str) -> Iterator[str]:
-    text, expected = unmarked(marked)
+def _source(example: Example, text: str, home: str) -> Texts:
+    """An example, and what is read with it."""
+    others = (
+        SourceText(_path(home, f"companion{number}", form), other, companion=True)
+        for number, (form, other) in enumerate(example.companions)
+    )
+    return SourceText(_path(home, "example", example.format), text), *others
+
+
+def _path(home: str, name: str, form: str) -> str:
+    return Path(home, name + SUFFIXES[form]).as_posix()
+
+
+def _bad(
+    rule: Rule, rulebook: Rulebook, number: int, texts: Texts, expected: list[Span]
+) -> Iterator[str]:
     if not expected:
         yield f"bad example {number} marks nothing"
-    actual = found(rule, rulebook, language, text)
+    actual = found(rule, rulebook, texts)
     for span in expected:
         if span not in [finding.location.span for finding in actual]:
-            yield f"bad example {number}: {text[span.start : span.end]} is marked and not found"
+            yield f"bad example {number}: {texts[0][span]} is marked and not found"
     for finding in actual:
         if finding.location.span not in expected:
             where = f"{_place(finding)} without a mark"
             yield f"bad example {number}: found at {where}: {finding.message}"
         if "''" in finding.message:
             yield f"bad example {number}: a variable of the message is empty: {finding.message}"
-    judged = results(rule, rulebook, language, text, "oxigraph")
-    if judged != results(rule, rulebook, language, text, "pyshacl"):
+    judged = results(rule, rulebook, texts, "oxigraph")
+    if judged != results(rule, rulebook, texts, "pyshacl"):
         yield f"bad example {number}: the engines disagree"
 
 
-def found(rule: Rule, rulebook: Rulebook, language: str, text: str) -> list[Finding]:
+def found(rule: Rule, rulebook: Rulebook, texts: Texts) -> list[Finding]:
     """The findings of *rule* in an example."""
-    return _lint(rule, rulebook, language, text, "oxigraph")
+    return _lint(rule, rulebook, texts, "oxigraph")
 
 
 def results(
-    rule: Rule,
-    rulebook: Rulebook,
-    language: str,
-    text: str,
-    engine: Literal["oxigraph", "pyshacl"],
+    rule: Rule, rulebook: Rulebook, texts: Texts, engine: Literal["oxigraph", "pyshacl"]
 ) -> set[tuple[Span, str | None]]:
     """Where an engine finds *rule* broken in an example, and by which path."""
-    every = _lint(rule, rulebook, language, text, engine)
+    every = _lint(rule, rulebook, texts, engine)
     return {(finding.location.span, finding.path) for finding in every}
 
 
 def _lint(
-    rule: Rule,
-    rulebook: Rulebook,
-    language: str,
-    text: str,
-    engine: Literal["oxigraph", "pyshacl"],
+    rule: Rule, rulebook: Rulebook, texts: Texts, engine: Literal["oxigraph", "pyshacl"]
 ) -> list[Finding]:
-    source = _source(language, text)
     own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
-    report = lint.run([source], [], Settings(engine=engine, default=STRICT), only)
+    strict = replace(STRICT, targets=rule.targets)
+    settings = Settings(engine=engine, default=strict)
+    report = lint.run(texts, [], settings, only)
     if report.errors:
         raise report.errors[0]
     return [finding for finding in report.findings if finding.rule.iri == rule.iri]
@@ -144,6 +177,15 @@ def messages(rule: Rule) -> Iterator[str]:
         for match in PLACEHOLDER.finditer(message):
             if message[match.start() - 1 : match.end() + 1] != f"'{match[0]}'":
                 yield f"message has {match[0]} outside single quotes: {message}"
+
+
+def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    """What a rule groups by is a variable of its queries, or all that is in a file."""
+    queries = [each.select for each in rulebook.constraints if each.owner == rule.iri]
+    for name in rule.group_by:
+        known = any(re.search(rf"\?{name}\b", query) for query in queries)
+        if queries and not known and name != "file":
+            yield f"it groups by ?{name}, which is in none of its queries"
 
 
 def form(rule: Rule) -> Iterator[str]:

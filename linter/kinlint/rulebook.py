@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
@@ -17,7 +17,7 @@ from kinlint import __version__, resources
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
-from kinlint.model import Example, Rule, Severity
+from kinlint.model import Example, Rule, Severity, SeverityFor
 from kinlint.terms import RDF_TYPE, Term, is_iri
 from kinlint.vocabulary import FACT, SRC
 
@@ -93,8 +93,9 @@ def load(
         compiled = _compile(files, extra, vocabulary, ours / PREFIXES)
         if stored is not None:
             _write(stored, compiled)
+    homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
     return Rulebook(
-        rules=tuple(_rule(values, (*files, *extra)) for values in compiled["rules"]),
+        rules=tuple(_rule(values, homes) for values in compiled["rules"]),
         constraints=tuple(Constraint.from_json(values) for values in compiled["constraints"]),
         axioms=tuple(Axiom.from_json(values) for values in compiled["axioms"]),
         vocabulary=vocabulary,
@@ -138,7 +139,6 @@ def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> R
         title=f"violation of shape {local}",
         why=f"The SHACL shape {owner} was given with the run and does not hold.",
         severity=max(SEVERITIES.get(each.severity, Severity.ERROR) for each in own),
-        formats=("jsonld", "turtle"),
         links=(owner,) if "://" in owner else (),
         messages=tuple(sorted({text for each in own for text in each.messages})),
     )
@@ -153,14 +153,26 @@ def _distinct(rules: Iterable[Rule]) -> None:
                 raise RuleInvalid(f"{rule.path}: {identity} is taken by {other.path}")
 
 
-def _rule(values: dict[str, Any], files: Iterable[Path]) -> Rule:
-    """The rule that was compiled; its file is where it is now, not where it was then."""
+def _rule(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
+    """The rule that was compiled; its file, of *homes*, is where it is now, not where it was."""
     plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list | tuple)}
-    home = next((str(file) for file in files if file.stem == values["name"]), "")
     changed = {
-        "examples": tuple(Example(**example) for example in values["examples"]),
+        "examples": tuple(
+            Example(
+                **{
+                    **each,
+                    "beside": tuple(each["beside"]),
+                    "companions": tuple(map(tuple, each["companions"])),
+                }
+            )
+            for each in values["examples"]
+        ),
         "severity": Severity(values["severity"]),
-        "path": home,
+        "severity_for": tuple(
+            SeverityFor(Severity(each["severity"]), tuple(each["targets"]), tuple(each["formats"]))
+            for each in values["severity_for"]
+        ),
+        "path": homes.get(values["name"], ""),
     }
     return Rule(**{**values, **plural, **changed})
 

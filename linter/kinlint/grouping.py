@@ -1,0 +1,73 @@
+"""One finding for many: those of one group by `kl:groupBy`, or of one text that is used often."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import replace
+
+from kinlint.model import Finding, Related
+
+PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
+COUNT = "count"
+"""The placeholder in the message of such a rule that says how many places there are."""
+DOCUMENT = "urn:kinlint:document:"
+
+
+def grouped(
+    findings: Iterable[Finding],
+    detailed: Callable[[Finding], Finding] = lambda finding: finding,
+    reused: Collection[str] = (),
+) -> list[Finding]:
+    """*findings* with each group as one: the first by place, which has the others as related.
+
+    A group lies in one model and is what one rule finds there with the same values of the
+    variables that the rule groups by. Suppressed places make groups of their own. What is told
+    goes through *detailed*, which the others are spared.
+
+    *reused* are the names of texts that may stand in a robot several times, such as macros: what
+    a rule finds at one place of them is told once, too.
+    """
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for finding in findings:
+        groups.setdefault(_sameness(finding, reused), []).append(finding)
+    return [
+        detailed(group[0]) if len(group) == 1 else _merged(group, detailed)
+        for group in groups.values()
+    ]
+
+
+def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
+    silence = finding.suppressed, finding.severity
+    if finding.rule.group_by:
+        return finding.rule.code, finding.group, *silence, _model(finding)
+    text = finding.location.source.name
+    if text not in reused:
+        return (id(finding),)
+    return finding.rule.code, *silence, text, finding.location.span
+
+
+def _model(finding: Finding) -> str:
+    """The model that *finding* is about: a document of several texts is one."""
+    entity = finding.iri
+    return entity.partition("#")[0] if entity.startswith(DOCUMENT) else finding.location.source.name
+
+
+def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:
+    first, *others = sorted(group, key=lambda finding: finding.sort_key)
+    first = detailed(first)
+    if not first.rule.group_by:
+        times = f"So it is in '{1 + len(others)}' uses of this text."
+        return replace(first, message=f"{first.message} {times}", template="")
+    known = {first.location, *(related.location for related in first.related)}
+    places = dict.fromkeys(other.location for other in others if other.location not in known)
+    names = dict.fromkeys(PLACEHOLDER.findall(first.template))
+    shown = dict(zip(names, first.arguments, strict=False))
+    if COUNT in shown:
+        shown[COUNT] = str(1 + len(others))
+    return replace(
+        first,
+        message=PLACEHOLDER.sub(lambda match: shown.get(match[1], ""), first.template),
+        arguments=tuple(shown.values()),
+        related=(*first.related, *(Related(place, "") for place in places)),
+    )
