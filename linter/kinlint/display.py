@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from urllib.parse import unquote
 
 from kinlint.terms import (
     RDF_TYPE,
@@ -16,10 +18,35 @@ from kinlint.terms import (
     literal_datatype,
     literal_value,
 )
-from kinlint.vocabulary import DOCUMENT_BASE, KIN, KL, METAMODELS, QUANTITY_KIND, QUDT, SRC, UNIT
+from kinlint.vocabulary import (
+    ATTRIBUTE,
+    DOCUMENT_BASE,
+    EXTENSION,
+    KIN,
+    KL,
+    METAMODELS,
+    QUANTITY_KIND,
+    QUDT,
+    REFERENCE,
+    SDF,
+    SRC,
+    SRDF,
+    UNIT,
+    URDF,
+)
 
 BARE = (METAMODELS, KL, KIN, SRC, UNIT, QUANTITY_KIND, QUDT, DOCUMENT_BASE)
 """Namespaces whose local names stand for themselves, as models write them."""
+
+XML = (ATTRIBUTE, URDF, SDF, SRDF, EXTENSION, REFERENCE)
+"""Namespaces of elements and attributes, whose local names are what files of XML write."""
+
+COMPONENT = re.compile(r"-[1-9][0-9]*$")
+"""The end of the property that has one number of an attribute of several."""
+
+DOCUMENT = "urn:kinlint:document:"
+NAMED = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light"})
+"""Elements that are spoken of by their name alone."""
 
 LONGEST, TAIL = 160, 40
 """How much of a term a message repeats, and how much of that is its end."""
@@ -45,6 +72,12 @@ class Display:
 
     def iri(self, iri: str) -> str:
         """*iri* by its local name or a prefix, whichever the file would write; else whole."""
+        if iri.startswith(DOCUMENT):
+            name, _, path = iri[len(DOCUMENT) :].partition("#")
+            return _name_path(path) if path else unquote(name)
+        if iri.startswith(XML):
+            local = iri.partition("#")[2]
+            return COMPONENT.sub("", local) if iri.startswith(ATTRIBUTE) else local
         if iri.startswith(BARE):
             return iri.replace("#", "/").rstrip("/").rpartition("/")[2]
         fitting = [
@@ -64,6 +97,16 @@ class Display:
         if predicate == RDF_TYPE:
             return f"{self.term(subject)} is {article(self.term(value))}"
         return f"{self.term(subject)} {self.term(predicate)} {self.term(value)}"
+
+
+def _name_path(path: str) -> str:
+    """The names on the way to an element, or to what was made of it, which goes without kinds."""
+    if path.startswith("/"):
+        return unquote(path[1:])
+    steps = path.split("/")
+    named = (i for i, step in enumerate(steps[:-1]) if step in NAMED and (i == 0 or i % 2 == 0))
+    kinds = frozenset(named)
+    return unquote("/".join(step for i, step in enumerate(steps) if i not in kinds)) or path
 
 
 def article(noun: str) -> str:

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from kinlint.applicability import applicability, applicable, applies, axioms_for, demand, formats
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
-from kinlint.document import Document
+from kinlint.document import TREES, Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.lifting import lift
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.facts.compute import facts
-from kinlint.findings import findings
+from kinlint.findings import Account
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.grouping import grouped
+from kinlint.model import Finding
 from kinlint.profile import Profile
+from kinlint.references import references
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
 from kinlint.suppression import silence
@@ -39,36 +44,48 @@ def run(
 ) -> Report:
     """Lint *sources* as one model. *errors* are of files that could not even be decoded.
 
-    A source that cannot be read is reported in `Report.errors`; the others are linted. The time
-    that each phase takes is added to *profile*.
+    Nothing is reported of companions, not even that they cannot be read. Another source that
+    cannot be read is reported in `Report.errors`; the rest is linted. The time that each phase
+    takes is added to *profile*.
     """
     spent = profile or Profile()
     before = sum(spent.phases.values())
     failed = list(errors)
     with spent.phase("reading"):
-        documents = list(_documents(sources, ReadOptions.of(settings), failed))
-    policies = Policies(settings, rulebook.rules)
+        options = ReadOptions.of(settings)
+        given = [source for source in sources if not source.companion]
+        beside = [source for source in sources if source.companion]
+        documents = list(_documents(given, options, failed))
+        joined = _joined([*documents, *_documents(beside, options, [])], settings)
+        documents = joined[: len(documents)]
+    policies = Policies(settings, rulebook.rules, formats(documents))
     enabled = policies.enabled(document.source.name for document in documents)
     asked = [
         rule
         for rule in rulebook.rules
         if rule.code in enabled and not (settings.partial and rule.whole_model)
     ]
-    owners = {rule.iri for rule in asked}
-    constraints = [each for each in rulebook.constraints if each.owner in owners]
+    owners = applicability(asked, documents)
+    constraints = applicable(rulebook.constraints, owners)
+    wanted = demand(constraints)
     store = Store()
     with spent.phase("loading"):
-        store.load(documents)
+        store.load(joined)
         store.load_vocabulary(rulebook.vocabulary)
+    with spent.phase("lifting"):
+        lift(store, wanted)
     with spent.phase("closure"):
-        close(store, rulebook.axioms)
+        close(store, axioms_for(joined, rulebook.axioms, wanted))
     with spent.phase("facts"):
-        store.state(facts(store))
+        store.state((*facts(store, wanted), *references(documents, options.packages_of, wanted)))
     with spent.phase("checking"):
-        results = check_all(documents, store, constraints, settings, rulebook)
+        results = check_all(joined, store, constraints, settings, rulebook)
+        results = list(applies(results, joined, owners))
     with spent.phase("locating"):
-        judged = policies.judged(findings(results, documents, store, rulebook))
-        told = silence.apply(judged, documents, policies, complete=not failed)
+        account = Account(results, joined, store, rulebook)
+        judged = policies.judged(_meant(account.brief(), documents, joined))
+        silenced = silence.apply(judged, documents, policies, complete=not failed)
+        told = grouped(silenced, account.detailed, _reused(joined))
         told.sort(key=lambda finding: finding.sort_key)
     return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
@@ -81,6 +98,40 @@ def run(
         applied=len(asked) if documents else 0,
         seconds=sum(spent.phases.values()) - before,
     )
+
+
+def _meant(
+    found: Iterable[Finding], documents: Sequence[Document], joined: Sequence[Document]
+) -> Iterable[Finding]:
+    """Those of *found* that do not lie in companions, which *joined* has beside *documents*."""
+    if len(joined) == len(documents):
+        return found
+    companions = set(_names(joined[len(documents) :])) - set(_names(documents))
+    return [each for each in found if each.location.source.name not in companions]
+
+
+def _reused(documents: Iterable[Document]) -> set[str]:
+    """The texts that may stand in a robot several times: macros, and what is included."""
+    return {
+        source.name
+        for document in documents
+        for source in document.sources
+        if document.format == "xacro" or source is not document.source
+    }
+
+
+def _names(documents: Iterable[Document]) -> Iterator[str]:
+    return (source.name for document in documents for source in document.sources)
+
+
+def _joined(documents: Sequence[Document], settings: Settings) -> list[Document]:
+    """*documents*, in which each SRDF says which URDF it is about."""
+    if not any(each.format == "srdf" or ".srdf" in each.source.name for each in documents):
+        return list(documents)
+    from kinlint.formats.xml.joining import join, partners  # noqa: PLC0415  few models have SRDF
+
+    texts = (document.source for document in documents)
+    return join(documents, partners(texts, settings.partner))
 
 
 def _documents(
@@ -113,7 +164,7 @@ def check_all(
             rulebook.shapes,
             rulebook.vocabulary,
             constraints=constraints,
-            facts=store.facts(),
+            computed=(*store.lifted(), *store.facts()),
         )
         return [result for result in found if result.constraint.owner in owners]
     results = list(check(store, constraints))
@@ -126,7 +177,7 @@ def check_all(
 
 def speaks(document: Document, rulebook: Rulebook) -> bool:
     """Whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
-    return any(
+    return document.format in TREES or any(
         o.startswith(KNOWN) or o in rulebook.terms
         if p == RDF_TYPE
         else p.startswith(KNOWN[:2]) or p in rulebook.terms

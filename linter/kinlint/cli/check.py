@@ -20,15 +20,17 @@ from kinlint.cli.parser import HelpShown
 from kinlint.cli.settings import Layers, cache_directory
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
-from kinlint.errors import UsageError
+from kinlint.errors import SourceError, UsageError
 from kinlint.files.discovery import Found, Search
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.formats.registry import recognise
 from kinlint.model import Severity
 from kinlint.profile import Profile
 from kinlint.report import Report
 from kinlint.reporters import timing
 from kinlint.rulebook import Rulebook
+from kinlint.text import SourceText
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"
@@ -45,9 +47,9 @@ def run(arguments: Sequence[str]) -> int:
         return CLEAN
     layers = Layers(configs(options), overrides(options))
     found = _find(options, layers)
-    if options.show_files:
+    if options.show_files or options.profile:
         _warn(found)
-        return _show_files(found)
+        return _show_files(found) if options.show_files else _show_inherent(options, layers, found)
     settings = _settings(options, layers, found)
     project = layers.project(found.inputs)
     fail_on = project.fail_on or THRESHOLD
@@ -62,7 +64,7 @@ def run(arguments: Sequence[str]) -> int:
         return _show_settings(settings, more, found, book)
     if options.verbose:
         _tell(account().before(settings, book, map(layers.origin, found.inputs)))
-    report = _lint(settings, found, book, profile)
+    report = _lint(settings, found, book, profile, options.jobs or os.cpu_count() or 1)
     if options.verbose:
         _tell(account().after(report, book))
     if not options.silent:
@@ -126,19 +128,52 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
     )
 
 
-def _lint(settings: Settings, found: Found, book: Rulebook, profile: Profile) -> Report:
+def _lint(settings: Settings, found: Found, book: Rulebook, profile: Profile, jobs: int) -> Report:
     with profile.phase("imports"):
         from kinlint import lint  # noqa: PLC0415  engines are slow to import
         from kinlint.cli.reading import read  # noqa: PLC0415
 
     with profile.phase("decoding"):
         sources, errors = read(found.inputs, settings)
-    report = lint.run(sources, [*found.errors, *errors], settings, book, profile)
+        sources += _beside(sources, settings)
+    failed = [*found.errors, *errors]
+    report = None
+    if jobs > 1:
+        with profile.phase("linting"):
+            report = _divided(sources, failed, settings, book, jobs)
+    if report is None:
+        report = lint.run(sources, failed, settings, book, profile)
     if report.files:
         return report
     # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
     asked = Policies(settings, book.rules).enabled([""])
     return replace(report, rules=tuple(rule for rule in book.rules if rule.code in asked))
+
+
+def _divided(
+    sources: Sequence[SourceText],
+    failed: Sequence[SourceError],
+    settings: Settings,
+    book: Rulebook,
+    jobs: int,
+) -> Report | None:
+    """What several processes find; None where the files are one model, or one has to do it."""
+    from kinlint import parallel  # noqa: PLC0415  few runs have files enough
+
+    if not parallel.divisible(sources, settings):
+        return None
+    return parallel.run(sources, failed, settings, book, jobs)
+
+
+def _beside(sources: Sequence[SourceText], settings: Settings) -> Sequence[SourceText]:
+    """What the files were written for and that nobody gave."""
+    if not any(
+        ".srdf" in each.name or recognise(each.name, each.text) == "srdf" for each in sources
+    ):
+        return ()
+    from kinlint.cli.companions import companions  # noqa: PLC0415  most runs have no SRDF
+
+    return companions(sources, settings)
 
 
 def account() -> ModuleType:
@@ -156,6 +191,16 @@ def _show_files(found: Found) -> int:
     for error in found.errors:
         sys.stderr.write(f"kinlint: error: {error}\n")
     return ABNORMAL if found.errors else CLEAN
+
+
+def _show_inherent(options: Namespace, layers: Layers, found: Found) -> int:
+    from kinlint.cli.inherent import page  # noqa: PLC0415  front ends are slow to import
+
+    errors: list[SourceError] = []
+    sys.stdout.writelines(page(found, _settings(options, layers, found), errors))
+    for error in errors:
+        sys.stderr.write(f"kinlint: error: {error}\n")
+    return ABNORMAL if errors else CLEAN
 
 
 def _show_settings(settings: Settings, run: Mapping[str, str], found: Found, book: Rulebook) -> int:

@@ -9,6 +9,7 @@ from kinlint.suggestion import did_you_mean
 
 COMMANDS: Mapping[str, tuple[str, str]] = {
     "check": ("kinlint.cli.check", "lint robot models (the default)"),
+    "convert": ("kinlint.cli.convert", "write a URDF, xacro or SDF as composable JSON-LD"),
     "rule": ("kinlint.cli.rule", "explain a rule, or all of them"),
     "test-rules": ("kinlint.cli.rule_tests", "test rules by the examples in their files"),
     "version": ("kinlint.cli.version", "show the version"),

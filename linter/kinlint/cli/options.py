@@ -6,8 +6,15 @@ from argparse import BooleanOptionalAction
 from typing import Any
 
 from kinlint.cli.commands import COMMANDS
-from kinlint.cli.parser import Parser, filled, listed, one_of
-from kinlint.configuration.keys import ALIASES, ENGINES, OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
+from kinlint.cli.parser import Parser, count, filled, listed, one_of
+from kinlint.configuration.keys import (
+    ALIASES,
+    ENGINES,
+    OUTPUT_FORMATS,
+    SEVERITIES,
+    TARGETS,
+    THRESHOLDS,
+)
 from kinlint.contexts.library import RELEASES
 
 LISTS: dict[str, Any] = {"type": listed, "action": "extend"}
@@ -57,6 +64,7 @@ def _rules(made: Parser) -> None:
     entry = "GLOB:R"
     add("--per-file-ignores", metavar=entry, **LISTS, help="without R in these files")
     add("--extend-per-file-ignores", metavar=entry, **LISTS, help="the same, beside configuration")
+    add("--target", metavar="NAME", **LISTS, help=f"rules for it, too: {', '.join(TARGETS)}")
     add("--ignore-suppressions", **FLAG, help="report what is suppressed as if it were not")
     add("--show-suppressed", **FLAG, help="report what is suppressed, as suppressed")
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")
@@ -72,6 +80,7 @@ def _files(made: Parser) -> None:
     add("--extend-exclude", metavar="GLOB", **LISTS, help="pass over these, too")
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
     add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
+    add("--jobs", "-j", type=count, metavar="N", default=1, help="processes; 0: one for each CPU")
     add("--show-files", **FLAG, help="show what would be linted, and stop")
 
 
@@ -87,6 +96,8 @@ def _reading(made: Parser) -> None:
         action=BooleanOptionalAction,
         help="the files are a part of a model: miss nothing that others may hold",
     )
+    add("--package", metavar="NAME=DIR", **TEXTS, help="where the ROS package NAME lies")
+    add("--xacro-arg", metavar="NAME:=VALUE", **TEXTS, help="an argument for xacro files")
     add("--config", metavar="PATH|KEY=VALUE", **TEXTS, help="this configuration, or this key of it")
     add("--isolated", **FLAG, help="without configuration files")
     add("--show-settings", **FLAG, help="show the settings of each file, and stop")
@@ -109,6 +120,11 @@ def _output(made: Parser) -> None:
         "--statistics",
         **FLAG,
         help="count findings by rule instead of showing them; with -v also where time went",
+    )
+    add(
+        "--profile",
+        **FLAG,
+        help="show which symptoms of the anti-patterns come with the format of each file, and stop",
     )
     add(
         "--fail-on",

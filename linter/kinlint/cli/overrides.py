@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import os
 from argparse import Namespace
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.file import Config, Configs, PerFile, config_of, load, per_file
+from kinlint.configuration.file import (
+    Config,
+    Configs,
+    PerFile,
+    XacroArgument,
+    config_of,
+    load,
+    per_file,
+)
 from kinlint.configuration.keys import KEYS, SEVERITIES
 from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError
@@ -35,10 +44,13 @@ def overrides(options: Namespace) -> Config:
             extend_exclude=_globs(options.extend_exclude) or (),
             per_file_ignores=_per_file(options.per_file_ignores),
             extend_per_file_ignores=_per_file(options.extend_per_file_ignores) or (),
+            target=None if options.target is None else tuple(options.target),
             fail_on=options.fail_on,
             contexts=options.contexts,
             partial=options.partial,
             engine=options.engine,
+            packages=tuple(_packages(options.package or ())),
+            xacro_args=tuple(_xacro_args(options.xacro_arg or ())),
         )
     )
     return replace(above, origin=ORIGIN)
@@ -80,6 +92,28 @@ def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
             old = said.get(key)
             said[key] = {**old, **value} if isinstance(old, dict) and KEYS.get(key) else value
     return said
+
+
+def _packages(pairs: Iterable[str]) -> Iterator[tuple[str, Path]]:
+    """Packages `NAME=DIR`."""
+    for pair in pairs:
+        name, _, directory = pair.partition("=")
+        if not name or not directory:
+            raise UsageError(f"--package: expected NAME=DIR, got '{pair}'")
+        path = absolute(os.path.expanduser(directory))  # noqa: PTH111  never fails
+        if not path.is_dir():
+            cause = "not a directory" if path.exists() else missing(path)
+            raise UsageError(f"--package '{pair}': {cause}")
+        yield name, path
+
+
+def _xacro_args(pairs: Iterable[str]) -> Iterator[XacroArgument]:
+    """Arguments `NAME:=VALUE`."""
+    for pair in pairs:
+        name, mark, value = pair.partition(":=")
+        if not name or not mark:
+            raise UsageError(f"--xacro-arg: expected NAME:=VALUE, got '{pair}'")
+        yield XacroArgument(name, value)
 
 
 def _choices(options: Namespace) -> tuple[Choice, ...]:

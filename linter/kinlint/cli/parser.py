@@ -93,3 +93,10 @@ def listed(text: str) -> list[str]:
     if not parts:
         raise argparse.ArgumentTypeError(f"expected a value, got '{text}'")
     return parts
+
+
+def count(text: str) -> int:
+    """A type for arguments that are a number from 0 up."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"expected a number, got '{text}'")
+    return int(text)

@@ -11,10 +11,11 @@ from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
-from kinlint.formats.registry import decode, recognise
+from kinlint.formats.registry import decode, objection, recognise
 from kinlint.text import SourceText
 
-KNOWN = "JSON-LD (.jsonld, .json with an @context), Turtle (.ttl), N-Triples (.nt), N-Quads (.nq)"
+MOST_BYTES = 512 * 2**20
+"""A file that is larger is no model but a slip, such as a device in the place of a file."""
 
 
 def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText], list[SourceError]]:
@@ -34,13 +35,19 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
             continue
         if one.named:
             if recognise(one.name, source.text) is None:
-                cause = f"not a robot model: kinlint reads {KNOWN}"
+                cause = f"not a robot model: {objection(source.text)}"
                 errors.append(SourceError(one.name, cause))
                 continue
         elif not is_model(source, own):
             continue
         sources.append(source)
     return sources, errors
+
+
+def _bounded(one: Input, read: bytes) -> bytes:
+    if len(read) > MOST_BYTES:
+        raise SourceError(one.name, f"more than {MOST_BYTES // 2**20} MiB")
+    return read
 
 
 def _own_contexts(settings: Settings) -> tuple[str, ...]:
@@ -50,12 +57,13 @@ def _own_contexts(settings: Settings) -> tuple[str, ...]:
 
 def _bytes(one: Input) -> bytes:
     if one.path is None:
-        return sys.stdin.buffer.read()
+        return _bounded(one, sys.stdin.buffer.read(MOST_BYTES + 1))
     try:
         mode = one.path.stat().st_mode
         if not stat.S_ISREG(mode):
             raise SourceError(one.name, "not a regular file; for a pipe, use - as the path")
-        return one.path.read_bytes()
+        with one.path.open("rb") as file:
+            return _bounded(one, file.read(MOST_BYTES + 1))
     except OSError as error:
         dangling = one.path.is_symlink() and not one.path.exists()
         cause = "a link to nothing" if dangling else error.strerror or str(error)

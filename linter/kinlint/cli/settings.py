@@ -132,6 +132,15 @@ def _file(config: Config, path: Path) -> FileSettings:
             if one.iri is not None or one.glob.covers(path)
         ),
         require_reason=bool(config.require_reason),
+        targets=config.target or (),
+        packages=config.packages,
+        workspace=config.home,
+        xacro_args=tuple(
+            (one.name, one.value)
+            for one in config.xacro_args
+            if one.glob is None or one.glob.covers(path)
+        ),
+        urdf=next((urdf for glob, urdf in config.srdf or () if glob.covers(path)), None),
     )
 
 

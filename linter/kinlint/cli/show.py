@@ -47,6 +47,14 @@ def _file(name: str, policies: Policies) -> Iterator[str]:
     origins = dict.fromkeys(choice.origin for choice in settings.choices)
     yield f"rules chosen by: {', '.join(origins) or 'default'}"
     yield f"require-reason = {str(settings.require_reason).lower()}"
+    if settings.targets:
+        yield f"target = {', '.join(settings.targets)}"
+    if settings.urdf:
+        yield f"urdf = {shown(settings.urdf)}"
+    for package, path in dict(settings.packages).items():
+        yield f"package {package} = {shown(path)}"
+    for argument, value in dict(settings.xacro_args).items():
+        yield f"xacro-arg {argument} = {value}"
     for ignore in settings.ignores:
         yield f"ignored by {ignore.origin}, {ignore.key}: {', '.join(ignore.selectors)}"
     for rule in policies.rules:

@@ -8,7 +8,7 @@ Relative paths and patterns start at the directory of the file that says them.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
@@ -38,11 +38,25 @@ class PerFile:
     place: tuple[SourceText, Span] | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class XacroArgument:
+    """The value of an argument of xacro files; of those that `glob` covers, if there is one."""
+
+    name: str
+    value: str
+    glob: Glob | None = None
+
+
+ADDING = ("choices", "packages", "xacro_args")
+"""What adds up like the lists that extend."""
+
+
 @dataclass(frozen=True)
 class Config:
     """What one configuration says, with all that it extends; None where it says nothing.
 
-    `choices` are layers of rule selection, the lowest first.
+    `choices` are layers of rule selection, the lowest first. `home` is where the file lies that
+    says it. Of `packages` and `xacro_args`, later ones count.
     """
 
     origin: str
@@ -52,6 +66,8 @@ class Config:
     per_file_ignores: tuple[PerFile, ...] | None = None
     extend_per_file_ignores: tuple[PerFile, ...] = ()
     require_reason: bool | None = None
+    target: tuple[str, ...] | None = None
+    srdf: tuple[tuple[Glob, Path], ...] | None = None
     fail_on: str | None = None
     output_format: str | None = None
     contexts: str | None = None
@@ -61,6 +77,9 @@ class Config:
     shapes: tuple[Path, ...] | None = None
     partial: bool | None = None
     engine: str | None = None
+    home: Path | None = None
+    packages: tuple[tuple[str, Path], ...] = ()
+    xacro_args: tuple[XacroArgument, ...] = ()
 
     def under(self, above: Config) -> Config:
         """The two as one, *above* on top: lists that extend add up, the rest replaces.
@@ -70,7 +89,7 @@ class Config:
         changes: dict[str, Any] = {}
         for one in fields(self):
             mine, theirs = getattr(self, one.name), getattr(above, one.name)
-            if one.name == "choices" or one.name.startswith("extend_"):
+            if one.name in ADDING or one.name.startswith("extend_"):
                 changes[one.name] = (*mine, *theirs)
             elif theirs is not None and one.name != "origin":
                 changes[one.name] = theirs
@@ -99,6 +118,8 @@ def config_of(
         per_file_ignores=ignores,
         extend_per_file_ignores=more or (),
         require_reason=said.get("require-reason"),
+        target=tuple(said["target"]) if "target" in said else None,
+        srdf=_partners(said.get("srdf"), root),
         fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
         output_format=said.get("output-format"),
         contexts=said.get("contexts"),
@@ -108,6 +129,9 @@ def config_of(
         shapes=_paths(said.get("shapes"), root),
         partial=said.get("partial"),
         engine=said.get("engine"),
+        home=None if source is None else root,
+        packages=tuple(_table(said.get("packages", {}), root).items()),
+        xacro_args=tuple(_arguments(said.get("xacro-args", {}), root)),
     )
 
 
@@ -137,8 +161,30 @@ def _paths(said: str | list[str] | None, root: Path) -> tuple[Path, ...] | None:
     return tuple(_path(path, root) for path in listed)
 
 
+def _partners(said: Mapping[str, str] | None, root: Path) -> tuple[tuple[Glob, Path], ...] | None:
+    """The URDF for the SRDF files that a pattern covers."""
+    if said is None:
+        return None
+    return tuple((Glob(root, pattern), _path(path, root)) for pattern, path in said.items())
+
+
 def _table(said: Mapping[str, str], root: Path) -> Mapping[str, Path]:
     return {iri: _path(path, root) for iri, path in said.items()}
+
+
+def _arguments(said: Mapping[str, Any], root: Path) -> Iterator[XacroArgument]:
+    """Arguments for all files, and below a pattern those for the files it matches."""
+    for key, value in said.items():
+        if isinstance(value, dict):
+            glob = Glob(root, key)
+            yield from (XacroArgument(name, written(one), glob) for name, one in value.items())
+        else:
+            yield XacroArgument(key, written(value))
+
+
+def written(value: str | float) -> str:
+    """*value* of a configuration as a xacro file would write it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def _path(said: str, root: Path) -> Path:

@@ -12,6 +12,18 @@ OUTPUT_FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
 ENGINES = ("oxigraph", "pyshacl")
 THRESHOLDS = ("error", "warning", "info", "none")
 SEVERITIES = THRESHOLDS[:-1]
+TARGETS = (
+    "drake",
+    "gazebo",
+    "isaac",
+    "kdl",
+    "moveit",
+    "mujoco",
+    "pinocchio",
+    "pybullet",
+    "usd",
+)
+"""Consumers of robot descriptions that a model may be meant for."""
 ALIASES = {"note": "info"}
 """Other words for severities: SARIF and compilers say note."""
 
@@ -107,6 +119,20 @@ def _contexts(value: object) -> str:
     return wrong and _expected("a directory or a table of context IRIs and files", value)
 
 
+def _argument(value: object) -> str:
+    """What is wrong with the value of a xacro argument."""
+    return "" if isinstance(value, str | int | float) else _expected("a string or number", value)
+
+
+def _arguments(value: object) -> str:
+    """Arguments of xacro files, or tables of them by the files they are for."""
+
+    def problem(one: object) -> str:
+        return _table(_argument)(one) if isinstance(one, dict) else _argument(one)
+
+    return _table(problem)(value)
+
+
 KEYS: Mapping[str, Callable[[object], str]] = {
     "extend": string,
     "select": strings,
@@ -118,6 +144,8 @@ KEYS: Mapping[str, Callable[[object], str]] = {
     "require-reason": switch,
     "exclude": strings,
     "extend-exclude": strings,
+    "target": strings,
+    "srdf": _table(string),
     "fail-on": _one_of(THRESHOLDS),
     "output-format": _one_of(OUTPUT_FORMATS),
     "contexts": string,
@@ -126,5 +154,7 @@ KEYS: Mapping[str, Callable[[object], str]] = {
     "shapes": one_or_more,
     "partial": switch,
     "engine": _one_of(ENGINES),
+    "packages": _table(string),
+    "xacro-args": _arguments,
 }
 """What is wrong with a value of each key; an empty string if nothing is."""

@@ -7,11 +7,12 @@ selector wins over the less specific one, and of equals the ignoring one.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeAlias
 
+from kinlint.configuration.keys import TARGETS
 from kinlint.configuration.settings import Choice, Settings
 from kinlint.errors import UsageError
 from kinlint.model import Finding, Rule, Severity
@@ -70,6 +71,14 @@ class Catalogue:
         """Every selector worth suggesting."""
         return (ALL, *self.tags, *self.families, *self.exact)
 
+    def check_target(self, target: str) -> None:
+        """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""
+        known = {*TARGETS, *(one for rule in self.rules for one in rule.targets)}
+        if target not in known:
+            listed = ", ".join(sorted(known))
+            meant = did_you_mean(target, known) or f"; there are {listed}"
+            raise UsageError(f"unknown target '{target}'{meant}")
+
     def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
         """As `find`; a failure says that *origin* is to blame."""
         try:
@@ -91,10 +100,14 @@ class Policy:
 
 @dataclass(frozen=True)
 class Policies:
-    """The policies of a run. Raises `UsageError` for selectors that name no rule."""
+    """The policies of a run. Raises `UsageError` for selectors that name no rule.
+
+    `formats` are those of the sources, by name.
+    """
 
     settings: Settings
     rules: Sequence[Rule]
+    formats: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def catalogue(self) -> Catalogue:
@@ -102,15 +115,16 @@ class Policies:
         return Catalogue(self.rules)
 
     @cached_property
-    def _by_settings(self) -> dict[tuple[Choice, ...], Policy]:
+    def _by_settings(self) -> dict[tuple[tuple[Choice, ...], tuple[str, ...], str], Policy]:
         return {}
 
     def of(self, name: str) -> Policy:
         """The policy in the source called *name*."""
-        choices = self.settings.of(name).choices
-        if choices not in self._by_settings:
-            self._by_settings[choices] = policy(choices, self.catalogue)
-        return self._by_settings[choices]
+        settings = self.settings.of(name)
+        key = settings.choices, settings.targets, self.formats.get(name, "")
+        if key not in self._by_settings:
+            self._by_settings[key] = policy(key[0], self.catalogue, *key[1:])
+        return self._by_settings[key]
 
     def enabled(self, names: Iterable[str]) -> frozenset[str]:
         """The codes of the rules that speak in at least one of the sources called *names*."""
@@ -129,8 +143,13 @@ class Policies:
         return kept
 
     def check(self) -> None:
-        """Resolve every selector of every file now, so that mistakes show before work starts."""
+        """Resolve all that files name of the catalogue, so that mistakes show before work starts.
+
+        Raises `UsageError` for unknown selectors and targets.
+        """
         every = [self.settings.default, *self.settings.files.values()]
+        for target in {target for settings in every for target in settings.targets}:
+            self.catalogue.check_target(target)
         for choices in {settings.choices for settings in every}:
             policy(choices, self.catalogue)
         for ignore in {ignore for settings in every for ignore in settings.ignores}:
@@ -138,16 +157,26 @@ class Policies:
                 self.catalogue.find_from(f"{ignore.origin}: {ignore.key}", selector)
 
 
-def policy(choices: Iterable[Choice], catalogue: Catalogue) -> Policy:
-    """What *choices*, the lowest layer first, make of the rules. At first, all are chosen."""
-    chosen = frozenset(rule.code for rule in catalogue.rules)
-    severities = {rule.code: rule.severity for rule in catalogue.rules}
+def policy(
+    choices: Iterable[Choice], catalogue: Catalogue, targets: Collection[str] = (), form: str = ""
+) -> Policy:
+    """What *choices*, the lowest layer first, make of the rules in a file of format *form*.
+
+    At first, all are chosen but optional ones that say nothing of the *targets* that are meant.
+    A rule about other targets is silent all the same.
+    """
+    chosen = frozenset(
+        rule.code for rule in catalogue.rules if not rule.optional or rule.speaks_for(targets)
+    )
+    meant = {rule.code: rule.counts_as(targets, form) for rule in catalogue.rules}
+    severities = {rule.code: meant[rule.code] or rule.severity for rule in catalogue.rules}
     for choice in choices:
         chosen = _choose(choice, chosen, catalogue)
         ranked = [(catalogue.find_from(choice.origin, sel), sev) for sel, sev in choice.severity]
         for (_, codes), severity in sorted(ranked, key=lambda entry: entry[0][0]):
             severities.update(dict.fromkeys(codes, severity))
-    return Policy({code: severities[code] if code in chosen else None for code in severities})
+    speaking = {code for code, severity in meant.items() if severity is not None} & chosen
+    return Policy({code: severities[code] if code in speaking else None for code in severities})
 
 
 def _choose(choice: Choice, below: frozenset[str], catalogue: Catalogue) -> frozenset[str]:

@@ -51,11 +51,21 @@ class Ignore:
 
 @dataclass(frozen=True, slots=True)
 class FileSettings:
-    """What holds for one file: which rules speak, how loud, and where not."""
+    """What holds for one file: which rules speak, how loud, and where not.
+
+    `targets` are the consumers that the file is meant for. `urdf` is, of an SRDF, the file that
+    describes its robot, where the configuration says so. `packages` are ROS packages and where they
+    lie, others are searched for in `workspace`; `xacro_args` are arguments. Later ones count.
+    """
 
     choices: tuple[Choice, ...] = ()
     ignores: tuple[Ignore, ...] = ()
     require_reason: bool = False
+    targets: tuple[str, ...] = ()
+    urdf: Path | None = None
+    packages: tuple[tuple[str, Path], ...] = ()
+    workspace: Path | None = None
+    xacro_args: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +91,11 @@ class Settings:
     verbose: bool = False
     default: FileSettings = field(default_factory=FileSettings)
     files: Mapping[str, FileSettings] = field(default_factory=dict)
+
+    def partner(self, name: str) -> str | None:
+        """The path of the URDF that the SRDF called *name* is about, where one is told."""
+        urdf = self.of(name).urdf
+        return None if urdf is None else urdf.as_posix()
 
     def of(self, name: str) -> FileSettings:
         """The settings of the source called *name*."""

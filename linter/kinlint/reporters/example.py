@@ -6,10 +6,9 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from kinlint.model import Location
 from kinlint.reporters.excerpt import Mark, underlined
 from kinlint.reporters.style import Style
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 _MARK = re.compile(r"\[\||\|\]")
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kinlint.model import Location
 from kinlint.reporters.columns import folded, shown, width
 from kinlint.reporters.style import Ink, Style
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 CONTEXT_LINES = 2
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Finding, Location, Premise, Related
+from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.columns import folded, shown
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
 from kinlint.reporters.style import INK_OF, Style
 from kinlint.reporters.summary import counted, errors
+from kinlint.text import Location
 
 NEAR_LINES = 5
 """A related place at most so many lines away is shown in the same excerpt."""
@@ -29,7 +30,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
         if len(same) <= SAME_MESSAGES:
             yield from _block(finding, (), style)
         elif same[0] is finding:
-            yield from _block(finding, same[1:], style)
+            yield from _block(finding, [other.location for other in same[1:]], style)
     yield from errors(report, style)
 
 
@@ -37,8 +38,11 @@ def _sameness(finding: Finding) -> tuple[str, str, bool]:
     return finding.rule.code, finding.message, finding.suppressed is None
 
 
-def _block(finding: Finding, others: Sequence[Finding], style: Style) -> Iterator[str]:
+def _block(finding: Finding, others: Sequence[Location], style: Style) -> Iterator[str]:
     near, far = _split(finding, style)
+    if finding.rule.group_by:
+        others = [*(mark.location for mark in far if not mark.label), *others]
+        far = [mark for mark in far if mark.label]
     gutter = len(str(max(mark.line for mark in (*near, *far))))
     margin = " " * gutter
     bar = style.ink(f"{margin} |", "place")
@@ -120,8 +124,8 @@ def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
         yield f"{lead}and {more:,} more"
 
 
-def _elsewhere(others: Sequence[Finding], style: Style) -> str:
-    places = ", ".join(_place(other.location, style) for other in others[:PLACES_SHOWN])
+def _elsewhere(others: Sequence[Location], style: Style) -> str:
+    places = ", ".join(_place(other, style) for other in others[:PLACES_SHOWN])
     rest = len(others) - PLACES_SHOWN
     more = f" and {rest:,} more" if rest > 0 else ""
     return f"note: the same at {counted(len(others), 'other place')}: {places}{more}"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Location, Premise, Related
-from kinlint.text import Position
+from kinlint.model import Finding, Premise, Related
+from kinlint.text import Location, Position
 
 
 def finding_object(finding: Finding) -> dict[str, Any]:
@@ -23,7 +23,7 @@ def finding_object(finding: Finding) -> dict[str, Any]:
         "severity": finding.severity.label,
         "url": rule.iri,
         "fix": None,
-        "iri": finding.iri or None,
+        "iri": finding.entity or None,
         "related": [_related(related) for related in finding.related],
         "because": [_premise(premise) for premise in finding.because],
         "taxa": list(rule.antipatterns),

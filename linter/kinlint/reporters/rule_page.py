@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from kinlint import resources
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.example import Marked, marked
@@ -47,6 +48,13 @@ A rule is ignored
 
 where CODE may be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`), too.
 """
+SYMPTOM_INTRODUCTION = """
+## Symptoms
+
+What the anti-patterns look like in a model, and which rules find them in each format. What is
+*inherent* in a format, no author can avoid: `kinlint --profile` tells it.
+
+"""
 
 
 def text(rule: Rule, style: Style) -> Iterator[str]:
@@ -55,7 +63,7 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
         yield _drawn(rule, style)
         return
     yield f"{rule.code} {rule.name}: {rule.title}\n\n"
-    yield f"Severity: {rule.severity.label}\n"
+    yield f"Severity: {_severity(rule)}\n"
     for label, value in _facts(rule):
         yield f"{label}: {value}\n"
     for paragraph in paragraphs(rule.why):
@@ -105,8 +113,11 @@ def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
     for family, members in families.items():
         codes = ", ".join(sorted({rule.family for rule in members}))
         yield f"\n### {family or 'other'} ({codes})\n\n{_index(members)}"
-    yield "\n## Symptoms\n\nWhat the anti-patterns look like in a model, and which rules find it."
-    yield "\n\n" + "\n".join(symptom_table(ordered)) + "\n"
+    yield SYMPTOM_INTRODUCTION
+    yield "\n".join(symptom_table(ordered)) + "\n"
+    robots = resources.data("rules") / "real-robots.md"
+    if robots.is_file():
+        yield "\n" + robots.read_text("utf-8")
     for rule in ordered:
         file = "/".join(Path(rule.path).parts[-2:])
         source = f"Rule file: [{file}]({quote(file)})" if file else ""
@@ -115,7 +126,7 @@ def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
 
 
 def _explained(rule: Rule) -> Iterator[str]:
-    lines = [f"Severity: {rule.severity.label}  "]
+    lines = [f"Severity: {_severity(rule)}  "]
     lines += [f"{label}: {value}  " for label, value in _facts(rule)]
     yield "\n".join(lines).rstrip()
     yield from paragraphs(rule.why)
@@ -149,10 +160,17 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "title": rule.title,
         "why": "\n\n".join(paragraphs(rule.why)),
         "severity": rule.severity.label,
+        "severity_for": [
+            {"severity": each.severity.label, "targets": each.targets, "formats": each.formats}
+            for each in rule.severity_for
+        ],
+        "targets": list(rule.targets),
         "antipatterns": list(rule.antipatterns),
         "symptoms": list(rule.symptoms),
         "formats": list(rule.formats),
         "whole_model": rule.whole_model,
+        "optional": rule.optional,
+        "group_by": list(rule.group_by),
         "since": rule.since,
         "url": rule.iri,
         "links": list(rule.links),
@@ -160,6 +178,16 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "examples": [_example_object(example) for example in rule.examples],
         "ignore": _ignoring(rule),
     }
+
+
+def _severity(rule: Rule) -> str:
+    """What the rule counts as, and what else for whom."""
+    parts = [rule.severity.label]
+    for each in rule.severity_for:
+        where = f" in {' and '.join(each.formats)}" if each.formats else ""
+        whom = f" with --target {' or '.join(each.targets)}" if each.targets else ""
+        parts.append(each.severity.label + where + whom)
+    return "; ".join(parts)
 
 
 def _index(rules: Iterable[Rule]) -> str:
@@ -190,6 +218,10 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
         yield f"Symptom {symptom}", SYMPTOMS.get(symptom, "")
     if rule.formats:
         yield "Formats", ", ".join(rule.formats)
+    if rule.targets:
+        yield "Needs", " or ".join(f"--target {target}" for target in rule.targets)
+    if rule.optional:
+        yield "Needs", f"to be selected, as by --extend-select {rule.code}"
     if rule.whole_model:
         yield "Needs", "the whole model, so it is silent with --partial"
     if rule.since:
@@ -204,8 +236,9 @@ def paragraphs(why: str) -> list[str]:
 
 def _cases(rule: Rule) -> Iterator[tuple[str, Marked]]:
     for example in rule.examples:
+        beside = f" (beside it: {', '.join(example.beside)})" if example.beside else ""
         if example.bad is not None:
-            yield "Bad", marked(example.bad, example.format)
+            yield f"Bad{beside}", marked(example.bad, example.format)
         if example.good is not None:
             yield "Good", marked(example.good, example.format)
 
@@ -226,4 +259,5 @@ def _example_object(example: Example) -> dict[str, Any]:
         "bad": bad and bad.text,
         "marks": [] if bad is None else bad.places(),
         "good": good and good.text,
+        "beside": list(example.beside),
     }

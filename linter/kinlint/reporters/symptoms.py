@@ -1,12 +1,14 @@
-"""What the anti-patterns look like in a composable model: the symptoms that rules are tagged with.
+"""What the anti-patterns look like in a model: the symptoms that rules are tagged with.
 
-Numbers follow the anti-patterns; those that a composable model cannot show are left out.
+Numbers follow the anti-patterns. What comes with a format, and no author could avoid, no rule
+finds: `--profile` shows it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from kinlint.inherent import profile
 from kinlint.model import Rule
 
 SYMPTOMS = {
@@ -14,14 +16,23 @@ SYMPTOMS = {
     "AP1.2": "an identifier is relative, malformed, or stands for two things",
     "AP1.3": "a reference leads to nothing",
     "AP1.4": "a relation has no identity apart from its coordinates",
+    "AP1.5": "others can add only where the format lets them",
     "AP2.1": "one type is stated where the metamodel composes several",
     "AP2.2": "a type hides in a plain property",
     "AP2.3": "types exclude each other, or nobody defines them",
+    "AP3.1": "one root closes the model",
     "AP3.2": "a chain is no connected graph",
+    "AP3.3": "damping is linear",
+    "AP3.4": "friction is Coulomb friction",
+    "AP3.5": "a safety controller is linear",
     "AP3.6": "coordinates have a representation that no metamodel knows",
+    "AP3.7": "an inertia is six named entries",
     "AP3.8": "numbers bear the traces of conversion by hand",
+    "AP3.9": "the two levels of position limits contradict each other",
+    "AP3.10": "a body is drawn and does not collide, or collides as it is drawn",
     "AP3.11": "several measurements of one quantity disagree",
     "AP3.12": "several representations of one relation disagree",
+    "AP3.13": "kinds come from a closed list",
     "AP4.1": "one node belongs to several domains",
     "AP4.2": "a joint carries limits, actuation or control",
     "AP4.3": "a robot carries what only one simulator reads",
@@ -42,17 +53,28 @@ SYMPTOMS = {
     "AP6.5": "where a joint attaches is left open",
     "AP6.6": "axis, handedness or polarity is left open",
     "AP6.7": "the zero configuration is left open",
+    "AP6.8": "units and the upward axis of a whole document are left open",
+    "AP6.9": "two joint frames on one link cannot be told apart",
     "AP6.10": "a number is left to a default that does not exist",
     "AP6.11": "the sign of gravity is left open",
     "AP6.12": "point or frame of an inertia is left open",
 }
+FORMATS = {"jsonld": "JSON-LD", "urdf": "URDF", "sdf": "SDF", "srdf": "SRDF"}
 
 
 def symptom_table(rules: Iterable[Rule]) -> Iterator[str]:
-    """Which of *rules* find each symptom, as rows of a Markdown table."""
+    """Which of *rules* find each symptom in models of each format, as rows of a Markdown table.
+
+    *inherent* stands where no author of that format can avoid the symptom.
+    """
     ordered = tuple(rules)
-    yield "| Symptom | What it looks like | Found by |"
-    yield "|---|---|---|"
+    inherent = {form: {each.number for each in profile(form).symptoms} for form in FORMATS}
+    yield f"| Symptom | What it looks like | {' | '.join(FORMATS.values())} |"
+    yield f"|---|---|{'---|' * len(FORMATS)}"
     for symptom, title in SYMPTOMS.items():
-        found = ", ".join(rule.code for rule in ordered if symptom in rule.symptoms)
-        yield f"| {symptom} | {title} | {found} |"
+        found = [rule for rule in ordered if symptom in rule.symptoms]
+        cells = []
+        for form in FORMATS:
+            codes = [rule.code for rule in found if form in rule.formats]
+            cells.append(", ".join([*codes, *["*inherent*"] * (symptom in inherent[form])]))
+        yield f"| {symptom} | {title} | {' | '.join(cells)} |"

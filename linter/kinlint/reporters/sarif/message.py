@@ -75,12 +75,12 @@ def _worded(finding: Finding) -> tuple[str, tuple[str, ...]]:
     template, message = finding.template, finding.message
     names = list(dict.fromkeys(_PLACEHOLDER.findall(template)))
     if not names and template == message and template in finding.rule.messages:
-        return message_template(template), (escaped(finding.iri),)
+        return message_template(template), (escaped(finding.entity),)
     if names and len(names) == len(finding.arguments):
         values = dict(zip(names, finding.arguments, strict=True))
         if _PLACEHOLDER.sub(partial(_in_place, values), template) == message:
             return message_template(template), tuple(map(escaped, finding.arguments))
-    return "'{0}' Entity: '{1}'.", (escaped(message), escaped(finding.iri))
+    return "'{0}' Entity: '{1}'.", (escaped(message), escaped(finding.entity))
 
 
 def _in_place(values: Mapping[str, str], match: re.Match[str]) -> str:

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Location, Premise
+from kinlint.model import Finding, Premise
 from kinlint.reporters.sarif.artifact import Artifacts
 from kinlint.reporters.sarif.catalogue import LEVELS, Catalogue, taxon_references
 from kinlint.reporters.sarif.fingerprint import DOCUMENT, Fingerprints
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.message import RELATED_LOCATIONS, escaped, message_of
 from kinlint.reporters.sarif.region import Regions
+from kinlint.text import Location
 
 FLOW_LOCATIONS = 100
 """GitHub's limit for the steps of a derivation that its validator accepts."""
@@ -78,10 +79,15 @@ class Results:
         context = self._region(finding.location).context(finding.location.span)
         if context is not None:
             place["physicalLocation"]["contextRegion"] = context
-        if finding.iri and not finding.iri.startswith(("_:", DOCUMENT)):
-            name = finding.iri.rstrip("/#").replace("#", "/").rsplit("/", 1)[-1]
+        if finding.iri.startswith(DOCUMENT):
+            _, _, address = finding.entity.partition("#")
+            kind = "element"
+        else:
+            address, kind = finding.iri if finding.iri[:2] != "_:" else "", "object"
+        if address:
+            name = address.rstrip("/#").replace("#", "/").rsplit("/", 1)[-1]
             place["logicalLocations"] = [
-                {"name": name, "fullyQualifiedName": finding.iri, "kind": "object"}
+                {"name": name, "fullyQualifiedName": address, "kind": kind}
             ]
         return place
 

@@ -1,0 +1,90 @@
+"""Tells which files of a run say nothing of each other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import PurePath
+from urllib.parse import unquote
+
+from kinlint.document import TREES
+from kinlint.formats.registry import recognise
+from kinlint.text import SourceText
+
+_NAME = re.compile(r"<(?:robot|model)\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_INCLUDE = re.compile(r"""<(?:[\w-]+:)?include\b[^>]*?\sfilename\s*=\s*["']([^"']*)""")
+_NESTED = re.compile(r"<include\b[^>]*>(.*?)</include>", re.DOTALL)
+_URI = re.compile(r"<uri\b[^>]*>([^<]*)<")
+ALONE = frozenset({"urdf", "sdf", "xacro"})
+"""Formats whose files each describe robots of their own."""
+
+
+def models(sources: Sequence[SourceText]) -> Iterator[list[SourceText]]:
+    """*sources* in groups that say nothing of each other, in the order of their first ones.
+
+    Composable files make one model, and one with all others, since names may join them. Files
+    of elements belong together if they describe robots of one name, or if one may include the
+    other, or both the same file. An SRDF, which need not name its robot rightly, joins all; so
+    does a robot whose name is worked out, where robots in another format may be the same.
+    """
+    formats = {source.name: recognise(source.name, source.text) for source in sources}
+    forms = set(formats.values())
+    if not forms <= ALONE & TREES:
+        yield list(sources)
+        return
+    texts = [_COMMENT.sub("", source.text) for source in sources]
+    names = [{(one or other).casefold() for one, other in _NAME.findall(text)} for text in texts]
+    if len(forms) > 1 and any("$" in name for each in names for name in each):
+        yield list(sources)
+        return
+    groups = _Groups(len(sources))
+    robots: dict[str, int] = {}
+    users: dict[str, int] = {}
+    files: dict[str, list[int]] = {}
+    for index, source in enumerate(sources):
+        for name in names[index]:
+            groups.join(index, robots.setdefault(name, index))
+        for part in PurePath(source.name).parts[-3:]:
+            files.setdefault(part, []).append(index)
+    mixed = [index for index, source in enumerate(sources) if formats[source.name] == "xacro"]
+    for index, text in enumerate(texts):
+        for meant in _included(text):
+            groups.join(index, users.setdefault(meant, index))
+            for other in mixed if _worked_out(meant) else files.get(meant, ()):
+                groups.join(index, other)
+    found: dict[int, list[SourceText]] = {}
+    for index, source in enumerate(sources):
+        found.setdefault(groups.first(index), []).append(source)
+    yield from found.values()
+
+
+def _included(text: str) -> Iterator[str]:
+    """The last parts of the paths of what *text* includes."""
+    uris = (uri for nested in _NESTED.findall(text) for uri in _URI.findall(nested))
+    for path in (*_INCLUDE.findall(text), *uris):
+        yield unquote(path.strip().rstrip("/")).rpartition("/")[2]
+
+
+def _worked_out(name: str) -> bool:
+    """Whether *name* may be any, since it is not written out."""
+    return not {"$", "}", ")", "*", "?"}.isdisjoint(name)
+
+
+class _Groups:
+    """Numbers from 0 that are joined into groups, each known by its least."""
+
+    def __init__(self, size: int) -> None:
+        self._above = list(range(size))
+
+    def first(self, one: int) -> int:
+        """The least number of the group of *one*."""
+        while self._above[one] != one:
+            self._above[one] = self._above[self._above[one]]
+            one = self._above[one]
+        return one
+
+    def join(self, one: int, other: int) -> None:
+        """Make one group of those of *one* and *other*."""
+        least, most = sorted((self.first(one), self.first(other)))
+        self._above[most] = least
