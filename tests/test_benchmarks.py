@@ -4,9 +4,10 @@ import sys
 from collections import Counter
 
 import pytest
-from benchmarks import robot
+from benchmarks import fleet, robot
 from benchmarks.checking import Subject, compared, deeply
 from benchmarks.defects import DEFECTS, STEP, expected
+from benchmarks.fleet import Fleet
 from benchmarks.processes import Workplace
 from benchmarks.table import Row, markdown
 from rdflib import Graph
@@ -94,6 +95,34 @@ def test_a_process_that_fails_is_not_timed(tmp_path):
         place.run([sys.executable, "-c", "raise SystemExit(2)"])
     with pytest.raises(RuntimeError, match="alas"):
         place.run([sys.executable, "-c", "import sys; sys.stderr.write('alas')"])
+
+
+LEG = '<robot name="leg"><link name="thigh"/></robot>'
+
+
+def test_a_fleet_is_linted_at_once_and_loaded_one_by_one(tmp_path, monkeypatch):
+    """The files below a directory, whoever is there to be compared with."""
+    for name in ("left", "right"):
+        (tmp_path / f"{name}.urdf").write_text(LEG, "utf-8")
+    monkeypatch.setattr(fleet, "EACH", "import sys; assert sys.argv[1:]")
+    monkeypatch.setattr(fleet, "find_spec", lambda _: True)
+    monkeypatch.setattr(fleet, "CHECK_URDF", tmp_path / "absent" / "check_urdf")
+
+    each, together = Fleet(tmp_path).rows(1)
+
+    assert each.ours == together.ours == "`kinlint`, 2 URDF files in one run"
+    assert all(seconds > 0 for row in (each, together) for seconds in row.seconds)
+    assert (each.target, together.target) == (20, None)
+
+
+@pytest.mark.skipif(not fleet.CHECK_URDF.exists(), reason="check_urdf is not installed")
+def test_check_urdf_is_timed_only_if_it_finds_its_libraries(tmp_path):
+    """A peer that does not start would be fast."""
+    (tmp_path / "leg.urdf").write_text(LEG, "utf-8")
+    Fleet(tmp_path).run([str(fleet.CHECK_URDF), str(tmp_path / "leg.urdf")])
+
+    with pytest.raises(RuntimeError):
+        Fleet(tmp_path).run([sys.executable, "-c", "raise SystemExit(127)"])
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pyoxigraph as ox
 import pytest
 
 from kinlint import lint, resources, rulebook
-from kinlint.configuration.settings import Settings
+from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.contexts.declarations import PATH
 from kinlint.contexts.library import RELEASES, Contexts
 from kinlint.formats.jsonld.reader import read
@@ -20,7 +21,13 @@ from kinlint.text import SourceText
 from kinlint.vocabulary import KIN, KINLINT, RDFS
 
 SAMPLES = Path(__file__).parents[1] / "samples"
-BROKEN = sorted((SAMPLES / "broken").glob("*.jsonld"))
+COMPANION = SAMPLES / "broken" / "gantry.urdf"
+"""A robot that some broken samples are about, and read together with."""
+BROKEN = sorted(
+    file
+    for file in (SAMPLES / "broken").iterdir()
+    if file.suffix not in {"", ".expected"} and file != COMPANION
+)
 NO_MODELS = {
     "broken": "one fault each",
     "shapes": "a shape of a user's",
@@ -43,7 +50,11 @@ ALGORITHMS = (
 
 
 def files(name):
-    return sorted((SAMPLES / name).rglob("*.jsonld"))
+    return sorted(
+        path
+        for path in (SAMPLES / name).rglob("*")
+        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf"}
+    )
 
 
 @cache
@@ -51,10 +62,28 @@ def rules():
     return rulebook.load()
 
 
+def sources(*models):
+    return [decode(str(model), model.read_bytes()) for model in models]
+
+
 @cache
 def report(*models):
-    sources = [decode(str(model), model.read_bytes()) for model in models]
-    return lint.run(sources, [], Settings(), rules())
+    return lint.run(sources(*models), [], Settings(), rules())
+
+
+@cache
+def broken(file):
+    """What is found in *file*, where the rule that it is named for is made to speak.
+
+    A matter of taste is asked for, a rule for one consumer hears of that.
+    """
+    rule = next((rule for rule in rules().rules if rule.name == file.stem), None)
+    assert rule, f"no rule is called {file.stem}"
+    asked = (Choice(extend_select=(rule.code,)),) if rule.optional else ()
+    settings = Settings(default=FileSettings(choices=asked, targets=rule.targets))
+    about = [COMPANION] if COMPANION.stem in file.read_text() else []
+    companions = [replace(one, companion=True) for one in sources(*about)]
+    return lint.run([*sources(file), *companions], [], settings, rules()).findings
 
 
 @cache
@@ -62,7 +91,8 @@ def vocabulary_in_use():
     """The IRIs that good samples state something by: types, properties and values."""
     options = ReadOptions(Contexts.bundled(), RELEASES)
     found = set()
-    for model in (file for name in GOOD for file in files(name)):
+    every = (file for name in GOOD for file in files(name))
+    for model in (file for file in every if file.suffix == ".jsonld"):
         for _, predicate, value in read(
             SourceText(str(model), model.read_text()), options
         ).statements:
@@ -112,7 +142,7 @@ def test_a_good_sample_computes_by_it(term):
 def test_a_broken_sample_is_found_broken_where_it_is(file):
     """The findings of a broken sample are those listed beside it, and no others."""
     found = []
-    for finding in report(file).findings:
+    for finding in broken(file):
         start = finding.location.start
         found.append(f"{start.line}:{start.column} {finding.rule.code}")
 
@@ -122,7 +152,7 @@ def test_a_broken_sample_is_found_broken_where_it_is(file):
 @pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
 def test_a_broken_sample_is_found_by_the_rule_it_is_named_for(file):
     """Its own rule is among those that find it."""
-    assert file.stem in {finding.rule.name for finding in report(file).findings}
+    assert file.stem in {finding.rule.name for finding in broken(file)}
 
 
 @pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
@@ -136,3 +166,8 @@ def test_every_rule_about_models_has_a_broken_sample():
     about_models = {rule.name for rule in rules().rules if rule.family != "LNT"}
 
     assert about_models == {file.stem for file in BROKEN}
+
+
+def test_the_companion_of_the_broken_samples_is_whole():
+    """What is found in a file beside it is the fault of that file."""
+    assert report(COMPANION).findings == ()

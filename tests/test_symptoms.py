@@ -1,40 +1,65 @@
-"""Every symptom of the anti-patterns that a composable model can show is found by a rule."""
+"""Every symptom of the anti-patterns that an author could have avoided is found by a rule."""
 
 import re
 
 import pytest
 
 from kinlint import rulebook
-from kinlint.reporters.symptoms import SYMPTOMS, symptom_table
+from kinlint.inherent import profile
+from kinlint.reporters.symptoms import FORMATS, SYMPTOMS, symptom_table
 
 RULES = rulebook.load().rules
+AVOIDABLE = {
+    "urdf": "1.1 1.2 1.3 2.3 3.2 3.8 3.9 3.10 3.11 4.2 4.3 4.4 4.5 5.3 5.4 5.5 5.6 "
+    "6.1 6.2 6.3 6.5 6.6 6.7 6.10",
+    "sdf": "1.2 1.3 2.3 3.8 3.10 3.11 4.3 4.5 4.6 5.3 5.4 5.6 6.1 6.3 6.4 6.5 6.6 6.10",
+    "srdf": "1.2 1.3 2.3 3.8 3.11 4.3 5.3 6.7",
+}
+"""What the author of a file of each format could have done better."""
+INHERENT = {form: {each.number for each in profile(form).symptoms} for form in FORMATS}
 
 
-def test_there_are_thirty_five():
-    """As many as the paper's anti-patterns have in JSON-LD."""
-    assert len(SYMPTOMS) == 35
+def test_there_are_forty_six():
+    """As many as the paper's anti-patterns have in all formats."""
+    assert len(SYMPTOMS) == 46
+
+
+@pytest.mark.parametrize(
+    ("form", "symptom"),
+    [(form, f"AP{number}") for form, numbers in AVOIDABLE.items() for number in numbers.split()],
+)
+def test_a_format_has_a_rule_for_what_its_authors_could_avoid(form, symptom):
+    """Rules that find the symptom in composable models alone do not help there."""
+    assert [rule for rule in RULES if symptom in rule.symptoms and form in rule.formats]
 
 
 @pytest.mark.parametrize("symptom", SYMPTOMS)
-def test_a_symptom_is_found_by_a_rule(symptom):
-    """That rule witnesses the anti-pattern that the symptom is of."""
+def test_a_symptom_is_found_by_a_rule_or_comes_with_a_format(symptom):
+    """A rule that finds it witnesses the anti-pattern that the symptom is of."""
     found = [rule for rule in RULES if symptom in rule.symptoms]
+    inherent = [form for form in FORMATS if symptom in INHERENT[form]]
 
-    assert found
+    assert found or inherent
     for rule in found:
         assert symptom.split(".")[0] in rule.antipatterns
 
 
-def test_rules_name_symptoms_that_exist():
+def test_names_exist():
     """A number nobody explains would be none."""
     assert {each for rule in RULES for each in rule.symptoms} <= SYMPTOMS.keys()
+    assert {each for numbers in INHERENT.values() for each in numbers} <= SYMPTOMS.keys()
 
 
-def test_the_table_names_the_rules_of_each_symptom():
-    """A row for each, with codes."""
-    rows = list(symptom_table(RULES))[2:]
+def test_the_table_names_the_rules_of_each_symptom_by_format():
+    """A row for each, with codes, and a word for what comes with the format."""
+    head, _, *rows = symptom_table(RULES)
 
+    assert head == "| Symptom | What it looks like | JSON-LD | URDF | SDF | SRDF |"
     assert len(rows) == len(SYMPTOMS)
     for row, symptom in zip(rows, SYMPTOMS, strict=True):
-        assert row.startswith(f"| {symptom} | ")
-        assert re.search(r"\| [A-Z]+\d{3}(, [A-Z]+\d{3})* \|$", row)
+        cells = [cell.strip() for cell in row.strip("|").split("|")]
+        assert cells[0] == symptom
+        assert any(cells[2:])
+        for form, cell in zip(FORMATS, cells[2:], strict=True):
+            assert re.fullmatch(r"(([A-Z]+\d{3}|\*inherent\*)(, |$))*", cell)
+            assert ("*inherent*" in cell) == (symptom in INHERENT[form])

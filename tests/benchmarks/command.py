@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
+from benchmarks.fleet import Fleet
 from benchmarks.processes import Workplace
 from benchmarks.stages import stages
 from benchmarks.table import Row, markdown
@@ -30,13 +31,8 @@ def main(arguments: Sequence[str]) -> int:
         sys.stderr.write(f"measured: {row.ours}\n")
         rows.append(row)
     joints = 70 if options.quick else 700
-    lines = [
-        *markdown(rows),
-        "",
-        _shares(joints, stages(joints, catalogue, options.runs)),
-        "",
-        _made(arguments, catalogue),
-    ]
+    shares = [] if options.fleet else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
+    lines = [*markdown(rows), "", *shares, _made(arguments, catalogue)]
     sys.stdout.writelines(f"{line}\n" for line in lines)
     return int(not all(row.met for row in rows))
 
@@ -53,11 +49,17 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--quick", action="store_true", help="only chains of 7, 70 and 700, of 7 for pySHACL"
     )
+    parser.add_argument(
+        "--fleet", type=Path, metavar="DIR", help="only the robots below DIR, in one run"
+    )
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
 
 def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
+    if options.fleet:
+        yield from Fleet(options.fleet).rows(options.runs)
+        return
     with tempfile.TemporaryDirectory() as directory:
         place = Workplace(Path(directory))
         place.warm()

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from kinlint.cli import check
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Location, Rule, Severity
+from kinlint.model import Finding, Rule, Severity
 from kinlint.report import Report
 from kinlint.rulebook import Rulebook
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 RULES = tuple(
     Rule(
@@ -45,7 +45,7 @@ class Pipeline:
     settings: Settings | None = None
     inputs: list[str] = field(default_factory=list)
 
-    def lint(self, settings, found, book, _profile):
+    def lint(self, settings, found, book, _profile, _jobs):
         self.settings = settings
         self.inputs = [one.name for one in found.inputs]
         return Report(

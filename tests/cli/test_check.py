@@ -129,8 +129,9 @@ def test_options_become_settings(kinlint, pipeline, write, here):
     assert str(settings.cache) == "c"
 
 
-def test_the_cache(kinlint, pipeline, write, here):
+def test_the_cache(kinlint, pipeline, write, here, monkeypatch):
     """Where the environment says; nowhere with `--no-cache`."""
+    monkeypatch.setenv("KINLINT_CACHE_DIR", str(here / ".cache"))
     write("arm.jsonld")
     kinlint("arm.jsonld")
     assert pipeline.settings.cache == here / ".cache"

@@ -207,8 +207,7 @@ def test_statistics_tell_where_time_went_if_asked(kinlint, write):
     spent = {row[0]: float(row[1].replace(",", "")) for row in rows}
 
     assert [*spent][:4] == ["rules", "imports", "decoding", "reading"]
-    assert [*spent][4:] == [
-        *("loading", "closure", "facts", "checking", "locating", "reporting", "total")
-    ]
+    assert [*spent][4:8] == ["loading", "lifting", "closure", "facts"]
+    assert [*spent][8:] == ["checking", "locating", "reporting", "total"]
     assert abs(2 * spent["total"] - sum(spent.values())) < 1
     assert "%" not in kinlint("arm.jsonld", "--statistics")[2]

@@ -5,8 +5,8 @@ import pytest
 from kinlint.configuration.selection import Catalogue, Policies, policy
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.errors import UsageError
-from kinlint.model import Finding, Location, Rule, Severity
-from kinlint.text import SourceText, Span
+from kinlint.model import Finding, Rule, Severity
+from kinlint.text import Location, SourceText, Span
 
 W = Severity.WARNING
 

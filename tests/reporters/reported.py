@@ -7,10 +7,10 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from kinlint.model import Example, Finding, Location, Premise, Related, Rule, Severity
+from kinlint.model import Example, Finding, Premise, Related, Rule, Severity
 from kinlint.report import Report
 from kinlint.reporters.style import Style
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 INERTIA = Rule(
     iri="https://w3id.org/kinlint/rules/inertia-seen-by-foreign-frame",

@@ -8,12 +8,12 @@ from hypothesis import given
 from reported import BOTH, DYNAMICS, INERTIA_FINDING, PLAIN, at, here, report, reports, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Location, Premise, Related
+from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.columns import shown, width
 from kinlint.reporters.full import render
 from kinlint.reporters.style import Style
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 ESCAPES = re.compile(r"\x1b\[[0-9;]*m|\x1b\]8;;.*?\x1b\\")
 

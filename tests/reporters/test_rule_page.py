@@ -88,7 +88,7 @@ def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -
         "| error | AP3 | inertia is seen by a frame of another body |\n"
         f"\n### other (UNI)\n\n{table}"
     ) in page
-    assert page.count("\n## ") == 2 + len(RULES)
+    assert page.count("\n## ") == 3 + len(RULES)
     section = page.partition("\n## INE007 inertia-seen-by-foreign-frame\n\n")[2]
     assert section.startswith("**inertia is seen by a frame of another body**\n\nSeverity: error")
     file = "inertia/inertia-seen-by-foreign-frame.ttl"
@@ -106,3 +106,12 @@ def test_marks_may_be_nested_and_many() -> None:
     example = marked("a [|b [|c|] d|] e [|f|]", "jsonld")
     assert example.text == "a b c d e f"
     assert example.marks == (Span(2, 7), Span(4, 5), Span(10, 11))
+
+
+def test_files_beside_an_example_are_named() -> None:
+    """Whether they are there is what the rule is about."""
+    example = Example("urdf", "<[|robot|]/>", "<robot/>", ("meshes/a.stl", "b.stl"))
+    page = rule_page.markdown(replace(INERTIA, examples=(example,)))
+
+    assert "Bad (beside it: meshes/a.stl, b.stl):\n" in page
+    assert "\nGood:\n" in page

@@ -19,11 +19,11 @@ from hypothesis import given, settings
 from reported import BOTH, INERTIA_FINDING, RULES, here, report, reports, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Location
+from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.reporters import registry
 from kinlint.reporters.sarif.log import log
-from kinlint.text import SourceText, Span
+from kinlint.text import Location, SourceText, Span
 
 TOOL = os.environ.get("KINLINT_SARIF_MULTITOOL", "")
 OFFLINE, OUTSIDE_GIT = "SARIF2006", "SARIF2003"

@@ -1,0 +1,216 @@
+"""Several processes: what they report is what one reports."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from kinlint import parallel
+from kinlint.cli.main import main
+from kinlint.independence import models
+from kinlint.text import SourceText
+
+XMLNS = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+JOINT = '<joint name="j{0}" type="revolute"><parent link="base"/><child link="hed"/></joint>'
+MEMBERS = '<link name="base"/>\n' + "\n".join(map(JOINT.format, range(3)))
+FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
+
+
+@pytest.fixture
+def robots(tmp_path, tmp_path_factory, monkeypatch):
+    """A directory of robots in several formats, some of which include each other."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path_factory.getbasetemp() / "rules"))
+    for number in range(5):
+        (tmp_path / f"r{number}.urdf").write_text(f'<robot name="r{number}">{MEMBERS}</robot>')
+    (tmp_path / "R4.sdf").write_text('<sdf version="1.9"><model name="R4"/></sdf>')
+    part = f"<robot {XMLNS}><xacro:macro name='m' params='n'><lnik/></xacro:macro></robot>"
+    (tmp_path / "part.xacro").write_text(part)
+    for number in range(2):
+        call = f'<xacro:include filename="part.xacro"/><xacro:m n="1"/>{MEMBERS}'
+        (tmp_path / f"x{number}.xacro").write_text(
+            f'<robot name="x{number}" {XMLNS}>{call}</robot>'
+        )
+    world = '<include><uri>inner.sdf</uri></include><link name="a"/><link name="a"/>'
+    (tmp_path / "outer.sdf").write_text(f'<sdf version="1.9"><model name="o">{world}</model></sdf>')
+    inner = '<model name="i"><lnik/></model>'
+    (tmp_path / "inner.sdf").write_text(f'<sdf version="1.9">{inner}</sdf>')
+    comment = "<!-- kinlint: ignore[UNI002] a unit -->"
+    (tmp_path / "quiet.urdf").write_text(f'<robot name="q">{comment}<link name="a"/></robot>')
+    return tmp_path
+
+
+def _said(capsys, *arguments):
+    capsys.readouterr()
+    code = main(["--isolated", *arguments])
+    out, err = capsys.readouterr()
+    return code, *(re.sub(r"\d+\.\d+ s|\d{4}-\d\d-\d\dT[\d:.]+Z", "…", text) for text in (out, err))
+
+
+def test_every_report_is_that_of_one_process(robots, capsys):
+    """Byte by byte, but for times and the number of processes that was asked for."""
+    for form in FORMATS:
+        arguments = [".", "--output-format", form]
+        one, many = (_said(capsys, *arguments, "-j", jobs) for jobs in ("1", "3"))
+
+        assert one[0] == 1
+        if form == "sarif":
+            one, many = (_without_invocation(each) for each in (one, many))
+        assert many == one
+
+
+def _without_invocation(said):
+    code, out, err = said
+    log = json.loads(out)
+    for run in log["runs"]:
+        run.pop("invocations", None)
+    return code, json.dumps(log), err
+
+
+def test_a_composable_model_is_judged_whole(robots, capsys):
+    """Names may join it with any other file."""
+    (robots / "arm.jsonld").write_text('{"@context": {}, "@id": "x:a"}')
+    one, many = (_said(capsys, ".", "-q", "-j", jobs) for jobs in ("1", "3"))
+
+    assert many == one
+
+
+def test_a_file_that_cannot_be_read_decides_for_all(robots, capsys):
+    """Then no suppression is called unused, in whichever process it stands."""
+    (robots / "bad.urdf").write_text("<robot name='r'>" + "<a>" * 300)
+    one, many = (_said(capsys, ".", "--output-format", "concise", "-j", jobs) for jobs in "13")
+
+    assert one[0] == 2
+    assert many == one
+
+
+def test_without_processes_one_does_it(robots, capsys, monkeypatch):
+    """Some systems have no semaphores, or let nobody begin a process."""
+    one = _said(capsys, ".", "-j", "1")
+
+    def refuse(*_, **__):
+        raise OSError("no more processes")
+
+    monkeypatch.setattr("concurrent.futures.ProcessPoolExecutor", refuse)
+    assert _said(capsys, ".", "-j", "3") == one
+
+
+def test_a_process_that_dies_is_no_reason_to_fail(robots, capsys, monkeypatch):
+    """One does it then."""
+    one = _said(capsys, ".", "-j", "1")
+    monkeypatch.setattr(parallel, "_begin", _die)
+    assert _said(capsys, ".", "-j", "3") == one
+
+
+def _die():
+    os._exit(1)
+
+
+@pytest.mark.parametrize("number", ["abc", "-1", "1.5", ""])
+def test_a_number_of_processes_is_a_number(capsys, number):
+    """Told in one line."""
+    code, out, err = _said(capsys, ".", f"--jobs={number}")
+    assert (code, out) == (2, "")
+    assert "jobs" in err
+    assert "Traceback" not in err
+
+
+def test_as_many_as_there_are_processors(robots, capsys):
+    """`-j 0` is a number of its own."""
+    assert _said(capsys, ".", "-j", "0") == _said(capsys, ".", "-j", "1")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
+def test_who_ends_the_run_ends_all_of_it(robots, capsys, number, code):
+    """No traceback, and nobody who goes on alone."""
+    _said(capsys, "r0.urdf")  # so that rules are compiled
+    many = "".join(f'<link name="l{n}"/>' + JOINT.format(f"oint{n}") for n in range(4000))
+    for each in range(4):
+        (robots / f"long{each}.urdf").write_text(f'<robot name="long{each}">{many}</robot>')
+    command = [sys.executable, "-m", "kinlint", ".", "-j", "3", "-q", "--isolated"]
+    run = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+    )
+    children = Path(f"/proc/{run.pid}/task/{run.pid}/children")
+    if not children.exists():
+        run.kill()
+        run.communicate()
+        pytest.skip("no /proc that lists the children of a process")
+    begun = []
+    while len(begun) < 2 and run.poll() is None:
+        time.sleep(0.05)
+        begun = children.read_text().split()
+    time.sleep(0.3)
+    os.kill(run.pid, number)
+    _, err = run.communicate(timeout=60)
+
+    assert run.returncode == code
+    assert err == b""
+    end = time.monotonic() + 20
+    while (left := [one for one in begun if Path(f"/proc/{one}").exists()]) and (
+        time.monotonic() < end
+    ):
+        time.sleep(0.1)
+    assert not left
+
+
+@pytest.mark.parametrize(
+    ("texts", "together"),
+    [
+        ({"a.urdf": '<robot name="a"/>', "b.urdf": '<robot name="b"/>'}, []),
+        ({"a.urdf": '<robot name="Arm"/>', "b.sdf": "<sdf><model name='arm'/></sdf>"}, ["ab"]),
+        ({"a.urdf": '<robot name="a"/>', "b.srdf": '<robot name="b"/>'}, ["ab"]),
+        (
+            {
+                "a.xacro": f'<robot name="a" {XMLNS}><xacro:include filename="d/b.xacro"/></robot>',
+                "d/b.xacro": f"<robot {XMLNS}/>",
+                "c.xacro": f'<robot name="c" {XMLNS}/>',
+            },
+            ["ab"],
+        ),
+        (
+            {
+                "a.sdf": "<sdf><model name='a'><include><uri>model://x</uri></include></model></sdf>",
+                "x/model.sdf": "<sdf><model name='b'/></sdf>",
+                "c.sdf": "<sdf><model name='c'/></sdf>",
+            },
+            ["am"],
+        ),
+        (
+            {
+                name: f'<robot name="{name}" {XMLNS}><xacro:include filename="z.xacro"/></robot>'
+                for name in ("a.xacro", "b.xacro")
+            },
+            ["ab"],
+        ),
+        (
+            {
+                "a.xacro": f'<robot name="$(arg n)" {XMLNS}/>',
+                "b.urdf": '<robot name="b"/>',
+            },
+            ["ab"],
+        ),
+    ],
+)
+def test_what_is_judged_together(texts, together):
+    """Robots of one name, files that include each other or the same, and what may be either."""
+    groups = list(models([SourceText(name, text) for name, text in texts.items()]))
+    joined = ["".join(each.name.split("/")[-1][0] for each in group) for group in groups]
+
+    assert sum(map(len, groups)) == len(texts)
+    assert [one for one in joined if len(one) > 1] == together
+
+
+def test_the_samples(capsys, monkeypatch, tmp_path_factory):
+    """What the project itself has, of all formats."""
+    monkeypatch.chdir(Path(__file__).parents[1])
+    monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path_factory.getbasetemp() / "rules"))
+    arguments = ["samples/urdf", "samples/sdf", "--output-format", "concise"]
+    assert _said(capsys, *arguments, "-j", "2") == _said(capsys, *arguments, "-j", "1")
