@@ -152,13 +152,20 @@ def check_all(
     settings: Settings,
     rulebook: Rulebook,
 ) -> list[Result]:
-    """What the engine of *settings* finds; the reference engine judges what is deferred to it."""
+    """What the engine of *settings* finds; the reference engine judges what is deferred to it.
+
+    Asked for, it closes composable models itself. What is lifted is closed as far as rules ask,
+    and owlrl could not do that.
+    """
     if not documents:
         return []
     if settings.engine == "pyshacl":
         from kinlint.engine.reference import shacl  # noqa: PLC0415
 
         owners = {each.owner for each in constraints}
+        if all(document.format in TREES for document in documents):
+            found = shacl.check_store(store, rulebook.shapes, constraints)
+            return [result for result in found if result.constraint.owner in owners]
         found = shacl.check(
             documents,
             rulebook.shapes,
