@@ -104,7 +104,7 @@ class Locator:
         if predicate is not None:
             for element in self.origins(subject):
                 if (found := self._written(element, value)) is not None:
-                    return found[0], predicate
+                    return found
         return None
 
     def of(self, result: Result, axioms: Sequence[Axiom]) -> Location:
