@@ -111,7 +111,7 @@ def _mentions(query: Lifting) -> tuple[frozenset[str], frozenset[str]]:
     known = published()
     if not any(iri_value(term) in known for term in query.makes):
         return frozenset(), frozenset()
-    names = re.findall(rf"\b({query.format}|at):([\w.-]+)", query.update)
+    names = re.findall(rf"\b({query.format}|at):([\w.-]+)", query.update())
     tags = frozenset(name for prefix, name in names if prefix == query.format)
     return tags, frozenset(_COMPONENT.sub("", name) for prefix, name in names if prefix == "at")
 

@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.conversion.coverage import Coverage, coverage
-from kinlint.document import Document
-from kinlint.engine.lifting import LIFTED_AS
+from kinlint.document import LIFTED_AS, Document
 from kinlint.terms import (
     RDF,
     RDF_TYPE,

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 
 from kinlint.contexts.library import Contexts
+from kinlint.contexts.prefixes import customary
 from kinlint.conversion.composition import Composition
 from kinlint.conversion.layout import layout
 from kinlint.conversion.nodes import Node
 from kinlint.conversion.published import order
 from kinlint.conversion.triples import Triples
-from kinlint.resources import data
 
 LAST = (9, 0)
 
@@ -50,7 +49,7 @@ def _arranged(node: Node) -> Node:
 
 def turtle(model: Composition) -> str:
     """*model* as Turtle."""
-    return _serialized(model, "TURTLE", {**_prefixes(), **model.namespaces})
+    return _serialized(model, "TURTLE", {**customary(), **model.namespaces})
 
 
 def ntriples(model: Composition) -> str:
@@ -75,9 +74,3 @@ def _serialized(model: Composition, form: str, prefixes: Mapping[str, str]) -> s
     text = ox.serialize(triples, format=getattr(ox.RdfFormat, form), prefixes=used or None)
     lines = (text or b"").decode().splitlines(keepends=True)
     return "".join([*sorted(lines[: len(used)]), *lines[len(used) :]])
-
-
-def _prefixes() -> Mapping[str, str]:
-    """The prefixes that rules use, which are those of the metamodels."""
-    text = (data("shapes") / "prefixes.ttl").read_text(encoding="utf-8")
-    return dict(re.findall(r'sh:prefix "([^"]+)" ; sh:namespace "([^"]+)"', text))

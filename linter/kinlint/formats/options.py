@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Protocol
 
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASES, Contexts, Extra
 from kinlint.files.packages import Packages
+from kinlint.files.pathname import real
+from kinlint.text import SourceText
 from kinlint.vocabulary import DOCUMENT_BASE
 
 
@@ -45,7 +48,8 @@ class ReadOptions:
     are resolved against; an IRI below the default was relative where it was written. `format`
     overrides what the file's name and content say. `memory` is what a front end keeps from one
     file for the next. `packages_of` and `xacro_arguments_of` have the packages and the arguments
-    for the source of a name.
+    for the source of a name. `overlay` has the texts that files are taken to hold where others
+    include them, by their paths with all links followed.
     """
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
@@ -57,6 +61,11 @@ class ReadOptions:
     xacro_arguments_of: Callable[[str], Mapping[str, str]] = field(
         default=_no_arguments, compare=False
     )
+    overlay: Mapping[Path, SourceText] = field(default_factory=dict, repr=False, compare=False)
+
+    def laid_over(self, path: Path) -> SourceText | None:
+        """What the file at *path* is taken to hold; None if that is what it holds."""
+        return self.overlay.get(real(path)) if self.overlay else None
 
     @classmethod
     def of(cls, settings: Settings) -> ReadOptions:

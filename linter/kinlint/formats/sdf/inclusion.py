@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
+from kinlint.files.contents import head
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 
@@ -68,11 +69,7 @@ def _named_by_manifest(directory: Path) -> Path | None:
     Without a manifest it is `model.sdf`, or the only SDF file there.
     """
     for name in MANIFESTS:
-        try:
-            with (directory / name).open(encoding="utf-8", errors="replace") as stream:
-                text = _COMMENT.sub("", stream.read(HEAD))
-        except OSError:
-            continue
+        text = _COMMENT.sub("", head(directory / name, HEAD) or "")
         versions: Mapping[tuple[int, ...], str] = {
             _version(match[1]): match[2] for match in _SDF.finditer(text)
         }

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
+from kinlint.files.contents import Unreadable, contents
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
@@ -30,8 +31,10 @@ from kinlint.vocabulary import ATTRIBUTE
 FORMAT = "sdf"
 MOST_DEEP = 16
 MOST_INCLUDED = 1_000
+MOST_STATED = 500_000
 LARGEST = 1 << 26
-"""How deep files include each other, how many times in all, and how many bytes a file has."""
+"""How deep files include each other, how many times in all, how many statements those that are
+included make together, and how many bytes a file has."""
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
@@ -50,15 +53,20 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
 @dataclass
 class _Inclusion:
-    """The files that one file includes, directly or not; `count` is how many times so far."""
+    """The files that one file includes, directly or not.
+
+    `count` is how many times so far, and `stated` how many statements they make.
+    """
 
     options: ReadOptions
     packages: Packages
     count: int = 0
+    stated: int = 0
 
     def read(self, source: SourceText, chain: tuple[Path, ...]) -> Document:
         """*source* with what it includes; *chain* are the files that include each other."""
         document = xml.read(source, self.options, FORMAT)
+        self.stated += len(document.statements) if len(chain) > 1 else 0
         root = tree(document.graph, document.statements)
         if root is None:
             return document
@@ -86,28 +94,30 @@ class _Inclusion:
         if path in chain:
             return "CircularInclude", Missing(f"{path.name} includes itself")
         self.count += 1
-        if len(chain) > MOST_DEEP or self.count > MOST_INCLUDED:
-            return unread, Missing("too many files include each other")
+        if excess := self._excess(len(chain)):
+            return unread, Missing(excess)
         try:
-            source = self._text(path)
-            if sniff(source.text, source.name) != FORMAT:
-                return unread, Missing(f"{source.name} is no SDF")
-            return unread, self.read(source, (*chain, path))
+            return unread, self.read(self._text(path), (*chain, path))
         except SourceError as error:
             return unread, Missing(f"{path.name} cannot be read: {error.cause}")
+        except Unreadable as error:
+            return unread, Missing(str(error))
+
+    def _excess(self, depth: int) -> str:
+        """Why nothing more is included, or nothing."""
+        if self.stated > MOST_STATED:
+            return "what is included is too large"
+        too_many = depth > MOST_DEEP or self.count > MOST_INCLUDED
+        return "too many files include each other" if too_many else ""
 
     def _text(self, path: Path) -> SourceText:
-        """The text of the file at *path*, the same object for the whole run."""
-        key = FORMAT, path
-        if key not in self.options.memory:
-            name = shown(path)
-            try:
-                if path.stat().st_size > LARGEST:
-                    raise SourceError(name, "the file is too large")
-                self.options.memory[key] = decode(name, path.read_bytes())
-            except OSError as error:
-                raise SourceError(name, error.strerror or str(error)) from None
-        text: SourceText = self.options.memory[key]
+        """The SDF text of the file at *path*, the same object for the whole run."""
+        key, memory = (FORMAT, path), self.options.memory
+        text: SourceText | None = self.options.laid_over(path) or memory.get(key)
+        if text is None:
+            text = memory[key] = decode(shown(path), contents(path, path, LARGEST))
+        if sniff(text.text, text.name) != FORMAT:
+            raise Unreadable(f"{text.name} is no SDF")
         return text
 
 

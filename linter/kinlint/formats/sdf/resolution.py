@@ -1,33 +1,24 @@
 """States what the names and poses of an SDF file come to, which no query could work out.
 
 Of each element: the scope it is in, the frame its pose is seen by, the bodies a joint joins and
-where the joint sits on them, the direction of an axis in the joint frame. What leads nowhere is
-stated, too.
+where the joint sits on them, the direction of an axis in the joint frame, the joints that a gearbox
+couples. What leads nowhere is stated, too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import hypot
 
+from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.frames import Frames, Problem, written
-from kinlint.formats.sdf.scopes import FRAMES, MODEL, Scopes
-from kinlint.formats.sdf.transform import (
-    Transform,
-    between,
-    composed,
-    inverse,
-    rounded,
-    turned,
-)
+from kinlint.formats.sdf.gearbox import gears
+from kinlint.formats.sdf.scopes import FRAMES, Scopes
+from kinlint.formats.sdf.transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.tree import Element
 from kinlint.formats.source_layer import src
 from kinlint.terms import XSD, Term, Triple, literal
 
-AXES = ("axis", "axis2")
 ENTITIES = ("model", "actor", "light")
-JOINT_FRAME = (1, 5)
-"""The version since which an axis is given in the joint frame, and not in that of the model."""
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
@@ -64,6 +55,14 @@ class _Resolution:
                 yield from self._parts(element, body)
             if element.tag == "joint":
                 yield from self._joint(element)
+        yield from self._gears()
+
+    def _gears(self) -> Iterator[Triple]:
+        joints = (each for each in self.scopes.around if each.tag == "joint")
+        for box, leader, follower, sense in gears(self.frames, joints):
+            yield box.node, src("leader"), leader.node
+            yield box.node, src("follower"), follower.node
+            yield box.node, src("sense"), _number(sense)
 
     def _left_out(self) -> Iterator[Triple]:
         """What stands beside the one model, actor or light that readers take from a file."""
@@ -133,7 +132,10 @@ class _Resolution:
             if tag == "parent" and place is not None and on is not None:
                 yield from _pose(joint.node, tag, between(on, place))
         for axis in (each for each in joint.children if each.tag in AXES):
-            yield from self._axis(joint, axis, place)
+            xyz, own = axis.first("xyz"), direction(self.frames, joint, axis)
+            if xyz is not None and own is not None:
+                for component, value in zip("xyz", rounded(own), strict=True):
+                    yield xyz.node, src(component), _number(value)
             mimic = axis.first("mimic")
             leader = mimic.attributes.get("joint", "") if mimic else ""
             if mimic is not None and leader:
@@ -145,25 +147,6 @@ class _Resolution:
     def _moved(joint: Element) -> bool:
         pose = joint.first("pose")
         return pose is not None and bool(pose.numbers)
-
-    def _axis(self, joint: Element, axis: Element, place: Transform | None) -> Iterator[Triple]:
-        xyz = axis.first("xyz")
-        if xyz is None or len(xyz.numbers) != len("xyz"):
-            return
-        length = hypot(*xyz.numbers)
-        if not 0 < length < float("inf"):
-            return
-        x, y, z = (each / length for each in xyz.numbers)
-        name = xyz.attributes.get("expressed_in", "")
-        old = axis.truth("use_parent_model_frame") or () < joint.version < JOINT_FRAME
-        if name or old:
-            seer = self.frames.named(name or MODEL, joint, xyz, "expressed_in")
-            seen = self.frames.place(seer) if seer is not None else None
-            if seen is None or place is None:
-                return
-            x, y, z = turned(inverse(place)[1], turned(seen[1], (x, y, z)))
-        for component, value in zip("xyz", rounded((x, y, z)), strict=True):
-            yield xyz.node, src(component), _number(value)
 
 
 def _pose(node: Term, body: str, pose: Transform) -> Iterator[Triple]:

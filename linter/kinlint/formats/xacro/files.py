@@ -3,48 +3,37 @@
 from __future__ import annotations
 
 import os
-import stat
-from collections.abc import Hashable, MutableMapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
+from kinlint.files.contents import Unreadable, contents
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.decoding import decode
+from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
 
-SIZE = 1 << 23
 TABLE_SIZE = 1 << 20
-SYSTEM = [(name,) for name in ("dev", "etc", "proc", "run", "sys")]
 TABLES = (".yaml", ".yml", ".json")
-
-
-class Unreadable(Exception):
-    """A file that is named cannot be used; the text says why. *missing*: there is none."""
-
-    def __init__(self, cause: str, *, missing: bool = False) -> None:
-        super().__init__(cause)
-        self.missing = missing
 
 
 @dataclass
 class Pieces:
     """The texts that an expansion reads, each once, and where each begins among all.
 
-    `main` is the file itself at `path`. `memory` keeps texts for the next file of the run.
+    `main` is the file itself at `path`. The memory of `options` keeps texts for the next file.
     """
 
     main: SourceText
     path: Path
-    memory: MutableMapping[Hashable, Any]
+    options: ReadOptions
     _begins: dict[int, int] = field(default_factory=dict)
     _listed: list[tuple[int, SourceText]] = field(default_factory=list)
     _end: int = 0
 
     def __post_init__(self) -> None:
         self._add(self.main)
-        self.memory.setdefault(("xacro", self.path), self.main)
+        self.options.memory.setdefault(("xacro", self.path), self.main)
 
     @property
     def listed(self) -> tuple[tuple[int, SourceText], ...]:
@@ -60,9 +49,10 @@ class Pieces:
         if path == self.path:
             return self.main
         key = "xacro", path
-        source: SourceText | None = self.memory.get(key)
+        memory = self.options.memory
+        source: SourceText | None = self.options.laid_over(path) or memory.get(key)
         if source is None:
-            source = self.memory[key] = decode(self._name(path), contents(path, self.path))
+            source = memory[key] = decode(self._name(path), contents(path, self.path))
         if not source.text.lstrip().startswith("<"):
             raise Unreadable(f"'{source.name}' is no XML")
         if id(source) not in self._begins:
@@ -96,43 +86,11 @@ def _from(directory: Path, path: Path) -> str:
         return str(path)
 
 
-def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
-    """The bytes of the regular file at *path*, at most *limit*, which a file at *near* names.
-
-    Raises Unreadable, also for what lies hidden or belongs to the system.
-    """
-    if _is_private(path, near):
-        raise Unreadable(f"'{shown(path)}' is none of the files that a robot is made of")
-    try:
-        about = path.stat()
-        if not stat.S_ISREG(about.st_mode):
-            raise Unreadable(f"'{shown(path)}' is not a file")
-        if about.st_size > limit:
-            raise Unreadable(f"'{shown(path)}' has more than {limit >> 20} MiB")
-        return path.read_bytes()
-    except (FileNotFoundError, NotADirectoryError):
-        raise Unreadable(f"there is no file '{shown(path)}'", missing=True) from None
-    except (OSError, ValueError) as error:
-        cause = getattr(error, "strerror", None) or str(error)
-        raise Unreadable(f"'{shown(path)}' cannot be read: {cause}") from None
-
-
 def table(path: Path, near: Path) -> bytes:
     """The bytes of the YAML file at *path*, which has to be called one, as in `contents`."""
     if path.suffix.lower() not in TABLES:
         raise Unreadable(f"'{shown(path)}' is not called a YAML file")
     return contents(path, near, TABLE_SIZE)
-
-
-def _is_private(path: Path, near: Path) -> bool:
-    """Whether *path* leads to where *near* does not lie and no robots are kept."""
-    try:
-        real, own = Path(os.path.realpath(path)), Path(os.path.realpath(near))
-    except (OSError, ValueError):
-        return False
-    apart = next((i for i, (a, b) in enumerate(zip(real.parts, own.parts)) if a != b), 0)  # noqa: B905  of any length
-    hidden = any(part.startswith(".") for part in real.parts[apart:])
-    return hidden or (real.parts[1:2] in SYSTEM and own.parts[1:2] != real.parts[1:2])
 
 
 def place(name: str) -> Path:

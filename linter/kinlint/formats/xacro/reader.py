@@ -39,7 +39,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     Of a file that does not expand, or that only defines what others use, that is all.
     """
-    pieces = Pieces(source, place(source.name), options.memory)
+    pieces = Pieces(source, place(source.name), options)
     packages = options.packages_of(source.name)
     session = Session(pieces, options.xacro_arguments_of(source.name), packages)
     expansion = session.expand()

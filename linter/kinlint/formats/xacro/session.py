@@ -19,6 +19,7 @@ from typing import Any
 from xml.dom import minidom
 
 from kinlint.errors import SourceError
+from kinlint.files.contents import Unreadable
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.formats.xacro import yaml_table
@@ -26,7 +27,7 @@ from kinlint.formats.xacro.bounds import Bounds, Refused, TooMuch
 from kinlint.formats.xacro.comments import inherit, removing
 from kinlint.formats.xacro.expression import Members, evaluate
 from kinlint.formats.xacro.failure import Failure, Fault, fault
-from kinlint.formats.xacro.files import Pieces, Unreadable, table
+from kinlint.formats.xacro.files import Pieces, table
 from kinlint.formats.xacro.origin import Origin
 from kinlint.formats.xacro.parse import Parsed, parse
 from kinlint.formats.xacro.substitution import Substitution

@@ -232,29 +232,25 @@ class Element(Node):
         """Put *node* inside, in front of *before* or at the end."""
         if node.parentNode is not None:
             node.parentNode.removeChild(node)
-        previous = self.lastChild if before is None else before.previousSibling
-        node.parentNode, node.previousSibling, node.nextSibling = self, previous, before
-        if previous is None:
-            self.firstChild = node
-        else:
-            previous.nextSibling = node
-        if before is None:
-            self.lastChild = node
-        else:
-            before.previousSibling = node
+        node.parentNode = self
+        self._join(self.lastChild if before is None else before.previousSibling, node)
+        self._join(node, before)
 
     def removeChild(self, node: Node) -> None:  # noqa: N802
         """Take *node* out."""
-        previous, after = node.previousSibling, node.nextSibling
-        if previous is None:
-            self.firstChild = after
-        else:
-            previous.nextSibling = after
-        if after is None:
-            self.lastChild = previous
-        else:
-            after.previousSibling = previous
+        self._join(node.previousSibling, node.nextSibling)
         node.parentNode = node.previousSibling = node.nextSibling = None
+
+    def _join(self, left: Node | None, right: Node | None) -> None:
+        """Make neighbours of two nodes inside; None stands for what is beyond either end."""
+        if left is None:
+            self.firstChild = right
+        else:
+            left.nextSibling = right
+        if right is None:
+            self.lastChild = left
+        else:
+            right.previousSibling = left
 
     def cloneNode(self, deep: bool = True) -> Element:  # noqa: FBT001, FBT002, N802
         """A copy without parent, of the same origin; *deep*, with all that is inside."""

@@ -8,8 +8,8 @@ from typing import Any
 
 import yaml
 
+from kinlint.files.contents import Unreadable
 from kinlint.formats.xacro.bounds import Bounds, TooMuch
-from kinlint.formats.xacro.files import Unreadable
 from kinlint.formats.xacro.symbols import dotted
 
 MERGED = 10_000

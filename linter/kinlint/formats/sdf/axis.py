@@ -1,0 +1,48 @@
+"""Which way the axes of joints point."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from kinlint.formats.sdf.frames import Frames
+from kinlint.formats.sdf.scopes import MODEL
+from kinlint.formats.sdf.transform import Vector, inverse, turned
+from kinlint.formats.sdf.tree import Element
+
+AXES = ("axis", "axis2")
+JOINT_FRAME = (1, 5)
+"""The version since which an axis is given in the joint frame, and not in that of the model."""
+UPWARD: Vector = (0.0, 0.0, 1.0)
+"""Where an axis points that says nothing."""
+
+
+def direction(frames: Frames, joint: Element, axis: Element) -> Vector | None:
+    """The unit vector that *axis* says, as the frame of *joint* sees it; None if it says none."""
+    xyz = axis.first("xyz")
+    if xyz is None or len(xyz.numbers) != len("xyz"):
+        return None
+    length = hypot(*xyz.numbers)
+    if not 0 < length < float("inf"):
+        return None
+    x, y, z = (each / length for each in xyz.numbers)
+    name = xyz.attributes.get("expressed_in", "")
+    if not name and not axis.truth("use_parent_model_frame") and not _old(joint):
+        return x, y, z
+    seer = frames.named(name or MODEL, joint, xyz, "expressed_in")
+    seen = frames.place(seer) if seer is not None else None
+    place = frames.place(joint)
+    if seen is None or place is None:
+        return None
+    return turned(inverse(place)[1], turned(seen[1], (x, y, z)))
+
+
+def _old(joint: Element) -> bool:
+    return () < joint.version < JOINT_FRAME
+
+
+def in_world(frames: Frames, joint: Element, tag: str) -> Vector | None:
+    """Where the axis of *joint* called *tag* points while no joint has moved, seen by the world."""
+    axis, place = joint.first(tag), frames.place(joint)
+    said = axis.first("xyz") if axis is not None else None
+    own = direction(frames, joint, axis) if axis is not None and said is not None else UPWARD
+    return turned(place[1], own) if place is not None and own is not None else None

@@ -1,0 +1,81 @@
+"""Which hinges the gearboxes of SDF couple.
+
+A gearbox relates two angles: of its parent and of its child, each as the reference body sees it.
+The hinges between these bodies have the same angles, but for their signs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import starmap
+from typing import NamedTuple, TypeAlias
+
+from kinlint.formats.sdf.axis import in_world
+from kinlint.formats.sdf.frames import Frames
+from kinlint.formats.sdf.transform import Vector
+from kinlint.formats.sdf.tree import Element
+
+HINGES = ("revolute", "continuous")
+ALIGNED = 1e-6
+"""How much the scalar product of two unit vectors of the same direction is below one at most."""
+
+Ends: TypeAlias = tuple[Element | None, Element | None]
+
+
+class Gear(NamedTuple):
+    """A gearbox: `follower` turns with `leader` if `sense` times minus the ratio is positive."""
+
+    gearbox: Element
+    leader: Element
+    follower: Element
+    sense: float
+
+
+def gears(frames: Frames, joints: Iterable[Element]) -> Iterator[Gear]:
+    """What each gearbox among *joints* couples, where two hinges turn about its axes."""
+    every = [*joints]
+    boxes = [each for each in every if each.attributes.get("type") == "gearbox"]
+    if not boxes:
+        return
+    hinges: dict[frozenset[Element | None], Element] = {}
+    for each in every:
+        if each.attributes.get("type") in HINGES:
+            hinges.setdefault(frozenset(_ends(frames, each)), each)
+    for box in boxes:
+        said = box.first("gearbox_reference_body")
+        name = said.text.strip() if said else ""
+        held = frames.named(name, box, said, "gearbox_reference_body") if said and name else None
+        reference = frames.body(held) if held is not None else None
+        parent, child = _ends(frames, box)
+        leader = hinges.get(frozenset((reference, parent)))
+        follower = hinges.get(frozenset((reference, child)))
+        if reference is None or leader is None or follower is None or leader is follower:
+            continue
+        senses = [
+            _sense(frames, box, tag, hinge, reference)
+            for tag, hinge in (("axis", leader), ("axis2", follower))
+        ]
+        if 0.0 not in senses:
+            yield Gear(box, leader, follower, senses[0] * senses[1])
+
+
+def _ends(frames: Frames, joint: Element) -> Ends:
+    found = (frames.end(joint, tag) for tag in ("parent", "child"))
+    parent, child = (frames.body(each) if each is not None else None for each in found)
+    return parent, child
+
+
+def _sense(frames: Frames, box: Element, tag: str, hinge: Element, reference: Element) -> float:
+    """1 if *hinge* turns as the axis *tag* of *box* counts, -1 if the other way, else 0."""
+    own, other = in_world(frames, box, tag), in_world(frames, hinge, "axis")
+    if own is None or other is None:
+        return 0.0
+    along = _product(own, other)
+    if abs(along) < 1 - ALIGNED:
+        return 0.0
+    parent, _ = _ends(frames, hinge)
+    return (1.0 if along > 0 else -1.0) * (1.0 if parent is reference else -1.0)
+
+
+def _product(a: Vector, b: Vector) -> float:
+    return sum(starmap(float.__mul__, zip(a, b, strict=True)))
