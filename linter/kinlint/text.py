@@ -30,7 +30,8 @@ class SourceText:
     the text; it is not part of `text`, and offsets count from the character after it.
     Line ends are kept as they stand. `misread` are places where the bytes were not what their
     encoding has, with what is wrong there. A `companion` is read along with others that speak of
-    it, such as the URDF of an SRDF; nothing is reported of it.
+    it, such as the URDF of an SRDF; nothing is reported of it. `encoding` turns the text into the
+    bytes it was read from; there is none if nothing does, but `original` has the bytes then.
     """
 
     name: str
@@ -38,6 +39,8 @@ class SourceText:
     bom: bool = False
     misread: tuple[tuple[Span, str], ...] = field(default=(), repr=False)
     companion: bool = False
+    encoding: str = "utf-8"
+    original: bytes = field(default=b"", repr=False)
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:

@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
+from kinlint.files.contents import head
 from kinlint.files.pathglob import absolute
 
 MANIFEST = "package.xml"
@@ -136,11 +137,7 @@ def _is_top(directory: Path) -> bool:
 
 
 def _name_in(manifest: Path) -> str | None:
-    try:
-        with manifest.open(encoding="utf-8", errors="replace") as stream:
-            match = _NAME.search(_COMMENT.sub("", stream.read(HEAD)))
-    except OSError:
-        return None
+    match = _NAME.search(_COMMENT.sub("", head(manifest, HEAD) or ""))
     return match[1] if match else None
 
 

@@ -23,6 +23,11 @@ def printable(name: str) -> str:
     return os.fsencode(name).decode("utf-8", "backslashreplace").replace("\0", "\\x00")
 
 
+def real(path: str | Path) -> Path:
+    """*path* from the root of the file system, with all links followed."""
+    return Path(os.path.realpath(path))
+
+
 def missing(path: Path) -> str:
     """Why there is nothing at *path*, with what there is of a similar name."""
     try:

@@ -1,9 +1,10 @@
-"""Turns the bytes of a file into text: UTF-8, or what an XML file says that it is."""
+"""Turns the bytes of a file into text and back: UTF-8, or what an XML file says that it is."""
 
 from __future__ import annotations
 
 import codecs
 
+from kinlint.edits import Unsayable
 from kinlint.errors import SourceError
 from kinlint.text import SourceText
 
@@ -13,6 +14,7 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "UTF-16"),
     (codecs.BOM_UTF16_BE, "UTF-16"),
 )
+BOM = "\ufeff"
 _NO_XML = (".jsonld", ".json", ".ttl", ".nt", ".nq")
 _HEAD = 1024
 
@@ -43,6 +45,22 @@ def decode(name: str, data: bytes) -> SourceText:
         byte = content[error.start]
         cause = f"not UTF-8: byte 0x{byte:02X} ({error.reason}); is it Latin-1?"
         raise SourceError(name, cause, *_place(content, error.start)) from None
+
+
+def encode(source: SourceText) -> bytes:
+    """The bytes of a file that is read as *source*.
+
+    Raises Unsayable where there are none: a character is not in its encoding, or the text was put
+    together from bytes that were not.
+    """
+    if not source.encoding:
+        raise Unsayable("some bytes of the file are not in its encoding")
+    text = f"{BOM}{source.text}" if source.bom else source.text
+    try:
+        return text.encode(source.encoding)
+    except UnicodeEncodeError as error:
+        strange = f"U+{ord(text[error.start]):04X}"
+        raise Unsayable(f"{source.encoding.upper()} has no {strange}") from None
 
 
 def _looks_like_xml(head: bytes) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from hashlib import blake2b
 from urllib.parse import quote
 
@@ -36,3 +37,8 @@ class BlankNodes:
         if known is None:
             known = self._written[label] = self.fresh()
         return known
+
+    @property
+    def labels(self) -> Mapping[Term, str]:
+        """What the text calls those of its blank nodes that it names."""
+        return {node: label for label, node in self._written.items()}

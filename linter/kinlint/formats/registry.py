@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from kinlint.document import Document
+from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
 
-__all__ = ["FORMATS", "decode", "objection", "read", "recognise"]
+__all__ = ["EDITORS", "FORMATS", "Editor", "decode", "editor", "objection", "read", "recognise"]
 
 FrontEnd: TypeAlias = Callable[[SourceText, ReadOptions], Document]
+
+
+class Editor(Protocol):
+    """Writes changes of one document into its text."""
+
+    def edits(self, delta: Delta) -> Sequence[Edit]:
+        """The smallest edits after which the text says *delta*, ascending, without overlap.
+
+        Raises Unsayable where it cannot.
+        """
+        ...
+
 
 FORMATS = {
     "jsonld": "kinlint.formats.jsonld.reader",
@@ -28,6 +41,16 @@ FORMATS = {
     "xacro": "kinlint.formats.xacro.reader",
 }
 """The modules whose `read(source, options)` is the front end of a format."""
+
+EDITORS = {
+    "jsonld": "kinlint.formats.jsonld.editing.editor",
+    "turtle": "kinlint.formats.turtle.editing",
+    "urdf": "kinlint.formats.xml.editing.editor",
+    "srdf": "kinlint.formats.xml.editing.editor",
+    "sdf": "kinlint.formats.xml.editing.editor",
+    "xacro": "kinlint.formats.xml.editing.editor",
+}
+"""The modules whose `Editor(document, options)` writes changes into texts of a format."""
 
 _SUFFIXES = {"jsonld": "jsonld", "ttl": "turtle", "nt": "ntriples", "nq": "nquads"}
 
@@ -56,6 +79,18 @@ def read(source: SourceText, options: ReadOptions) -> Document:
         raise SourceError(source.name, f"not a robot model: {objection(source.text)}")
     front_end: FrontEnd = import_module(FORMATS[form]).read
     return front_end(source, options)
+
+
+def editor(document: Document, options: ReadOptions) -> Editor:
+    """What writes changes of *document* into its text.
+
+    Raises Unsayable if its format is only read.
+    """
+    module = EDITORS.get(document.format)
+    if module is None:
+        raise Unsayable(f"{document.format or 'such'} files are only read")
+    made: Editor = import_module(module).Editor(document, options)
+    return made
 
 
 def recognise(name: str, text: str) -> str | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from decimal import Decimal
 from functools import lru_cache
+from math import isinf
 from typing import Any
 
 from kinlint.formats.jsonld.pyld import canonicalize
@@ -16,11 +17,14 @@ _TEXT = f"{XSD}string"
 _DOUBLE = f"{XSD}double"
 _WITH_EXPONENT = 10**21
 _LANGUAGE = re.compile(r"[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*")
+_DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
 _MALFORMED = re.compile(r'[\x00-\x20<>"{}|^`\\]|#[^#]*#')
 
 
 def value_literal(item: dict[str, Any], *, directed: bool = False) -> Term | None:
     """The literal of an expanded value object; None if it has an impossible language or datatype.
+
+    So it is, too, for a number that is too large for one.
 
     *directed* writes a base direction into the datatype (`rdfDirection` "i18n-datatype").
     """
@@ -28,7 +32,7 @@ def value_literal(item: dict[str, Any], *, directed: bool = False) -> Term | Non
     datatype = item.get("@type")
     if datatype == "@json":
         return literal(canonicalize(value).decode(), f"{RDF}JSON")
-    if datatype is not None and malformed(datatype):
+    if datatype is not None and (malformed(datatype) or too_large(item)):
         return None
     if isinstance(value, (int, float)):
         return _number(value, datatype)
@@ -45,6 +49,14 @@ def _text(value: str, datatype: str | None, item: dict[str, Any], *, directed: b
     return literal(value, datatype or _TEXT)
 
 
+def too_large(item: dict[str, Any]) -> bool:
+    """Whether a value object is a text for a double, with a number that is beyond all doubles."""
+    value = item["@value"]
+    if item.get("@type") != _DOUBLE or not isinstance(value, str):
+        return False
+    return _DECIMAL.fullmatch(value) is not None and isinf(float(value))
+
+
 def malformed(iri: str) -> bool:
     """Whether *iri* holds characters that no IRI can hold, or two fragments."""
     return _MALFORMED.search(iri) is not None
@@ -59,10 +71,15 @@ def _number(value: float, datatype: str | None) -> Term:
     return literal(canonical_double(float(value)), datatype or _DOUBLE)
 
 
-@lru_cache(maxsize=4096)
 def canonical_double(value: float) -> str:
     """The canonical lexical form of *value* as an `xsd:double`, with every digit it needs."""
-    sign, digits, exponent = Decimal(float.__repr__(value)).as_tuple()
+    return _canonical(float.__repr__(value))
+
+
+@lru_cache(maxsize=4096)
+def _canonical(shortest: str) -> str:
+    # By its spelling, as zero and minus zero are one key of a cache.
+    sign, digits, exponent = Decimal(shortest).as_tuple()
     spelled = "".join(map(str, digits)).lstrip("0") or "0"
     scale = len(spelled) - 1 + int(exponent) if spelled != "0" else 0
     fraction = spelled[1:].rstrip("0") or "0"

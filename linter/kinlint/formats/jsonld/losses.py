@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
-from kinlint.formats.jsonld.literals import malformed
+from kinlint.formats.jsonld.literals import malformed, too_large
 from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach
 from kinlint.formats.jsonld.schemes import REGISTERED
 from kinlint.formats.jsonld.watch import Slot
@@ -151,6 +151,9 @@ class LossWatch:
         if "@language" in item and item.get("@type") is None:
             reason = f"'{item['@language']}' is no language tag"
             details = said(written=str(item["@value"]), reason=reason)
+            self.losses.append(Loss("LostValue", span, node, details))
+        elif too_large(item):
+            details = said(written=item["@value"], reason="it is too large for a double")
             self.losses.append(Loss("LostValue", span, node, details))
 
     def _reference(self, written: Iri, role: str, node: Term | None, slot: Slot | None) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum, auto
 from typing import Any, NamedTuple
 
 from kinlint.formats.json_text.values import Key, Object, Text
+from kinlint.suggestion import nearest
 from kinlint.text import Span
 
 
@@ -37,12 +39,18 @@ RELATIVE = frozenset({Reach.DOCUMENT_BASE, Reach.AUTHORS_BASE, Reach.NOWHERE})
 class Resolution(NamedTuple):
     """What a string means under an active context.
 
-    `blind` tells that a context in force could not be read, so that nobody can know.
+    `blind` tells that a context in force could not be read, so that nobody can know. `terms` are
+    those of the context where the string is none of them and was to be one.
     """
 
     iri: str | None
     reach: Reach
     blind: bool = False
+    terms: Mapping[str, Any] = {}
+
+    def nearest(self, written: str) -> str | None:
+        """The term that *written* was perhaps meant to be."""
+        return nearest(written, (term for term, meaning in self.terms.items() if meaning))
 
 
 class Iri(str):

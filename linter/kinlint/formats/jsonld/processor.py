@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 from kinlint.formats.json_text.values import Array, Integer, Key, Object, Parsed, Real, Text
 from kinlint.formats.jsonld.active import ActiveContexts, Context
 from kinlint.formats.jsonld.marks import (
+    RELATIVE,
     Expanded,
     ExpandedArray,
     Iri,
@@ -77,7 +78,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     def _on_dropped(self, expanded: str | None) -> None:
         # A term that a context maps to null is dropped on purpose and arrives as None.
         if isinstance(expanded, Iri):
-            self.record.drop(expanded.token, self.trail[-1], blind=expanded.resolution.blind)
+            self.record.drop(expanded.token, self.trail[-1], expanded.resolution)
 
     # The flags are spelled out: Python 3.12 counts a call with ** against a limit of its own.
     def _expand(  # noqa: PLR0913  the signature is PyLD's
@@ -195,7 +196,9 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             iri = super()._expand_iri(active_ctx, plain, base, vocab)
             bases = (base, self.options["base"])
             reach = _reach(active_ctx, plain, iri, bases, vocab=bool(vocab))
-            meaning = meanings[plain] = Resolution(iri, reach, bool(active_ctx.get("_blind")))
+            meant = active_ctx["mappings"] if vocab and reach in RELATIVE else {}
+            blind = bool(active_ctx.get("_blind"))
+            meaning = meanings[plain] = Resolution(iri, reach, blind, meant)
         if meaning.iri is None or meaning.iri in _KEYWORDS:
             if self.trail:
                 self._reserved(value, meaning.iri, self.trail[-1])
@@ -216,7 +219,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
                 self.record.reserve(token, origin)
         elif keyword is None:
             if _LIKE_KEYWORD.match(token):
-                self.record.drop(token, origin, blind=False)
+                self.record.drop(token, origin, Resolution(None, Reach.NOWHERE))
         elif keyword in _CONTENT:
             origin.content = token
         elif keyword == "@id":

@@ -35,7 +35,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     Raises SourceError when it is no JSON, or breaks the rules of JSON-LD outside of a context.
     """
-    with _undisturbed():
+    with undisturbed():
         return _read(source, options)
 
 
@@ -107,7 +107,7 @@ def _cause(fault: BaseException) -> str:
 
 
 @contextmanager
-def _undisturbed() -> Iterator[None]:
+def undisturbed() -> Iterator[None]:
     """Deep recursion allowed, PyLD's warnings silent, no search for garbage that is none."""
     limit, collecting = sys.getrecursionlimit(), gc.isenabled()
     sys.setrecursionlimit(max(limit, _RECURSION))

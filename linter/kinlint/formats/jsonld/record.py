@@ -12,11 +12,11 @@ from kinlint.text import Span
 
 
 class Drop(NamedTuple):
-    """A key that no context in force maps; `blind` if one of those could not be read."""
+    """A key that no context in force maps, and what it means instead."""
 
     key: Text
     origin: Origin
-    blind: bool
+    resolution: Resolution
 
 
 class Stray(NamedTuple):
@@ -62,9 +62,9 @@ class Record:
     strays: dict[Span, Stray] = field(default_factory=dict)
     unprefixed: dict[int, Text] = field(default_factory=dict)
 
-    def drop(self, key: Text, origin: Origin, *, blind: bool) -> None:
-        """*key* in *origin* means nothing."""
-        self.drops.setdefault(key.start, Drop(key, origin, blind))
+    def drop(self, key: Text, origin: Origin, resolution: Resolution) -> None:
+        """*key* in *origin* means nothing, as *resolution* says."""
+        self.drops.setdefault(key.start, Drop(key, origin, resolution))
 
     def reserve(self, value: Text, origin: Origin) -> None:
         """*value* should be an IRI, but JSON-LD reserves such words and ignores them."""

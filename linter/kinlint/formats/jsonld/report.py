@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from kinlint.formats.json_text.values import Key, Object
 from kinlint.formats.jsonld.drift import OtherRelease
 from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
-from kinlint.formats.jsonld.marks import Origin
+from kinlint.formats.jsonld.marks import Iri, Origin, Resolution
 from kinlint.formats.jsonld.record import Record, Stray
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.terms import Term, iri, literal
+from kinlint.terms import Term, iri, literal, literal_value
 from kinlint.vocabulary import METAMODELS
+
+LOOKED_UP = 1_000
+"""How many lost words are compared with the terms of their contexts."""
 
 
 class LossReport:
@@ -25,6 +30,7 @@ class LossReport:
         self._triples = triples
         self._options = options
         self._releases: list[OtherRelease] | None = None
+        self._near: dict[tuple[int, str], str | None] = {}
 
     def losses(self, repeats: list[Object], origins: dict[int, Origin]) -> list[Loss]:
         """The losses in the order of the text."""
@@ -59,10 +65,12 @@ class LossReport:
     def _dropped(self) -> list[Loss]:
         losses = []
         for drop in self._record.drops.values():
-            kind = "UnreadKey" if drop.blind else "DroppedKey"
+            blind = drop.resolution.blind
+            kind = "UnreadKey" if blind else "DroppedKey"
             node = self._triples.named(drop.origin)
             loss = Loss(kind, drop.key.span, node, said(key=drop.key))
-            if not drop.blind:
+            if not blind:
+                loss = loss.with_details(self._resembles(drop.resolution, drop.key))
                 loss = loss.with_details(
                     Detail("mappedInRelease", literal(other.release))
                     for other in self._others()
@@ -70,6 +78,19 @@ class LossReport:
                 )
             losses.append(loss)
         return losses
+
+    def _resembled_type(self, written: Iri) -> Iterator[Detail]:
+        for term in self._resembles(written.resolution, written.token):
+            meaning = written.resolution.terms[literal_value(term.value)]
+            yield Detail("resembles", iri(meaning["@id"]))
+
+    def _resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
+        """The term that *written* resembles, as long as few words have been looked up."""
+        key = id(resolution.terms), str(written)
+        if key not in self._near and len(self._near) < LOOKED_UP:
+            self._near[key] = resolution.nearest(written)
+        if near := self._near.get(key):
+            yield Detail("resembles", literal(near))
 
     def _strays(self) -> list[Loss]:
         losses = [
@@ -92,7 +113,7 @@ class LossReport:
                 Detail("mappedInRelease", literal(other.release))
                 for other in self._others()
                 if lost.origin and other.maps_type(lost.written.token, lost.origin)
-            )
+            ).with_details(self._resembled_type(lost.written))
             for lost in self._watch.types
         ]
 

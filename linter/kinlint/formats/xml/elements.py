@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 MOST_DEEP = 200
 LONGEST_ADDRESS = 4_000
 MOST_ELEMENTS = 1_000_000
+MOST_ATTRIBUTES = 1_000
 
 SCOPES = frozenset({"robot", "sdf", "world", "model"})
 """Elements that have named parts."""
@@ -132,6 +133,8 @@ class Elements:
             if order > 1 and not name:
                 add((node, _ORDER, f'"{order}"^^<{XSD}integer>'))
 
+            if len(attributes) > MOST_ATTRIBUTES:
+                raise TooMuch(f"more than {MOST_ATTRIBUTES} attributes", starts[number])
             if attributes:
                 slots = type_.attributes
                 for key, written in attributes.items():

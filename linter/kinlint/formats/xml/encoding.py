@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from dataclasses import replace
 
 from kinlint.text import SourceText, Span
 
@@ -29,12 +30,20 @@ FAMILIES = re.compile(
 )
 """Encodings whose ASCII characters are the bytes of ASCII, as Python calls them."""
 
+FAITHFUL = frozenset({"utf-8", "ascii", *(encoding for _, encoding in MARKS)})
+"""Encodings that have one way only to write a text."""
+
 ESCAPED = re.compile("[\udc80-\udcff]+")
 REPLACED = re.compile("\ufffd+")
 
 
 def decode(name: str, data: bytes) -> SourceText:
     """The text of the XML file *name*; bytes that are none of its encoding are read as Latin-1."""
+    source = _decoded(name, data)
+    return source if source.encoding else replace(source, original=data)
+
+
+def _decoded(name: str, data: bytes) -> SourceText:
     for mark, encoding in MARKS:
         if data.startswith(mark):
             return _text(name, data[len(mark) :], encoding, (), marked=True)
@@ -82,7 +91,9 @@ def _text(
         if strange is not None:
             misread += ((Span(*strange.span()), f"bytes that are not {encoding.upper()}"),)
         text = text.translate(LATIN) if utf8 else text
-    return SourceText(name, text, marked, misread)
+        return SourceText(name, text, marked, misread, encoding="")
+    back = encoding if encoding in FAITHFUL or text.encode(encoding) == data else ""
+    return SourceText(name, text, marked, misread, encoding=back)
 
 
 LATIN = {code: bytes([code - 0xDC00]).decode("cp1252", "replace") for code in range(0xDC80, 0xDD00)}

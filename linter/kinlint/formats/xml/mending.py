@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 from kinlint.formats.xml.flaw import Flaw
@@ -22,6 +23,7 @@ SOUND = re.compile(
     re.VERBOSE | re.ASCII,
 )
 OTHERWISE_SOUND = re.compile(SOUND.pattern.replace(r"1\.\d+", r"[^<>\"']*"), SOUND.flags)
+LEADING = re.compile(r"(?:\s|<\?[xX][mM][lL][\s?][^>]*>)+")
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]+")
 REFERENCE = re.compile(r"&(?:(amp|lt|gt|quot|apos)|#(\d+)|#x([0-9a-fA-F]+)|([\w.:-]*));|&")
 HYPHENS = re.compile(r"--+|-\Z")
@@ -164,12 +166,21 @@ def _comment(text: str, span: Span) -> Iterator[_Edit]:
         reason = ""
 
 
+@lru_cache(maxsize=1)
+def _leading(text: str) -> int:
+    """Where the blanks and declarations end that *text* begins with; searched once."""
+    match = LEADING.match(text)
+    return match.end() if match else 0
+
+
 def _declaration(text: str, span: Span) -> Iterator[_Edit]:
     if span.end <= span.start or not DECLARATION.match(text, span.start):
         return
     blank = " " * (span.end - span.start)
-    if span.start > 0:
+    if 0 < span.start <= _leading(text):
         yield _Edit(span, blank, "an XML declaration that is not at the very beginning")
+    elif span.start > 0:
+        yield _Edit(span, blank, "an XML declaration behind other content")
     elif not SOUND.fullmatch(text, *span):
         versioned = OTHERWISE_SOUND.fullmatch(text, *span)
         kind = "a version that XML does not have" if versioned else "a malformed XML declaration"

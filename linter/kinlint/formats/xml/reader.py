@@ -17,6 +17,7 @@ from kinlint.formats.xml.parsing import parse
 from kinlint.formats.xml.places import ElementSpans, Places, TripleSpans
 from kinlint.formats.xml.recognition import sniff
 from kinlint.formats.xml.schema import schema
+from kinlint.formats.xml.spacing import state_spacing
 from kinlint.text import SourceText, Span
 
 
@@ -48,6 +49,8 @@ def _read(source: SourceText, form: str) -> Document:
         describe(layer, elements.scopes, nodes[0], places)
     state_flaws(layer, source, parsed, nodes)
     elements.remarks.state(layer, places, nodes)
+    if form == "urdf":
+        state_spacing(layer, places, nodes, elements.statements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
     statements += layer.triples

@@ -88,7 +88,7 @@ class Numbers(Reading):
         return f"{wrong} is no number"
 
     def _number(self, part: str) -> Term | None:
-        if NUMBER.fullmatch(part) and (self.infinite or isfinite(float(part))):
+        if NUMBER.fullmatch(part) and isfinite(float(part)):
             return f'"{part}"^^<{XSD}double>'
         if self.infinite and part.lower() in SPECIAL:
             return f'"{SPECIAL[part.lower()]}"^^<{XSD}double>'

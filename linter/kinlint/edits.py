@@ -1,0 +1,54 @@
+"""Changes of a text, and the changes of a graph that they stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kinlint.terms import Triple
+from kinlint.text import Span
+
+
+class Edit(NamedTuple):
+    """The characters of *span* give way to *text*; an empty span inserts, an empty text deletes."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Delta:
+    """What a document no longer says and what it says instead, both without what stays.
+
+    `removed` are triples of the document as it spells them. New nodes of `added` are blank.
+    """
+
+    removed: tuple[Triple, ...] = ()
+    added: tuple[Triple, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.removed or self.added)
+
+
+class Unsayable(Exception):
+    """A delta cannot be written into the text, for the reason given."""
+
+
+def applied(text: str, edits: Iterable[Edit]) -> str:
+    """*text* after all of *edits*, which must not overlap; of insertions at one place, in order."""
+    pieces, at = [], 0
+    for span, new in sorted(edits, key=lambda edit: edit.span):
+        assert span.start >= at, "edits overlap"
+        pieces += [text[at : span.start], new]
+        at = span.end
+    return "".join([*pieces, text[at:]])
+
+
+def overlap(one: Sequence[Edit], other: Sequence[Edit]) -> bool:
+    """Whether two groups of edits touch the same characters, or insert at the same place."""
+    return any(
+        a.span == b.span or (a.span.start < b.span.end and b.span.start < a.span.end)
+        for a in one
+        for b in other
+    )

@@ -1,0 +1,1 @@
+"""Writes changes of a graph into the JSON-LD text that it was read from."""

@@ -1,0 +1,93 @@
+"""Turns changes of a graph into edits of the JSON-LD text that it was read from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+from kinlint.contexts.prefixes import customary
+from kinlint.document import Document
+from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.formats.json_text.values import Object
+from kinlint.formats.jsonld.editing import (
+    contexts,
+    deletion,
+    naming,
+    new_nodes,
+    notes,
+    properties,
+    sequences,
+)
+from kinlint.formats.jsonld.editing.compaction import Compaction
+from kinlint.formats.jsonld.editing.places import Places
+from kinlint.formats.jsonld.editing.plan import Plan
+from kinlint.formats.jsonld.editing.style import Style, style
+from kinlint.formats.jsonld.editing.tracing import Scope, trace
+from kinlint.formats.jsonld.pyld import JsonLdError
+from kinlint.formats.jsonld.reader import undisturbed
+from kinlint.formats.options import ReadOptions
+
+
+class Editor:
+    """Edits one document; its text is looked into once, when first an edit is asked for."""
+
+    def __init__(self, document: Document, options: ReadOptions) -> None:
+        self._document = document
+        self._options = options
+
+    @cached_property
+    def _places(self) -> Places:
+        return Places(trace(self._document.source, self._options))
+
+    @cached_property
+    def _style(self) -> Style:
+        return style(self._document.source.text, self._places.tree.root)
+
+    def edits(self, delta: Delta) -> list[Edit]:
+        """The edits after which the text says what *delta* makes of it, ascending and apart.
+
+        Raises Unsayable where the text has no place for something, or it is not clear which.
+        """
+        with undisturbed():
+            try:
+                return self._edits(delta)
+            except JsonLdError as fault:
+                raise Unsayable("the contexts of the file do not allow for it") from fault
+
+    def _edits(self, delta: Delta) -> list[Edit]:
+        compaction = Compaction(self._places.trace.processor, self._prefixes)
+        plan = Plan(self._document, self._places, self._style, compaction, delta)
+        notes.write(plan)
+        naming.write(plan)
+        deletion.write(plan)
+        sequences.write(plan)
+        properties.write(plan)
+        new_nodes.write(plan)
+        contexts.declare(plan, compaction.needed)
+        _check(plan)
+        return plan.changes.edits()
+
+    def _prefixes(self, scope: Scope) -> Mapping[str, str]:
+        """The prefixes that could be declared for *scope* in the outermost object."""
+        root = self._places.tree.root
+        outermost = self._places.scope(root) if isinstance(root, Object) else None
+        if outermost is None:
+            return {}
+        declared = outermost.types["mappings"].keys()
+        return customary() if declared <= scope.keys["mappings"].keys() else {}
+
+
+def _check(plan: Plan) -> None:
+    """Refuses changes that would take away more than the delta, or leave some of it undone."""
+    places = plan.places
+    for triple in plan.removed:
+        if triple not in plan.settled and not (places.spans(triple) and plan.goes(triple)):
+            raise Unsayable("what is to go is written in a way that cannot be taken out alone")
+    if any(triple not in plan.said for triple in plan.added):
+        raise Unsayable("there is no place in the file for what is to be said")
+    for cut in plan.changes.cut:
+        for triple in places.within(cut):
+            if triple in plan.removed or triple in plan.settled:
+                continue
+            if plan.goes(triple):
+                raise Unsayable("what would go with it says more")

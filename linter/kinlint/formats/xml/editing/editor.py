@@ -1,0 +1,180 @@
+"""Writes the changes of a document in XML into its texts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import partial
+from itertools import pairwise
+
+from kinlint.document import Document
+from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.xml.editing.attributes import NAME, StartTag
+from kinlint.formats.xml.editing.changes import Change, Changes
+from kinlint.formats.xml.editing.flaws import mendings, split
+from kinlint.formats.xml.editing.fresh import Fresh
+from kinlint.formats.xml.editing.insertion import Written, insertion, replacement
+from kinlint.formats.xml.editing.layout import Layout
+from kinlint.formats.xml.editing.removal import removals
+from kinlint.formats.xml.editing.sites import SEVERAL, Site, Sites
+from kinlint.formats.xml.editing.texts import text_edits
+from kinlint.terms import Term, is_blank, is_literal, literal_value
+from kinlint.text import Span
+
+
+class Editor:
+    """Edits of one document."""
+
+    def __init__(self, document: Document, options: ReadOptions) -> None:
+        del options
+        self._document, self._sites = document, Sites(document)
+
+    def edits(self, delta: Delta) -> list[Edit]:
+        """The smallest edits that say *delta*, in order; raises Unsayable if there are none."""
+        rest, about = split(self._document, delta)
+        edits = _Writing(self._sites, rest).edits() if rest else []
+        return merged([*edits, *mendings(self._document, self._sites, about)]) if about else edits
+
+
+class _Writing:
+    """One delta on its way into the text."""
+
+    def __init__(self, sites: Sites, delta: Delta) -> None:
+        self._sites = sites
+        self._changes = Changes.of(delta, sites.elements)
+        said = (literal_value(value) for _, _, value in delta.removed if is_literal(value))
+        self._kept = frozenset(said)
+        self._fresh = Fresh(sites, self._changes, self._kept, self._taken)
+        self._edits: list[Edit] = []
+        self._awaited: dict[tuple[int, Edit], int] = {}
+
+    def edits(self) -> list[Edit]:
+        """All edits, in order."""
+        changes = self._changes
+        gone = [*changes.deleted, *changes.moved]
+        self._sites.check_uses(gone)
+        for node, change in changes.values.items():
+            if not is_blank(node):
+                self._say(node, change)
+        for node, tag in changes.renamed.items():
+            self._rename(node, tag)
+        parents = [each for each in changes.children if not is_blank(each)]
+        for parent in sorted(parents, key=lambda each: not self._is_below(each, changes.moved)):
+            self._fill(parent, gone)
+        new = {each for each in (*changes.values, *changes.children) if is_blank(each)}
+        if not new <= self._fresh.written:
+            raise Unsayable("a new element stands nowhere")
+        self._delete(gone)
+        if any(self._awaited.values()):
+            raise Unsayable(SEVERAL)
+        return merged(self._edits)
+
+    def _is_below(self, node: Term, others: Iterable[Term]) -> bool:
+        """Whether *node* is written within one of *others*, or is one."""
+        known, at = self._sites.elements, node
+        while at in known and at not in others:
+            at = known[at].parent
+        return at in others
+
+    def _taken(self, span: Span) -> list[Edit]:
+        """The edits within *span*, which are made elsewhere instead."""
+        own = [each for each in self._edits if _is_in(each.span, span)]
+        self._edits = [each for each in self._edits if not _is_in(each.span, span)]
+        return own
+
+    def _make(self, site: Site, edits: Iterable[Edit]) -> None:
+        """Keeps *edits* of the text of *site*; to make them may take others back.
+
+        What is done to a text that stands for several elements is done once, for all of them.
+        """
+        own = list(edits)
+        made = list(site.moved(own))
+        if (uses := self._sites.uses(site)) > 1:
+            for edit in own:
+                key = id(site.layout), edit
+                self._awaited[key] = self._awaited.get(key, uses) - 1
+            made = [each for each in made if each not in self._edits]
+        self._edits += made
+
+    def _say(self, node: Term, change: Change) -> None:
+        site, slots = self._site(node), self._sites.elements[node].slots
+        place = partial(self._sites.component, node)
+        start = StartTag(site.layout, site.number, slots, self._kept, place)
+        self._make(site, start.edits(change))
+        if "" in change.removed or "" in change.added:
+            old = slots.get("", {})
+            self._make(site, text_edits(site, old, change, self._kept, partial(place, "")))
+
+    def _site(self, node: Term) -> Site:
+        site, tag = self._sites.use(node), self._changes.renamed.get(node)
+        return site._replace(tag=tag) if tag else site
+
+    def _rename(self, node: Term, tag: str) -> None:
+        if not NAME.fullmatch(tag):
+            raise Unsayable(f"{tag} is no name in XML")
+        site = self._sites.use(node)
+        names = site.layout.names(site.number)
+        self._make(site, [Edit(span, tag) for span in names])
+
+    def _fill(self, parent: Term, gone: list[Term]) -> None:
+        """Puts new children into *parent*, the first ones where others are *gone* from."""
+        site = self._site(parent)
+        layout, number = site.layout, site.number
+        places = {
+            self._sites.use(each).number: each for each in gone if self._stands_in(each, site)
+        }
+        behind: dict[int | None, list[Written]] = {}
+        for tag, node in self._changes.children[parent]:
+            new = self._fresh.element(tag, node, layout, layout.quote(number))
+            if places:
+                alike = (each for each in places if layout.name(each) == tag)
+                at = next(alike, next(iter(places)))
+                gone.remove(places.pop(at))
+                self._make(site, [replacement(layout, at, new)])
+            else:
+                behind.setdefault(_place(layout, number, tag), []).append(new)
+        self._make(site, [insertion(site, new, at) for at, new in behind.items()])
+
+    def _stands_in(self, node: Term, site: Site) -> bool:
+        own = self._sites.use(node)
+        return own.begin == site.begin and own.layout.parents[own.number] == site.number
+
+    def _delete(self, gone: list[Term]) -> None:
+        texts: dict[int, list[Site]] = {}
+        for node in gone:
+            site = self._sites.use(node)
+            if site.layout.parents[site.number] < 0:
+                raise Unsayable("a file has a root element")
+            parent = self._sites.elements[node].parent
+            if self._is_below(parent, self._changes.moved):
+                raise Unsayable("the changes touch each other")
+            if not self._is_below(parent, self._changes.deleted):
+                texts.setdefault(site.begin, []).append(site)
+        for sites in texts.values():
+            numbers = dict.fromkeys(each.number for each in sites)
+            self._edits += sites[0].moved(removals(sites[0].layout, numbers))
+
+
+def _is_in(inner: Span, outer: Span) -> bool:
+    """Whether *inner* is a part of an element at *outer*, neither all of it nor behind it."""
+    return outer.start < inner.start < outer.end
+
+
+def _place(layout: Layout, parent: int, tag: str) -> int | None:
+    """The child of an element that a new one with *tag* comes after."""
+    children = layout.children[parent]
+    alike = (each for each in reversed(children) if layout.name(each) == tag)
+    return next(alike, children[-1] if children else None)
+
+
+def merged(edits: Iterable[Edit]) -> list[Edit]:
+    """*edits* in order, insertions at one place as one."""
+    merged: list[Edit] = []
+    for edit in sorted(edits, key=lambda each: each.span):
+        if merged and merged[-1].span == edit.span and edit.span.start == edit.span.end:
+            merged[-1] = Edit(edit.span, merged[-1].text + edit.text)
+        else:
+            merged.append(edit)
+    if any(one.span.end > other.span.start for one, other in pairwise(merged)):
+        raise Unsayable("the changes touch each other")
+    return merged

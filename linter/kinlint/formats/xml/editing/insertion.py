@@ -1,0 +1,112 @@
+"""Elements that are put into others, laid out like those that are there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from kinlint.edits import Edit
+from kinlint.formats.xml.editing.layout import BREAK, Layout
+from kinlint.formats.xml.editing.sites import Site
+from kinlint.text import Span
+
+COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n]|\Z))")
+
+
+@dataclass(frozen=True)
+class Manner:
+    """How an element is laid out: after what space, and how much further its children are.
+
+    `line_end` is empty if all is in one line.
+    """
+
+    indent: str
+    step: str
+    line_end: str
+
+    @property
+    def space(self) -> str:
+        """What comes before the element."""
+        return f"{self.line_end}{self.indent}" if self.line_end else ""
+
+    @property
+    def inner(self) -> Manner:
+        """How its children are laid out."""
+        return Manner(f"{self.indent}{self.step}", self.step, self.line_end)
+
+
+Written = Callable[[Manner], str]
+"""An element, to be written in some manner."""
+
+
+def replacement(layout: Layout, number: int, new: Written) -> Edit:
+    """*new* in the place of an element."""
+    return Edit(layout.whole(number), new(_manner(layout, number)))
+
+
+def insertion(site: Site, new: Sequence[Written], before: int | None) -> Edit:
+    """*new* elements within the one at *site*, behind its child *before*, or as its first ones."""
+    layout, parent = site.layout, site.number
+    if layout.closed(parent):
+        inside = within(_manner(layout, parent), new)
+        return Edit(opening(layout, parent), f">{inside}</{site.tag}>")
+    if before is None:
+        return _first(layout, parent, new)
+    manner = _manner(layout, before)
+    at = layout.whole(before).end
+    space = manner.space
+    if manner.line_end:
+        space = _gap(layout, parent, before) or space
+        if comments := COMMENTS.match(layout.text, at):
+            at = comments.end()
+    else:
+        start = layout.start(before)
+        space = layout.text[layout.before(start, " \t") : start]
+    return Edit(Span(at, at), "".join(f"{space}{each(manner)}" for each in new))
+
+
+def _manner(layout: Layout, number: int) -> Manner:
+    """How an element that is there is laid out."""
+    indent, start = layout.indent(number), layout.start(number)
+    if indent is None or layout.line_end(start) == "":
+        return Manner("", "", "")
+    return Manner(indent, layout.step(number), layout.line_end(start))
+
+
+def _gap(layout: Layout, parent: int, number: int) -> str | None:
+    """The space between an element and the one before it, if nothing else is there."""
+    siblings = layout.children[parent]
+    index = siblings.index(number)
+    if not index:
+        return None
+    space = layout.text[layout.whole(siblings[index - 1]).end : layout.start(number)]
+    return space if space.isspace() and BREAK.search(space) else None
+
+
+def opening(layout: Layout, number: int) -> Span:
+    """What has to go from an element with one tag before something can stand in it."""
+    end = layout.tag(number).end
+    start = layout.before(end - 2)
+    return Span(end - 2 if BREAK.search(layout.text, start, end) else start, end)
+
+
+def within(manner: Manner, new: Sequence[Written]) -> str:
+    """*new* elements as all that is in one that is laid out in *manner*."""
+    inner = manner.inner
+    return "".join(f"{inner.space}{each(inner)}" for each in new) + manner.space
+
+
+def _first(layout: Layout, parent: int, new: Sequence[Written]) -> Edit:
+    """A parent with two tags and no element in it."""
+    manner, content = _manner(layout, parent), layout.content(parent)
+    text = layout.source[content]
+    end = layout.before(content.end)
+    if not text.strip():
+        if not BREAK.search(text):
+            return Edit(content, within(manner, new))
+        end = content.start
+    elif not BREAK.search(text):
+        return Edit(Span(end, end), "".join(each(Manner("", "", "")) for each in new))
+    inner = manner.inner
+    return Edit(Span(end, end), "".join(f"{inner.space}{each(inner)}" for each in new))
