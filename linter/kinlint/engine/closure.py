@@ -2,34 +2,63 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
+from typing import TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.axioms import Axiom, insertion, unify
+from kinlint.engine.axioms import Axiom, Pattern, insertion, is_variable, unify
+from kinlint.engine.presence import Presence
 from kinlint.engine.store import Store
-from kinlint.terms import Term, iri_value
+from kinlint.terms import RDF_TYPE, Term, iri_value
 from kinlint.vocabulary import INFERRED_GRAPH, KINLINT
 
 FRESH: Term = f"<{KINLINT}inferred/fresh>"
 NEXT: Term = f"<{KINLINT}inferred/next>"
 
+Key: TypeAlias = tuple[Term, Term | None]
+"""A property, and the class where it says that something is of one."""
 
-def close(store: Store, axioms: Sequence[Axiom]) -> int:
-    """Infer all that follows by *axioms* from what *store* holds; return how many triples.
 
-    They go to the inferred graph, whose former content is dropped. A triple that a document or
+def close(store: Store, axioms: Sequence[Axiom]) -> None:
+    """Infer all that follows by *axioms* from what *store* holds.
+
+    It goes to the inferred graph, whose former content is dropped. A triple that a document or
     the vocabulary states is never inferred.
     """
     store.oxigraph.clear_graph(ox.NamedNode(iri_value(INFERRED_GRAPH)))
-    before = len(store.oxigraph)
-    for (_, recursive), group in groupby(axioms, key=_round):
+    for (_, recursive), group in groupby(_feasible(axioms, Presence(store)), key=_round):
         if recursive:
             _iterate(store, list(group))
         else:
             _run(store, (axiom.update for axiom in group))
-    return len(store.oxigraph) - before
+
+
+def _feasible(axioms: Sequence[Axiom], presence: Presence) -> Iterator[Axiom]:
+    """Those of *axioms* of which each premise is like something stated, or concluded by others."""
+    coming: set[Key] = set()
+    chosen: set[int] = set()
+    grew = True
+    while grew:
+        found = {
+            index
+            for index, axiom in enumerate(axioms)
+            if index not in chosen
+            and all(
+                (key := _key(pattern)) in coming or presence.matches(*key) for pattern in axiom.body
+            )
+        }
+        chosen |= found
+        grew = bool(found)
+        coming.update(_key(axioms[index].head) for index in found)
+    return (axiom for index, axiom in enumerate(axioms) if index in chosen)
+
+
+def _key(pattern: Pattern) -> Key:
+    """What of *pattern* a triple that matches it must have: its property, or its class."""
+    _, predicate, value = pattern
+    return predicate, value if predicate == RDF_TYPE and not is_variable(value) else None
 
 
 def _round(axiom: Axiom) -> tuple[int, bool]:

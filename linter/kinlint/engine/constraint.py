@@ -20,9 +20,9 @@ class Constraint:
     """A constraint of one shape, reached on one way from a target.
 
     `owner`, `component` and `severity` are IRIs (`owner` is a blank node label for a blank
-    shape outside a rule); `shape` is the token of the source shape. `path` is the token of the
-    shape's predicate, None for node shapes and longer paths. `messages` are templates with
-    `{?name}`, the one for readers of English first.
+    shape outside a rule); `severity` is its own, or that of the shape; `shape` is the token of the
+    source shape. `path` is the token of the shape's predicate, None for node shapes and longer
+    paths. `messages` are templates with `{?name}`, the one for readers of English first.
 
     `select` finds every violation at once. It projects `?root` (the target node), `?this` (the
     focus node: `?root` unless the constraint sits in a property of a property), and, as far

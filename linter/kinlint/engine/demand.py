@@ -19,8 +19,12 @@ from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SDF, SRDF, URDF
 TERM = PLAIN
 ALTERNATIVES = re.compile(r"<[^<>]*>( ?\| ?<[^<>]*>)*")
 FOCUS = "?this"
+ANY_CLASS: Term = "a"
+"""Among terms: whatever class a node is said to be of, as far as it is there."""
+
 FORMAT_LAYER = tuple(f"<{each}" for each in (URDF, SDF, SRDF, ATTRIBUTE, EXTENSION))
 
+_CLASS = re.compile(rf"(?:\ba|{re.escape(RDF_TYPE)}) \?(?!k_)\w")
 _HEAD = re.compile(r"SELECT [^{}]*WHERE")
 _ANY = re.compile(
     r"""(?:[?$]\w+|[]>;"')]|_:\w+) [?$]\w+ (?:[?$<"'[(\d]|[+-]\d|_:|true|false)|! ?(?:\( ?)?[<^]"""
@@ -31,7 +35,8 @@ _ANY = re.compile(
 def terms(constraints: Iterable[Constraint]) -> frozenset[Term] | None:
     """The properties and classes that *constraints* speak of; None if one matches any property.
 
-    What they rule out counts too: it has to be there to be seen.
+    What they rule out counts too: it has to be there to be seen. Of targets, all do, but where the
+    query itself starts from what makes a node one (`kinlint.engine.compiler.narrow`).
     """
     found: set[Term] = set()
     for each in constraints:
@@ -39,8 +44,13 @@ def terms(constraints: Iterable[Constraint]) -> frozenset[Term] | None:
             return None
         chosen = [term for way in each.targets for term in sorted(_named(way))]
         spoken = Counter(TERM.findall(each.select))
+        if _CLASS.search(each.select):
+            found.add(ANY_CLASS)
         own = spoken - Counter(chosen)
-        found.update(own if _implied(each, own) else {*spoken, *chosen})
+        if not spoken.keys() >= set(chosen):
+            found.update(spoken)
+        else:
+            found.update(own if _implied(each, own) else {*spoken, *chosen})
     return frozenset(found)
 
 
@@ -101,17 +111,27 @@ def _named(pattern: Triple) -> set[Term]:
 
 def relevant(axioms: Sequence[Axiom], wanted: frozenset[Term]) -> tuple[Axiom, ...]:
     """Those of *axioms* from which a statement with one of the *wanted* terms may follow."""
-    needed = set(wanted)
-    chosen: set[int] = set()
-    grew = True
-    while grew:
-        grew = False
-        for index, axiom in enumerate(axioms):
-            if index not in chosen and _head(axiom) in needed:
-                chosen.add(index)
-                needed.update(term for pattern in axiom.body for term in _key(pattern))
-                grew = True
-    return tuple(axiom for index, axiom in enumerate(axioms) if index in chosen)
+    needed = behind(axioms, wanted)
+    return tuple(axiom for axiom in axioms if _head(axiom) in needed)
+
+
+def behind(axioms: Sequence[Axiom], wanted: Iterable[Term]) -> frozenset[Term]:
+    """The *wanted* terms, and those from which they follow by *axioms*."""
+    bodies: dict[Term, set[Term]] = {}
+    for axiom in axioms:
+        body = bodies.setdefault(_head(axiom), set())
+        body.update(term for pattern in axiom.body for term in _key(pattern))
+    needed, waiting = set(wanted), list(wanted)
+    while waiting:
+        more = bodies.get(waiting.pop(), set()) - needed
+        needed |= more
+        waiting += more
+    return frozenset(needed)
+
+
+def made(axioms: Iterable[Axiom]) -> frozenset[Term]:
+    """The properties and classes of what *axioms* conclude."""
+    return frozenset(map(_head, axioms))
 
 
 def _head(axiom: Axiom) -> Term:

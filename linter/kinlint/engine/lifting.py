@@ -11,7 +11,9 @@ from pathlib import Path
 import pyoxigraph as ox
 
 from kinlint import resources
+from kinlint.document import LIFTED_AS
 from kinlint.engine.store import ASSERTED_GRAPH, Store
+from kinlint.engine.template import Made, needed, parsed, trimmed
 from kinlint.errors import RuleInvalid
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value
 from kinlint.vocabulary import (
@@ -32,6 +34,7 @@ from kinlint.vocabulary import (
 _PREFIX = re.compile(r"(?im)^\s*PREFIX\s+([\w.-]*):\s*<([^<>\s]*)>")
 _CONSTRUCT = re.compile(r"\bCONSTRUCT\s*\{")
 _NAME = re.compile(r"(?<![\w?$:<\"])([A-Za-z][\w.-]*):([A-Za-z_][\w-]*)")
+_VARIABLE = re.compile(r"\?\w+")
 _COMMENT = re.compile(r"(?m)^\s*#.*\n?")
 
 _REL = f"{METAMODELS}geometry/spatial-relations#"
@@ -56,16 +59,29 @@ FOUNDATION = frozenset({"bodies", "joints"})
 
 @dataclass(frozen=True, slots=True)
 class Lifting:
-    """One query: the `format` it reads, the terms it `makes`, and the update that stores them."""
+    """One query: the `format` it reads, the triples and the terms it `makes`, and its text."""
 
     format: str
     name: str
+    made: tuple[Made, ...]
     makes: frozenset[Term]
-    update: str
+    prologue: str
+    where: str
 
     def serves(self, wanted: Collection[Term]) -> bool:
         """Whether it makes something of what is *wanted*."""
         return self.name in FOUNDATION or not self.makes.isdisjoint(wanted)
+
+    def update(self, wanted: Collection[Term] | None = None) -> str:
+        """What stores all that it makes, or what of it has a property or class of the *wanted*."""
+        made = self.made if wanted is None else needed(self.made, wanted)
+        template = "".join([f"{s} {p} {o} .\n" for s, p, o, _ in made])
+        used = set(_VARIABLE.findall(template))
+        where = self.where if wanted is None else trimmed(self.where, used)
+        return (
+            f"{self.prologue} INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
+            f"USING {ASSERTED_GRAPH} {where}"
+        )
 
 
 @lru_cache(maxsize=1)
@@ -83,30 +99,43 @@ def _read(file: Path) -> Lifting:
         raise RuleInvalid(f"{file}: not a CONSTRUCT query")
     template = text[found.end() : close]
     prefixes = dict(_PREFIX.findall(text))
+    made = tuple(parsed(template, prefixes))
     domain = {p for p, namespace in prefixes.items() if not namespace.startswith(READ)}
     chosen = [each for each in _NAME.findall(text[close:]) if each[0] in domain]
     names = (each for each in (*_NAME.findall(template), *chosen) if each[0] in prefixes)
     terms = (prefixes[prefix] + local for prefix, local in names)
     named = {iri(term) for term in terms if not term.startswith((UNIT, QUANTITY_KIND))}
-    if re.search(r"\ba\b", template):
-        named.add(RDF_TYPE)
-    update = (
-        f"{text[: found.start()]} INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
-        f"USING {ASSERTED_GRAPH} {text[close + 1 :]}"
+    return Lifting(
+        format=file.parent.name,
+        name=file.stem,
+        made=made,
+        makes=frozenset(named - EVERYWHERE),
+        prologue=text[: found.start()],
+        where=text[close + 1 :],
     )
-    return Lifting(file.parent.name, file.stem, frozenset(named - EVERYWHERE), update)
 
 
-def lift(store: Store, wanted: Collection[Term] | None = None) -> None:
+@lru_cache(maxsize=1)
+def lifts() -> frozenset[Term]:
+    """All properties and classes that lifting may make."""
+    return EVERYWHERE.union(*(each.makes for each in queries()))
+
+
+def lift(
+    store: Store,
+    wanted: Collection[Term] | None = None,
+    kept: Collection[Term] | None = None,
+) -> None:
     """Add what the documents of *store* mean to its graph of lifted statements.
 
-    With *wanted*, only by those queries that make one of these terms. Raises `RuleInvalid` for a
-    query that is no SPARQL.
+    With *wanted*, only by those queries that make one of these terms; of what they make, with
+    *kept*, only what has one of these properties, or is of one of these classes, with what it was
+    lifted from. Raises `RuleInvalid` for a query that is no SPARQL.
     """
     store.oxigraph.clear_graph(ox.NamedNode(iri_value(LIFTED_GRAPH)))
     for each in asked({document.format for document in store.documents.values()}, wanted):
         try:
-            store.oxigraph.update(each.update)
+            store.oxigraph.update(each.update(kept))
         except SyntaxError as error:
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
 
@@ -122,6 +151,3 @@ def asked(formats: Iterable[str], wanted: Collection[Term] | None = None) -> Ite
 
 FORMATS = frozenset({"urdf", "sdf", "srdf"})
 """The formats that are lifted."""
-
-LIFTED_AS = {"xacro": "urdf"}
-"""What a format is once it is expanded."""

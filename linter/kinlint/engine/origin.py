@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import islice
 
-import pyoxigraph as ox
-
-from kinlint.engine.store import ASSERTED_GRAPH, Store, statement, token
+from kinlint.engine.store import Store
 from kinlint.terms import (
     RDF,
     RDF_TYPE,
@@ -15,7 +13,6 @@ from kinlint.terms import (
     Term,
     Triple,
     iri,
-    iri_value,
     is_blank,
     is_literal,
     literal_datatype,
@@ -33,8 +30,11 @@ CONTRADICTED = iri(f"{FACT}contradicted")
 """Says only where a rule is to look."""
 UNIT = iri(f"{QUDT}unit")
 FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
-FEW = 2
+FEW = 3
 """Of so many sources all numbers are told; of each of more, only one."""
+
+NODE = "<urn:kinlint:fact:"
+"""How the names of computed nodes begin."""
 
 KIND_OF = 3
 """The rank of what a node is, after that of numbers, units and lists."""
@@ -53,16 +53,17 @@ def is_fact(triple: Triple) -> bool:
 
 
 def sources(store: Store, triple: Triple) -> Sequence[Term]:
-    """The nodes that a computed triple names as its sources, or the one that it is about."""
+    """The node that a computed triple is about, unless it is itself computed, and its sources."""
     subject, _, value = triple
+    own = () if subject.startswith(NODE) else (subject,)
     for node in (subject, value):
-        if not is_literal(node) and (found := _values(store, node, DERIVED_FROM)):
-            return found
-    return (subject,)
+        if not is_literal(node) and (found := tuple(store.values(node, DERIVED_FROM))):
+            return tuple(dict.fromkeys((*own, *found) if node == subject else found))
+    return own
 
 
 def statements(store: Store, nodes: Sequence[Term]) -> Iterator[Triple]:
-    """What documents say of *nodes* that numbers are computed from: numbers, lists, units."""
+    """What is said of *nodes* that numbers are computed from: numbers, lists, units."""
     each = MOST if len(nodes) <= FEW else 1
     return islice((triple for node in nodes for triple in _told(store, node, each)), MOST)
 
@@ -73,8 +74,8 @@ def items(store: Store, head: Term) -> Sequence[Term]:
     for _ in range(MOST_ITEMS):
         if not is_blank(head):
             break
-        found += _values(store, head, FIRST)[:1]
-        head = next(iter(_values(store, head, REST)), NIL)
+        found += islice(store.values(head, FIRST), 1)
+        head = next(store.values(head, REST), NIL)
     return found
 
 
@@ -82,7 +83,7 @@ def _told(store: Store, node: Term, most: int) -> Sequence[Triple]:
     """At most *most* of these, numbers first; what the node is if there are none."""
     ranked = sorted(
         (_rank(store, value, predicate), predicate, value)
-        for predicate, value in _said(store, node)
+        for predicate, value in islice(store.described(node), MOST_READ)
     )
     numbers = [(node, predicate, value) for rank, predicate, value in ranked if rank < KIND_OF]
     kinds = [(node, predicate, value) for rank, predicate, value in ranked if rank == KIND_OF]
@@ -96,24 +97,4 @@ def _rank(store: Store, value: Term, predicate: Term) -> int:
         return 1
     if predicate == RDF_TYPE:
         return KIND_OF
-    return 2 if is_blank(value) and _values(store, value, FIRST) else KIND_OF + 1
-
-
-def _said(store: Store, node: Term) -> Iterator[tuple[Term, Term]]:
-    """What documents say of *node*, as far as anybody would read on."""
-    graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
-    found = store.oxigraph.quads_for_pattern(_subject(node), None, None, graph)
-    for quad in islice(found, MOST_READ):
-        yield token(quad.predicate), token(quad.object)
-
-
-def _values(store: Store, node: Term, predicate: Term) -> list[Term]:
-    property_ = ox.NamedNode(iri_value(predicate))
-    found = store.oxigraph.quads_for_pattern(_subject(node), property_, None, None)
-    return [token(quad.object) for quad in found]
-
-
-def _subject(node: Term) -> ox.NamedNode | ox.BlankNode:
-    subject = statement((node, RDF_TYPE, RDF_TYPE)).subject
-    assert not isinstance(subject, ox.Triple)
-    return subject
+    return 2 if is_blank(value) and any(store.values(value, FIRST)) else KIND_OF + 1

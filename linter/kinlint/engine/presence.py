@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Protocol
 
 from kinlint.engine.compiler.names import SUBCLASS
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
+from kinlint.vocabulary import FACT
+
+COMPUTED = f"<{FACT}"
 
 
 class Lookup(Protocol):
@@ -19,10 +22,15 @@ class Lookup(Protocol):
 
 
 class Presence:
-    """What a store holds, asked once for each pair of predicate and object."""
+    """What a store holds, asked once for each pair of predicate and object.
 
-    def __init__(self, store: Lookup) -> None:
+    It may yet come to hold what has properties, or is of classes, among those that are *coming*,
+    and anything computed.
+    """
+
+    def __init__(self, store: Lookup, coming: Collection[Term] = ()) -> None:
         self.store = store
+        self.coming = coming
         self._known: dict[tuple[Term, Term | None], bool] = {}
 
     def may_violate(self, constraint: Constraint) -> bool:
@@ -36,16 +44,17 @@ class Presence:
     def _chosen(self, way: Triple) -> bool:
         _, predicate, value = way
         if predicate == RDF_TYPE and is_iri(value):
-            return any(self._has(RDF_TYPE, kind) for kind in self._narrower(value))
-        return self._has(predicate, None)
+            return any(self.matches(RDF_TYPE, kind) for kind in self._narrower(value))
+        return self.matches(predicate, None)
 
     def _matched(self, premise: Triple) -> bool:
         _, predicate, value = premise
         if predicate == f"{SUBCLASS}*" and is_iri(value):
-            return any(self._has(RDF_TYPE, kind) for kind in self._narrower(value))
-        if not PLAIN.fullmatch(predicate):
+            return any(self.matches(RDF_TYPE, kind) for kind in self._narrower(value))
+        steps = predicate.split("|")
+        if not all(map(PLAIN.fullmatch, steps)):
             return True
-        return self._has(predicate, value if is_iri(value) else None)
+        return any(self.matches(step, value if is_iri(value) else None) for step in steps)
 
     def _narrower(self, kind: Term) -> Iterator[Term]:
         """*kind* and all its subclasses."""
@@ -56,8 +65,18 @@ class Presence:
             seen |= found
             waiting += found
 
-    def _has(self, predicate: Term, value: Term | None) -> bool:
+    def matches(self, predicate: Term, value: Term | None) -> bool:
+        """Whether anything has *predicate*, with *value* if one is given."""
+        if predicate.startswith("?"):
+            return True
         key = predicate, value
         if key not in self._known:
-            self._known[key] = next(self.store.subjects(*key), None) is not None
+            self._known[key] = self._may_come(*key) or self._is_there(*key)
         return self._known[key]
+
+    def _is_there(self, predicate: Term, value: Term | None) -> bool:
+        return next(self.store.subjects(predicate, value), None) is not None
+
+    def _may_come(self, predicate: Term, value: Term | None) -> bool:
+        term = value if predicate == RDF_TYPE and value else predicate
+        return bool(self.coming) and (term in self.coming or term.startswith(COMPUTED))

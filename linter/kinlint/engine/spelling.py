@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import pyoxigraph as ox
 
-from kinlint.terms import Term, Triple
+from kinlint.document import TREES, document_of
+from kinlint.terms import Term, Triple, is_blank
 
 if TYPE_CHECKING:
     from kinlint.document import Document
@@ -47,11 +49,49 @@ class Spelling:
         return index
 
 
+class Spellings:
+    """Which of some documents, by their graphs, say a triple, each with its own spelling."""
+
+    def __init__(self, documents: Mapping[Term, Document]) -> None:
+        self.documents = documents
+        self._known: dict[Term, Spelling] = {}
+
+    def of(self, triple: Triple) -> Iterator[tuple[Document, Triple]]:
+        """The documents that say *triple*, as they spell it."""
+        for document in self._speaking(triple[0]):
+            if document.graph not in self._known:
+                self._known[document.graph] = Spelling(document)
+            spelled = self._known[document.graph].of(triple)
+            if spelled is not None:
+                yield document, spelled
+
+    def _speaking(self, subject: Term) -> Sequence[Document]:
+        """The documents that may say something of *subject*: of elements and blank nodes, one."""
+        own = self.documents.get(document_of(subject))
+        if own is not None:
+            return (own,)
+        if is_blank(subject):
+            home = self._homes.get(subject)
+            return () if home is None else (home,)
+        return [each for each in self.documents.values() if each.format not in TREES]
+
+    @cached_property
+    def _homes(self) -> Mapping[Term, Document]:
+        """The document of each blank node."""
+        return {
+            node: document
+            for document in self.documents.values()
+            for node, _, _ in document.statements
+            if is_blank(node)
+        }
+
+
 def _is_exact(value: Term) -> bool:
     """Whether stores keep the spelling: IRIs, blank nodes and plain strings."""
     return value[0] != '"' or value[-1] == '"'
 
 
+@lru_cache(maxsize=4096)
 def normal(value: Term) -> Term:
     """*value* as Oxigraph gives it back."""
     if _is_exact(value):

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.document import document_of
-from kinlint.engine.spelling import Spelling
+from kinlint.engine.spelling import Spellings
 from kinlint.errors import RuleInvalid
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal
 from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT, LIFTED_GRAPH
@@ -19,6 +18,9 @@ if TYPE_CHECKING:
 
 ASSERTED_GRAPH: Term = f"<{KINLINT}asserted>"
 """The named graph that holds what documents and vocabulary say."""
+
+Function: TypeAlias = Callable[..., ox.Literal | None]
+"""A function of SPARQL: from terms to a literal, None where it is not defined."""
 
 CHUNK = 20_000
 """Statements per batch: larger ones are no faster and need more memory."""
@@ -61,36 +63,43 @@ class Store:
         self.oxigraph = ox.Store()
         self.documents: dict[Term, Document] = {}
         self.vocabulary: list[Path] = []
-        self._spellings: dict[Term, Spelling] = {}
+        self._spellings = Spellings(self.documents)
 
     def load(self, documents: Iterable[Document]) -> tuple[Triple, ...]:
         """Add *documents*; one of a graph that is already there replaces what it said.
 
         Returns the statements that no RDF store accepts; they are left out.
         """
-        refused: list[Triple] = []
+        added: dict[Term, Document] = {}
         for document in documents:
+            added.pop(document.graph, None)
+            added[document.graph] = document
+        for document in added.values():
             if document.graph in self.documents:
                 self.clear(document)
-            self.documents[document.graph] = document
-            statements = document.statements
-            for start in range(0, len(statements), CHUNK):
-                refused += self._extend(statements[start : start + CHUNK], ASSERTED_GRAPH)
+        self.documents.update(added)
+        self._spellings = Spellings(self.documents)
+        refused: list[Triple] = []
+        statements = [triple for document in added.values() for triple in document.statements]
+        for start in range(0, len(statements), CHUNK):
+            refused += self._extend(statements[start : start + CHUNK], ASSERTED_GRAPH)
         return tuple(refused)
 
     def _extend(self, statements: Sequence[Triple], name: Term) -> Sequence[Triple]:
         """Add *statements* to graph *name*; from text, over twice as fast as from terms."""
-        named = [triple for triple in statements if triple[0][0] != "_" != triple[2][0]]
+        named = [f"{s} {p} {o} .\n" for s, p, o in statements if s[0] != "_" != o[0]]
         graph = ox.NamedNode(iri_value(name))
         try:
-            text = "".join([f"{s} {p} {o} .\n" for s, p, o in named]).encode()
+            text = "".join(named).encode()
             self.oxigraph.load(text, ox.RdfFormat.N_TRIPLES, to_graph=graph, lenient=True)
             if len(named) < len(statements):
                 # `load` is fastest, but renames blank nodes.
-                blank = (
-                    triple for triple in statements if triple[0][0] == "_" or triple[2][0] == "_"
-                )
-                text = "".join([f"{s} {p} {o} {name} .\n" for s, p, o in blank]).encode()
+                blank = [
+                    f"{s} {p} {o} {name} .\n"
+                    for s, p, o in statements
+                    if s[0] == "_" or o[0] == "_"
+                ]
+                text = "".join(blank).encode()
                 self.oxigraph.extend(ox.parse(text, ox.RdfFormat.N_QUADS, lenient=True))
         except (SyntaxError, UnicodeEncodeError, MemoryError):
             if len(statements) == 1:
@@ -116,31 +125,38 @@ class Store:
         self.documents.pop(document.graph, None)
         documents, vocabulary = tuple(self.documents.values()), tuple(self.vocabulary)
         self.oxigraph = ox.Store()
-        for kept in (self.documents, self.vocabulary, self._spellings):
+        for kept in (self.documents, self.vocabulary):
             kept.clear()
         self.load(documents)
         self.load_vocabulary(vocabulary)
 
     def query(
-        self, text: str, substitutions: Mapping[str, Term] | None = None
+        self,
+        text: str,
+        substitutions: Mapping[str, Term] | None = None,
+        functions: Mapping[ox.NamedNode, Function] | None = None,
     ) -> ox.QuerySolutions | ox.QueryBoolean | ox.QueryTriples:
         """The answer of the store to a query over the union of all graphs.
 
         *substitutions* gives terms to variables (named without `?`), which the query must
         project, before evaluation. This is not SHACL's pre-binding: `BOUND`, sub-selects and
-        aggregates see it differently.
+        aggregates see it differently. *functions* are there beside those of SPARQL.
         """
         return self.oxigraph.query(
             text,
             use_default_graph_as_union=True,
             substitutions=_bound(substitutions) if substitutions else None,
+            custom_functions=dict(functions) if functions else None,
         )
 
     def rows(
-        self, text: str, substitutions: Mapping[str, Term] | None = None
+        self,
+        text: str,
+        substitutions: Mapping[str, Term] | None = None,
+        functions: Mapping[ox.NamedNode, Function] | None = None,
     ) -> Iterator[dict[str, Term]]:
         """The solutions of a SELECT, each with the tokens of its bound variables."""
-        solutions = self.query(text, substitutions)
+        solutions = self.query(text, substitutions, functions)
         assert isinstance(solutions, ox.QuerySolutions)
         names = [variable.value for variable in solutions.variables]
         for solution in solutions:
@@ -190,20 +206,37 @@ class Store:
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
-        """The values of *predicate* for an IRI."""
-        node, property_ = ox.NamedNode(iri_value(subject)), ox.NamedNode(iri_value(predicate))
-        for quad in self.oxigraph.quads_for_pattern(node, property_, None, None):
+        """The values of *predicate*, whoever says so."""
+        given = statement((subject, predicate, "<any:>"))
+        for quad in self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None):
             yield token(quad.object)
 
     def said(self, subject: Term) -> Iterator[tuple[Term, Term]]:
-        """What is said of an IRI, by property."""
-        node = ox.NamedNode(iri_value(subject))
-        for quad in self.oxigraph.quads_for_pattern(node, None, None, None):
+        """What documents and vocabulary say of *subject*, by property."""
+        node = statement((subject, RDF_TYPE, "<any:>")).subject
+        graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
+        for quad in self.oxigraph.quads_for_pattern(node, None, None, graph):
             yield token(quad.predicate), token(quad.object)
+
+    def described(self, subject: Term) -> Iterator[tuple[Term, Term]]:
+        """What documents and vocabulary say of *subject*, and what was lifted, by property."""
+        node = statement((subject, RDF_TYPE, "<any:>")).subject
+        for name in (ASSERTED_GRAPH, LIFTED_GRAPH):
+            graph = ox.NamedNode(iri_value(name))
+            for quad in self.oxigraph.quads_for_pattern(node, None, None, graph):
+                yield token(quad.predicate), token(quad.object)
 
     def holds(self, triple: Triple) -> bool:
         """Whether *triple* is asserted or inferred."""
         return self._graph(triple) is not None
+
+    def says(self, triple: Triple) -> bool:
+        """Whether *triple* is asserted, or was made of what is."""
+        return self._graph(triple) in (ASSERTED_GRAPH, LIFTED_GRAPH)
+
+    def is_lifted(self, triple: Triple) -> bool:
+        """Whether *triple* was made of what an XML format says."""
+        return self._graph(triple) == LIFTED_GRAPH
 
     def is_inferred(self, triple: Triple) -> bool:
         """Whether *triple* was inferred, which what is asserted never is."""
@@ -225,15 +258,8 @@ class Store:
         The triples are keys of `document.map.triples`. No *predicate* means any. Triples that
         were inferred or stand in the vocabulary are written nowhere.
         """
-        own = self.documents.get(document_of(subject))
-        among = self.documents.items() if own is None else ((own.graph, own),)
         for each in (predicate,) if predicate else self._between(subject, value):
-            for graph, document in among:
-                if graph not in self._spellings:
-                    self._spellings[graph] = Spelling(document)
-                triple = self._spellings[graph].of((subject, each, value))
-                if triple is not None:
-                    yield document, triple
+            yield from self._spellings.of((subject, each, value))
 
     def _between(self, subject: Term, value: Term) -> list[Term]:
         """The properties that *subject* has *value* for."""

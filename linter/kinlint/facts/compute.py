@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import TypeAlias
 
 from kinlint.engine.store import Store
 from kinlint.facts.agreement import Agreements
+from kinlint.facts.amendment import Amendments
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.attitude import Attitudes
 from kinlint.facts.basis import Bases
+from kinlint.facts.circle import circles as dependencies
 from kinlint.facts.component import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.cycle import cycles
 from kinlint.facts.drift import Drifts
 from kinlint.facts.entailed import entailed_types
 from kinlint.facts.geometry import Geometries
+from kinlint.facts.identifier import Identifiers
 from kinlint.facts.idleness import Idleness
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.likeness import Twins, repeated
@@ -31,6 +34,7 @@ from kinlint.facts.rotation import Rotations
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact
 from kinlint.facts.supply import Supply
+from kinlint.facts.transfer import transfers
 from kinlint.facts.tree import Trees
 from kinlint.facts.units import Units
 from kinlint.terms import Term, Triple
@@ -66,6 +70,16 @@ def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Tripl
             yield from found()
 
 
+def hints(store: Store, wanted: Iterable[Term]) -> Iterator[Triple]:
+    """What repairs need to know of *store*, and no rule: of that, what is *wanted*."""
+    identifiers = Identifiers(Scan(store))
+    kinds = (("slip-for", identifiers.resemblances), ("free-name", identifiers.free_names))
+    asked = frozenset(wanted)
+    for name, found in kinds:
+        if fact(name) in asked:
+            yield from found()
+
+
 def _kinds(scan: Scan) -> Iterator[Kind]:
     """The kinds of facts: the properties of each, and what computes it once it is asked for."""
     units = Units(scan)
@@ -96,11 +110,18 @@ def _bodies(scan: Scan, units: Units, inertias: Inertias) -> Iterator[Kind]:
     yield WELDS, assemblies.facts
     yield PROPORTIONS, partial(proportions, inertias, assemblies, geometries)
     yield ("astray",), partial(astray, assemblies, geometries, scan)
+    yield ("transfer",), partial(transfers, inertias, assemblies, scan)
+    amendments = Amendments(scan, inertias, assemblies, geometries)
+    yield ("decimal-slip",), amendments.decimal_slips
+    yield ("sign-slip",), amendments.sign_slips
+    yield ("solid",), amendments.solids
+    yield ("shift",), amendments.shifts
     yield ("shared-with", "shapes"), partial(repeated, inertias, assemblies, geometries)
     yield ("idle", "working"), Idleness(scan).facts
     yield ("twin",), Twins(scan, assemblies).facts
     yield ("drift", "quantity"), Drifts(scan, assemblies).facts
     yield PLANNING, Planning(scan, trees).facts
+    yield ("leads-back-to",), partial(dependencies, scan)
     yield ("resembles",), partial(_resembling, scan)
 
 

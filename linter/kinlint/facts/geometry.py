@@ -17,7 +17,7 @@ from kinlint.vocabulary import SRC
 
 COLLISION = kin("CollisionGeometry")
 KINDS = tuple(kin(name) for name in ("Box", "Sphere", "Cylinder", "Capsule"))
-BOX, SPHERE, CYLINDER, CAPSULE = KINDS
+BOX, SPHERE, CYLINDER = KINDS[:3]
 MESH = kin("mesh")
 
 GEOMETRY = re.compile(r"/geometry(;[0-9]+)?(/[^/]+)?>$")
@@ -31,14 +31,15 @@ RELATIVE_TO = attribute("relative_to")
 class Shape:
     """One shape of a body: its volume in m³, its largest extent in m, and the node it is of.
 
-    `key` is what tells it from shapes of other form or size.
+    `sizes` in m: of a box its edges, else the radius and the length, if it has one.
     """
 
     volume: float
     extent: float
     node: Term
     collides: bool
-    key: tuple[object, ...]
+    kind: Term
+    sizes: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +119,13 @@ class Geometries:
         ]
         return min(gaps) if len(gaps) == len(known) else None
 
+    def sole(self, body: Term) -> Shape | None:
+        """The one shape that *body* is hit by, or else is seen as, if it is simple."""
+        nodes = self.references.get(body, ())
+        solid = self.scan.instances(COLLISION)
+        chosen = [node for node in nodes if node in solid] or nodes
+        return self._shape(chosen[0]) if len(chosen) == 1 else None
+
     def form(self, body: Term) -> frozenset[tuple[object, ...]]:
         """What the shapes of *body* look like, wherever they are."""
         return frozenset(self._form(node) for node in self.references.get(body, ()))
@@ -125,7 +133,7 @@ class Geometries:
     def _form(self, node: Term) -> tuple[object, ...]:
         meshes = tuple(sorted(self.scan.table(MESH).of(node)))
         shape = self._shape(node)
-        return meshes or (shape.key if shape is not None else (node,))
+        return meshes or ((shape.kind, *shape.sizes) if shape is not None else (node,))
 
     def _shape(self, node: Term) -> Shape | None:
         """The shape of *node*, where it has one simple form and its size is known."""
@@ -139,7 +147,7 @@ class Geometries:
         metres = tuple(unit.si(each) for each in size)
         volume, extent = _measures(kind, metres)
         collides = node in self.scan.instances(COLLISION)
-        return Shape(volume, extent, node, collides, (kind, *metres))
+        return Shape(volume, extent, node, collides, kind, metres)
 
     def _size(self, node: Term, kind: Term) -> tuple[float, ...] | None:
         """Three edges, a radius, or a radius and a length."""

@@ -7,57 +7,107 @@ from collections.abc import Iterable
 from kinlint.facts.names import (
     AS_SEEN_BY,
     COORDINATE_OF,
+    OF,
     REFERENCES,
+    WITH_RESPECT_TO,
     body,
     chain,
     coord,
     geom,
     inertia,
     kin,
+    qudt,
+    rel,
 )
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import FACT
 
-MASSES = (inertia("mass"), body("mass"))
-MOMENTS = (inertia("ixx"), inertia("ixy"), body("xx"), *MASSES)
-TURNS = (coord("direction-cosine-x"), kin("qx"), kin("alpha"))
-PLACES = (coord("x"), *TURNS)
-WELDS = (kin("FixedJoint"), chain("between-attachments"), geom("simplices"))
-INERTIAS = (*MOMENTS, body("RigidBodyInertia"))
-SHAPES = tuple(map(kin, ("GeometryReference", "of-body", "size", "radius", "length", "mesh")))
+UNITS = (qudt("unit"), qudt("hasUnit"))
+ABOUT = (
+    *(COORDINATE_OF, AS_SEEN_BY, kin("of-body")),
+    *(body("about"), body("reference-point"), rel("reference-point")),
+)
+"""Of which body, frame and point numbers are."""
+MASSES = (inertia("mass"), body("mass"), *UNITS)
+TENSORS = (
+    *map(inertia, ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")),
+    *map(body, ("xx", "yy", "zz")),
+)
+INERTIAS = (*TENSORS, *MASSES, *ABOUT)
+FIRST_MOMENT = inertia("first-moment-of-mass")
+ON_BODY = kin("on-body")
+WELDS = (kin("FixedJoint"), chain("between-attachments"), ON_BODY)
+RANGES = (*map(kin, ("JointPositionLimit", "of-joint", "lower", "upper")), *UNITS)
+BOUNDS = (
+    *map(kin, ("ActuatorForceLimit", "ActuatorVelocityLimit", "ActuatorAccelerationLimit")),
+    *map(kin, ("actuates", "of-actuator")),
+)
+SHAPES = (
+    *map(kin, ("GeometryReference", "CollisionGeometry", "Box", "Sphere", "Cylinder", "Capsule")),
+    *map(kin, ("of-body", "size", "radius", "length", "mesh")),
+    *UNITS,
+)
+COSINES = tuple(coord(f"direction-cosine-{axis}") for axis in "xyz")
+QUATERNION = tuple(kin(f"q{part}") for part in "xyzw")
+ANGLES = (*map(kin, ("alpha", "beta", "gamma")), *UNITS)
+TURNS = (
+    *(*COSINES, *QUATERNION, *ANGLES),
+    *map(kin, ("axes-sequence", "Intrinsic", "Extrinsic")),
+)
+VECTORS = (
+    *(coord("x"), coord("y"), coord("z"), COORDINATE_OF, *UNITS),
+    *map(coord, ("PositionCoordinate", "PoseCoordinate")),
+    *map(rel, ("Position", "Pose")),
+)
+RELATIONS = (
+    *(*TURNS, *VECTORS, OF, WITH_RESPECT_TO, AS_SEEN_BY, kin("Coordinate"), rel("Orientation")),
+    *map(geom, ("origin", "rotation-frame")),
+)
+
 NEEDS: dict[str, tuple[Term, ...]] = {
-    **dict.fromkeys(("least-moment", "middle-moment", "greatest-moment"), MOMENTS),
+    **dict.fromkeys(("least-moment", "middle-moment", "greatest-moment"), TENSORS + UNITS),
     **dict.fromkeys(
-        ("least-central-moment", "middle-central-moment", "greatest-central-moment"),
-        (*MOMENTS, inertia("first-moment-of-mass")),
+        (
+            *("least-central-moment", "middle-central-moment", "greatest-central-moment"),
+            "centre-distance",
+        ),
+        (*INERTIAS, FIRST_MOMENT),
     ),
-    "centre-distance": (inertia("first-moment-of-mass"),),
-    "mass": MASSES,
-    "body-mass": MASSES,
-    **dict.fromkeys(("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS)),
-    "gyration": INERTIAS,
+    **dict.fromkeys(("body-mass", "gyration", "transfer", "shift"), INERTIAS),
+    **dict.fromkeys(("decimal-slip", "sign-slip"), TENSORS + UNITS),
+    "solid": (*INERTIAS, *SHAPES),
+    "mass": (*MASSES, *TENSORS),
     **dict.fromkeys(
-        ("extent", "least-density", "greatest-density", "shared-with", "shapes", "astray"),
+        ("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS, kin("MassProperty"))
+    ),
+    **dict.fromkeys(
+        ("extent", "least-density", "greatest-density", "shared-with", "shapes"),
         (*INERTIAS, *SHAPES),
     ),
+    "astray": (*INERTIAS, *SHAPES, geom("RigidBody")),
     **dict.fromkeys(
-        ("idle", "working"),
-        (chain("joints"), *map(kin, ("actuates", "of-actuator", "upper", "follower"))),
+        ("idle", "working"), (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
     ),
-    "drift": (*INERTIAS, *WELDS, chain("Joint"), *map(kin, ("of-joint", "lower", "upper"))),
-    "twin": (*INERTIAS, *map(kin, ("of-joint", "of-actuator", "actuates"))),
+    "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, chain("Joint")),
+    "twin": (*INERTIAS, *RANGES, *BOUNDS),
     **dict.fromkeys(("comprises", "moves", "joints", "between", "resembles"), REFERENCES),
-    "lower": (kin("lower"),),
-    "upper": (kin("upper"),),
-    "offset": (kin("offset"),),
-    **dict.fromkeys(("x", "y", "z"), (coord("x"),)),
-    **dict.fromkeys(("determinant", "orthonormality", "orthogonality"), (TURNS[0],)),
-    "norm": (kin("qx"),),
-    "spread": TURNS,
-    **dict.fromkeys(("alpha", "beta", "gamma"), (kin("alpha"),)),
-    **dict.fromkeys(("distance", "angle", "magnitude", "closed-by"), PLACES),
+    "leads-back-to": (kin("leader"), kin("follower"), *REFERENCES),
+    **dict.fromkeys(("component", "undecided"), (chain("joints"), *WELDS)),
+    **{name: (kin(name), *UNITS) for name in ("lower", "upper", "offset")},
+    "value": (qudt("value"), *UNITS),
+    **dict.fromkeys(("x", "y", "z"), VECTORS),
+    **dict.fromkeys(("alpha", "beta", "gamma"), ANGLES),
+    **dict.fromkeys(("determinant", "orthonormality"), COSINES),
+    "norm": QUATERNION,
+    "orthogonality": (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end")),
+    "spread": (*TURNS, *VECTORS),
+    **dict.fromkeys(("Agreement", "distance", "angle", "magnitude", "closed-by"), RELATIONS),
+    **dict.fromkeys(("step", "in-cycle", "supplied-by"), (kin("reads"), kin("writes"))),
 }
-"""The properties that those named are computed from, where they are not of the model as a whole."""
+"""The properties that those named are computed from, beside what is said of elements of files.
+
+What holds of any node, such as that its types exclude each other, is computed of what is there.
+"""
 
 CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("on-body"): (geom("simplices"),),
@@ -65,17 +115,7 @@ CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("of-body"): (body("of-body"), kin("of-body")),
     kin("driven-by"): (kin("actuates"),),
 }
-"""The properties from which axioms conclude those named."""
-
-INFERRED = frozenset(
-    {
-        COORDINATE_OF,
-        AS_SEEN_BY,
-        *map(kin, ("on-body", "of-body", "Coordinate", "reads", "writes")),
-        *map(kin, ("MassProperty", "GeometryReference")),
-    }
-)
-"""What facts read of what axioms conclude."""
+"""The properties from which axioms conclude those named, where these ask for more."""
 
 
 def sources(wanted: Iterable[Term]) -> frozenset[Term]:

@@ -20,6 +20,9 @@ def _components(names: Sequence[str]) -> tuple[Term, Term, Term]:
 
 XYZ = (attribute("xyz-1"), attribute("xyz-2"), attribute("xyz-3"))
 TEXT = _components(("text-1", "text-2", "text-3"))
+TURNS = tuple(attribute(f"{name}-{at}") for name in ("rpy", "quat_xyzw") for at in (1, 2, 3))
+TEXT_TURNS = _components(("text-4", "text-5", "text-6"))
+ROTATION_FORMAT = attribute("rotation_format")
 SEEN_BY_PARENT = _components(("parent-x", "parent-y", "parent-z"))
 UNIT_AXIS = _components(("x", "y", "z"))
 X_AXIS: Vector = (1.0, 0.0, 0.0)
@@ -67,6 +70,19 @@ class Placements:
                     if at is not None:
                         found[domain(link)] = at
         return found
+
+    @cached_property
+    def turned(self) -> frozenset[Term]:
+        """The links whose inertia is seen along other axes than theirs, or may be."""
+        found: set[Term] = set()
+        for space, place, parts in ((urdf, "origin", TURNS), (sdf, "pose", TEXT_TURNS)):
+            for link in self._all(space("link")):
+                for inertial in self._children(link, space("inertial")):
+                    for child in self._children(inertial, space(place)):
+                        angles = (self.scan.numbers(each).get(child, 0.0) for each in parts)
+                        if any(angles) or child in self.scan.table(ROTATION_FORMAT):
+                            found.add(domain(link))
+        return frozenset(found)
 
     @cached_property
     def carriers(self) -> Mapping[Term, str]:

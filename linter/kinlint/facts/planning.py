@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.facts.circle import parts
 from kinlint.facts.names import attribute, reference, srdf, urdf
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact, integer
+from kinlint.facts.strong import strong_components
 from kinlint.facts.tree import Edge, Trees
 from kinlint.terms import Term, Triple, iri, is_iri, literal
 from kinlint.vocabulary import SRC
@@ -37,18 +39,21 @@ class Planning:
                 if ADJACENT in self.scan.table(attribute("reason")).of(pair):
                     yield from ((pair, fact("between"), link) for link in self._between(pair))
 
-    def _comprises(self, group: Term) -> set[Term]:
-        """The joints of *group*, those of its subgroups included."""
-        found: set[Term] = set()
-        waiting, seen = [group], {group}
-        while waiting:
-            each = waiting.pop()
-            found |= self._listed(each)
-            parts = self.scan.table(srdf("group")).of(each)
-            more = {one for part in parts for one in self._refers(part, "group")} - seen
-            waiting += more
-            seen |= more
+    @cached_property
+    def _comprised(self) -> Mapping[Term, frozenset[Term]]:
+        """The joints of each group that has parts, or is one, those of its parts included."""
+        arcs = parts(self.scan)
+        found: dict[Term, frozenset[Term]] = {}
+        for piece in strong_components(arcs):
+            beyond = {each for group in piece for each in arcs.get(group, ())}.difference(piece)
+            own = (self._listed(group) for group in piece)
+            joints = frozenset[Term]().union(*own, *(found[each] for each in beyond))
+            found.update(dict.fromkeys(piece, joints))
         return found
+
+    def _comprises(self, group: Term) -> Collection[Term]:
+        """The joints of *group*, those of its subgroups included."""
+        return self._comprised[group] if group in self._comprised else self._listed(group)
 
     def _listed(self, group: Term) -> set[Term]:
         """The joints that *group* itself names: as such, by links that they carry, as a chain."""

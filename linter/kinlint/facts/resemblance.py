@@ -19,13 +19,27 @@ def resemblances(scan: Scan) -> Iterator[Triple]:
     """
     known = scan.instances(qudt("QuantityKind"))
     used = {kind for _, kinds in scan.table(qudt("hasQuantityKind")).items() for kind in kinds}
+    strange = [kind for kind in sorted(used - known) if _local(kind)]
+    if not strange:
+        return
     names = {_plain(kind): kind for kind in sorted(known) if _local(kind)}
-    for kind in sorted(used - known):
-        if not _local(kind):
-            continue
-        near = [names[each] for each in names if distance(_plain(kind), each) <= 1]
+    shortened: dict[str, list[str]] = {}
+    for name in names:
+        for each in _shortened(name):
+            shortened.setdefault(each, []).append(name)
+    for kind in strange:
+        plain = _plain(kind)
+        alike = {name for each in _shortened(plain) for name in shortened.get(each, ())}
+        near = [names[name] for name in alike if distance(plain, name) <= 1]
         if len(near) == 1:
             yield kind, fact("resembles"), near[0]
+
+
+def _shortened(name: str) -> Iterator[str]:
+    """*name* and all that it is without one letter: names one slip apart share one of these."""
+    yield name
+    for at in range(len(name)):
+        yield name[:at] + name[at + 1 :]
 
 
 def _local(kind: Term) -> str:

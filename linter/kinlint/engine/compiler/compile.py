@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.graph import Source, read
 from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.narrow import implied, narrowed
 from kinlint.engine.compiler.patterns import literal_token
 from kinlint.engine.compiler.probe import try_out
 from kinlint.engine.compiler.shape import Shape, target_shapes
@@ -74,7 +75,7 @@ class _Walk:
             owner=self._owner(shape),
             shape=shape.node,
             component=violation.component,
-            severity=shape.severity,
+            severity=violation.severity or shape.severity,
             messages=messages,
             path=shape.path.predicate or None if shape.path else None,
             deferred=reason,
@@ -128,22 +129,26 @@ def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Ch
         shown.append(f"({frame.value} AS ?value)")
     shown += [name for name in violation.shown if name not in ("?this", ROOT)]
 
-    def query(start: str) -> str:
-        outer = " LATERAL ".join(f"{{ {group} }}" for group in (start, *chain.groups))
-        return f"SELECT {' '.join(shown)} WHERE {{ {outer} LATERAL {violation.body} }}"
+    def query(*start: str) -> str:
+        outer = "".join(f"{{ {group} }} LATERAL " for group in (*start, *chain.groups))
+        return f"SELECT {' '.join(shown)} WHERE {{ {outer}{violation.body} }}"
 
     premises: list[Triple] = [*chain.premises]
     if violation.at_value and frame.value in violation.body and frame.shape.path:
         premises += frame.shape.path.steps("?this", "?value", count(3000))
     premises += violation.premises
+    own = () if chain.groups or frame.shape.path else violation.premises
+    everywhere = query(narrowed(chain.target, own).all)
+    if violation.stands and implied(chain.target, own):
+        everywhere = query()
     try:
-        try_out(query(chain.target.all))
+        try_out(everywhere)
         try_out(query(chain.target.one).replace(FOCUS, "<any:>"))
     except Deferred as reason:
         return replace(common, deferred=str(reason))
     return replace(
         common,
-        select=query(chain.target.all),
+        select=everywhere,
         single=query(chain.target.one),
         premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
         targets=chain.target.ways,

@@ -60,7 +60,8 @@ class Violation:
     `condition` holds is a violation. `condition` is never an error. `shown` are the variables
     of a result; `at_value` says that the value node is its value. `path` says that a variable
     rather than the shape tells the path. `formats` are those it is for, where not all that the
-    rule is for.
+    rule is for. `severity` is its own, where it is not that of the shape. `stands` says that it
+    finds the same without a focus node, for all of them at once.
     """
 
     component: str
@@ -73,6 +74,8 @@ class Violation:
     premises: tuple[Triple, ...] = ()
     deferred: str | None = None
     formats: tuple[str, ...] = ()
+    severity: str = ""
+    stands: bool = False
 
     @property
     def body(self) -> str:

@@ -9,8 +9,9 @@ from kinlint.engine.compiler.author import read_query
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.frame import THIS, Frame, Violation, component, shown
 from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.narrow import stands
 from kinlint.engine.compiler.shape import messages
-from kinlint.terms import literal_value
+from kinlint.terms import iri_value, literal_value
 from kinlint.vocabulary import KL
 
 if TYPE_CHECKING:
@@ -47,12 +48,20 @@ def sparql(frame: Frame) -> Iterator[Violation]:
             own_messages=True,
             premises=query.premises,
             formats=formats(shape.graph, node),
+            severity=severity(shape.graph, node),
+            stands=stands(query.select),
         )
 
 
 def formats(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
     """The formats that a constraint says it looks at, by `kl:format`."""
     return tuple(sorted(map(literal_value, graph.values(node, FORMAT))))
+
+
+def severity(graph: ShapesGraph, node: Term) -> str:
+    """The IRI of the severity that a constraint has of its own, by `sh:severity`; or nothing."""
+    own = graph.one(node, sh("severity"))
+    return iri_value(own) if own is not None else ""
 
 
 def query_for(frame: Frame, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:

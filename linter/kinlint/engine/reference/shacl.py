@@ -12,7 +12,7 @@ from rdflib import Graph, URIRef
 from kinlint.document import Document
 from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.shape import messages, read_shape
-from kinlint.engine.compiler.sparql import formats
+from kinlint.engine.compiler.sparql import formats, severity
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.reference.nodes import graph, term
 from kinlint.engine.reference.owl import owlrl_closure
@@ -127,16 +127,18 @@ def _is_advanced(shapes: ShapesGraph) -> bool:
 
 def _constraint(shapes: ShapesGraph, record: Record) -> Constraint:
     shape = read_shape(shapes, term(record.shape))
-    said = messages(shapes, term(record.source)) if record.source is not None else ()
+    source = term(record.source) if record.source is not None else None
+    said = messages(shapes, source) if source is not None else ()
+    own = severity(shapes, source) if source is not None else ""
     path = shapes.one(shape.node, PATH)
     return Constraint(
         owner=shape.owner,
         shape=shape.node,
         component=iri_value(term(record.component)),
-        severity=shape.severity,
+        severity=own or shape.severity,
         messages=said or shape.messages,
         path=path if path is not None and is_iri(path) else None,
-        formats=formats(shapes, term(record.source)) if record.source is not None else (),
+        formats=formats(shapes, source) if source is not None else (),
     )
 
 

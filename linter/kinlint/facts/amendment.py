@@ -1,0 +1,204 @@
+"""What could be written instead of moments and products of inertia that are wrong."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from itertools import count
+
+from kinlint.facts.assembly import Assemblies
+from kinlint.facts.geometry import BOX, CYLINDER, GEOMETRY, SPHERE, Geometries, Shape
+from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
+from kinlint.facts.linear import Matrix, eigenvalues
+from kinlint.facts.names import FROM, attribute, body, sdf, urdf
+from kinlint.facts.names import inertia as inertial
+from kinlint.facts.placement import ROTATION_FORMAT, TEXT, TEXT_TURNS, XYZ, Placements
+from kinlint.facts.scan import Scan
+from kinlint.facts.statement import double, fact, fact_node
+from kinlint.facts.transfer import about_origin
+from kinlint.terms import Term, Triple
+
+PLACES = range(1, 10)
+"""By how many places a decimal point is looked for elsewhere."""
+CLEAR = 1.1
+"""By how much the greatest moment exceeds the others where a slip of the point shows."""
+DIGITS = 6
+"""Of a number that is computed, how many are written."""
+TENSOR = re.compile(r"/inertia(;[0-9]+)?>$")
+"""What the address of a tensor has beyond that of its inertial."""
+ROLL_PITCH_YAW = tuple(attribute(f"rpy-{at}") for at in (1, 2, 3))
+QUATERNION = attribute("quat_xyzw-1")
+RELATIVE_TO = attribute("relative_to")
+
+Entries = dict[Term, float]
+"""Moments and products by the property that states them, xx yy zz xy xz yz, in one unit."""
+
+
+class Amendments:
+    """Other numbers for the entries of tensors, each kind of change where there is just one."""
+
+    def __init__(
+        self, scan: Scan, inertias: Inertias, assemblies: Assemblies, geometries: Geometries
+    ) -> None:
+        self.scan = scan
+        self.inertias = inertias
+        self.assemblies = assemblies
+        self.geometries = geometries
+
+    def decimal_slips(self) -> Iterator[Triple]:
+        """The one entry whose decimal point stands in the wrong place, if that is all.
+
+        That is so where exactly one power of ten, at exactly one entry, makes a tensor that no
+        body can have one that a body can.
+        """
+        numbers = count(1)
+        for node, entries in self._stated():
+            values = list(entries.values())
+            least, middle, greatest = eigenvalues(_matrix(values))
+            if min(values[:3]) <= 0.0 or greatest <= CLEAR * (least + middle):
+                continue
+            found = [
+                (entry, moved)
+                for at, (entry, value) in enumerate(entries.items())
+                for moved in (_shifted(value, by * sign) for by in PLACES for sign in (1, -1))
+                if value and _possible([*values[:at], moved, *values[at + 1 :]])
+            ]
+            if len(found) == 1:
+                yield from _amended(node, "decimal-slip", entries, dict(found), numbers)
+
+    def sign_slips(self) -> Iterator[Triple]:
+        """The signs that make a body of a tensor that none can have.
+
+        Those of all moments that are negative, or those of all three products: of two products
+        they make no difference, and of one the same as of three.
+        """
+        numbers = count(1)
+        for node, entries in self._stated():
+            if _possible(list(entries.values())):
+                continue
+            items = list(entries.items())
+            changes = (
+                {entry: -value for entry, value in items[:3] if value < 0.0},
+                {entry: -value for entry, value in items[3:] if all(each for _, each in items[3:])},
+            )
+            found = [each for each in changes if _possible(list({**entries, **each}.values()))]
+            if len(found) == 1:
+                yield from _amended(node, "sign-slip", entries, found[0], numbers)
+
+    def solids(self) -> Iterator[Triple]:
+        """The tensor of each body that is one simple shape about its centre, if it were solid."""
+        numbers = count(1)
+        for node, entries in self._stated():
+            owner = self.assemblies.body(node)
+            mass = self.assemblies.masses.get(owner, 0.0) if owner is not None else 0.0
+            shape = self.geometries.sole(owner) if owner is not None else None
+            if shape is None or mass <= 0.0 or node not in self.inertias.central:
+                continue
+            here, there = self._place(node, TENSOR), self._place(shape.node, GEOMETRY)
+            if here is not None and here == there:
+                tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
+                changed = dict(zip(entries, _rounded(tensor), strict=False))
+                yield from _amended(node, "solid", entries, changed, numbers)
+
+    def shifts(self) -> Iterator[Triple]:
+        """Each tensor moved from the origin of its link to the centre of mass."""
+        numbers = count(1)
+        placements = Placements(self.scan)
+        for node, entries in self._stated():
+            owner = self.assemblies.body(node)
+            centre = placements.centres.get(owner) if owner is not None else None
+            if owner is None or centre is None or owner in placements.turned:
+                continue
+            moved = about_origin(self.assemblies.masses.get(owner, 0.0), centre)
+            flat = (*(moved[at][at] for at in range(3)), moved[0][1], moved[0][2], moved[1][2])
+            values = list(entries.values())
+            left = [value - away for value, away in zip(values, flat, strict=False)]
+            if any(flat) and len(left) == len(flat) and _possible(left):
+                # What the shift leaves of a number is as exact as the number was.
+                changed = dict(zip(entries, _rounded(left, max(map(abs, values))), strict=True))
+                yield from _amended(node, "shift", entries, changed, numbers)
+
+    def _stated(self) -> Iterator[tuple[Term, Entries]]:
+        """The entries of each tensor as they are written, products that are not as zero."""
+        axes = [inertial(name) for name in (*MOMENTS, *PRODUCTS)]
+        principal = [body(name) for name in ("xx", "yy", "zz")]
+        for node in sorted(self.inertias.tensors):
+            names = axes if node in self.scan.numbers(axes[0]) else principal
+            entries = {name: self.scan.numbers(name).get(node, 0.0) for name in names}
+            if all(map(math.isfinite, entries.values())):
+                yield node, entries
+
+    def _place(self, node: Term, below: re.Pattern[str]) -> tuple[float, ...] | None:
+        """Where the element that *node* was made from places it: xyz and the angles."""
+        source = min(self.scan.table(FROM).of(node), key=len, default=None)
+        if source is None:
+            return None
+        owner = below.sub(">", source)
+        kinds = ((urdf("origin"), (*XYZ, *ROLL_PITCH_YAW)), (sdf("pose"), (*TEXT, *TEXT_TURNS)))
+        for tag, components in kinds:
+            for element in self.scan.table(tag).of(owner)[:1]:
+                odd = (RELATIVE_TO, ROTATION_FORMAT, QUATERNION)
+                if any(element in self.scan.table(each) for each in odd):
+                    return None
+                return tuple(self.scan.numbers(each).get(element, 0.0) for each in components)
+        return (0.0,) * 6
+
+
+def _amended(
+    node: Term, kind: str, entries: Entries, changed: Mapping[Term, float], numbers: Iterator[int]
+) -> Iterator[Triple]:
+    """That *node* could have the numbers of *changed*, where they are not those it has."""
+    for entry, value in changed.items():
+        if value != entries[entry]:
+            amended = fact_node(kind, next(numbers))
+            yield node, fact(kind), amended
+            yield amended, fact("entry"), entry
+            yield amended, fact("amended"), double(value)
+
+
+def _shifted(value: float, places: int) -> float:
+    return float(Decimal(repr(value)).scaleb(places))
+
+
+def _matrix(values: Sequence[float]) -> Matrix:
+    xx, yy, zz, xy, xz, yz = (*values, 0.0, 0.0, 0.0)[:6]
+    return (xx, xy, xz), (xy, yy, yz), (xz, yz, zz)
+
+
+def _possible(values: Sequence[float]) -> bool:
+    """Whether a body that extends in space can have these moments and products."""
+    least, middle, greatest = eigenvalues(_matrix(values))
+    return least > 1e-9 * greatest and least + middle >= 0.99 * greatest
+
+
+def _solid(shape: Shape, mass: float) -> tuple[float, float, float]:
+    """The principal moments of a solid of uniform density about its centre, in kg m².
+
+    Source: https://en.wikipedia.org/wiki/List_of_moments_of_inertia; a capsule is a cylinder
+    between two halves of a ball, whose mass counts by their volumes.
+    """
+    kind, sizes = shape.kind, shape.sizes
+    if kind == BOX:
+        x, y, z = (each * each * mass / 12.0 for each in sizes)
+        return y + z, x + z, x + y
+    radius = sizes[0]
+    ball = 0.4 * mass * radius**2
+    if kind == SPHERE:
+        return ball, ball, ball
+    long = sizes[1]
+    round_, turned = mass * radius**2 / 2.0, mass * (3.0 * radius**2 + long**2) / 12.0
+    if kind == CYLINDER:
+        return turned, turned, round_
+    share = 4.0 * radius / (4.0 * radius + 3.0 * long)
+    ends = ball + mass * (long**2 / 4.0 + 3.0 * long * radius / 8.0)
+    across = (1.0 - share) * turned + share * ends
+    return across, across, (1.0 - share) * round_ + share * ball
+
+
+def _rounded(values: Sequence[float], size: float = 0.0) -> list[float]:
+    """*values* to as many decimals as the greatest of them, or *size*, has with DIGITS digits."""
+    size = size or max(map(abs, values))
+    decimals = DIGITS - 1 - math.floor(math.log10(size)) if size > 0.0 else DIGITS
+    return [round(each, decimals) + 0.0 for each in values]
