@@ -17,8 +17,8 @@ class CatalogueHook(BuildHookInterface):  # type: ignore[type-arg]
         if version == "editable":
             return
         sys.path.insert(0, str(Path(self.root) / "linter"))
-        from kinlint import rulebook  # noqa: PLC0415
+        from kinlint.catalogue import rulebook  # noqa: PLC0415
 
         compiled = Path(self.directory) / rulebook.SHIPPED.name
         rulebook.load(cache=compiled)
-        build_data["force_include"][str(compiled)] = f"kinlint/{compiled.name}"
+        build_data["force_include"][str(compiled)] = f"kinlint/catalogue/{compiled.name}"

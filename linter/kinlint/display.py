@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from urllib.parse import unquote
 
 from kinlint.terms import (
@@ -45,8 +47,10 @@ COMPONENT = re.compile(r"-[1-9][0-9]*$")
 """The end of the property that has one number of an attribute of several."""
 
 DOCUMENT = "urn:kinlint:document:"
+REPEATED = re.compile(r";[0-9]+$")
+"""The end of the address of an element that has the tag and the name of one before it."""
 NAMED = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light"})
-"""Elements that are spoken of by their name alone."""
+"""Elements that are spoken of by their name alone, where no other one has it."""
 
 LONGEST, TAIL = 160, 40
 """How much of a term a message repeats, and how much of that is its end."""
@@ -56,10 +60,14 @@ NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
 
 @dataclass(frozen=True)
 class Display:
-    """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes."""
+    """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes.
+
+    `nodes` are those of the file: elements of different kinds that share a name are told apart.
+    """
 
     prefixes: Mapping[str, str] = field(default_factory=dict)
     own: tuple[str, ...] = ()
+    nodes: Collection[Term] = field(default=(), repr=False)
 
     def term(self, term: Term) -> str:
         """*term* without the quotes, brackets and datatypes of N-Triples, in one line."""
@@ -74,7 +82,7 @@ class Display:
         """*iri* by its local name or a prefix, whichever the file would write; else whole."""
         if iri.startswith(DOCUMENT):
             name, _, path = iri[len(DOCUMENT) :].partition("#")
-            return _name_path(path) if path else unquote(name)
+            return unquote(self._path(path) if path else name)
         if iri.startswith(XML):
             local = iri.partition("#")[2]
             return COMPONENT.sub("", local) if iri.startswith(ATTRIBUTE) else local
@@ -91,6 +99,20 @@ class Display:
         base = max((each for each in self.own if iri.startswith(each)), key=len, default="")
         return iri[len(base) :] or iri
 
+    def _path(self, path: str) -> str:
+        """The names on the way to an element, or to what was made of it, with kinds if need be."""
+        whole = path.removeprefix("/")
+        shared = _kindless(REPEATED.sub("", _owner(whole))) in self._shared
+        return whole if shared else _kindless(whole)
+
+    @cached_property
+    def _shared(self) -> frozenset[str]:
+        """The names that several elements of the file have."""
+        paths = (node[:-1].partition("#/")[2] for node in self.nodes)
+        named = (path for path in paths if path and _owner(path) == path)
+        counts = Counter(_kindless(REPEATED.sub("", path)) for path in named)
+        return frozenset(name for name, count in counts.items() if count > 1)
+
     def triple(self, triple: Triple) -> str:
         """*triple* as a phrase."""
         subject, predicate, value = triple
@@ -99,14 +121,20 @@ class Display:
         return f"{self.term(subject)} {self.term(predicate)} {self.term(value)}"
 
 
-def _name_path(path: str) -> str:
-    """The names on the way to an element, or to what was made of it, which goes without kinds."""
-    if path.startswith("/"):
-        return unquote(path[1:])
+def _kindless(path: str) -> str:
+    """*path* without the kinds of the named elements on it."""
     steps = path.split("/")
-    named = (i for i, step in enumerate(steps[:-1]) if step in NAMED and (i == 0 or i % 2 == 0))
-    kinds = frozenset(named)
-    return unquote("/".join(step for i, step in enumerate(steps) if i not in kinds)) or path
+    last = len(steps) - 1
+    return "/".join(step for i, step in enumerate(steps) if i % 2 or i == last or step not in NAMED)
+
+
+def _owner(path: str) -> str:
+    """The way to the last named element on *path*."""
+    steps = path.split("/")
+    end = 0
+    while end + 1 < len(steps) and steps[end] in NAMED:
+        end += 2
+    return "/".join(steps[:end])
 
 
 def article(noun: str) -> str:

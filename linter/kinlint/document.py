@@ -15,6 +15,9 @@ from kinlint.vocabulary import SRC
 TREES = frozenset({"urdf", "xacro", "srdf", "sdf"})
 """Formats whose files are trees of elements, each with an IRI below that of its document."""
 
+LIFTED_AS = {"xacro": "urdf"}
+"""What a format is once it is expanded."""
+
 ABOUT, NAME = frozenset({iri(f"{SRC}node"), iri(f"{SRC}subject")}), iri(f"{SRC}name")
 
 

@@ -13,12 +13,10 @@ from dataclasses import dataclass
 from functools import cache
 
 from kinlint import resources
-from kinlint.document import Document
+from kinlint.document import LIFTED_AS, Document
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import KL, RDFS
 
-LIFTED_AS = {"xacro": ("urdf", "sdf", "srdf")}
-"""Formats that stand for others, with what they may expand to."""
 _COMPONENT = re.compile(r"-1$")
 
 
@@ -78,14 +76,13 @@ def _order(number: str) -> tuple[int, ...]:
 
 def shown(document: Document) -> Iterator[Shown]:
     """The inherent symptoms that *document* shows."""
-    for form in LIFTED_AS.get(document.format, (document.format,)):
-        known = profile(form)
-        counts = _counts(document, known.passed_over)
-        for symptom in known.symptoms:
-            each = {_name(term): counts[term] for term in symptom.shown_by if counts[term]}
-            if each:
-                ordered = sorted(each.items(), key=lambda item: (-item[1], item[0]))
-                yield Shown(symptom, tuple(ordered))
+    known = profile(LIFTED_AS.get(document.format, document.format))
+    counts = _counts(document, known.passed_over)
+    for symptom in known.symptoms:
+        each = {_name(term): counts[term] for term in symptom.shown_by if counts[term]}
+        if each:
+            ordered = sorted(each.items(), key=lambda item: (-item[1], item[0]))
+            yield Shown(symptom, tuple(ordered))
 
 
 def _counts(document: Document, passed_over: frozenset[Term]) -> Counter[Term]:

@@ -2,37 +2,64 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import MappingProxyType
 
-from kinlint.applicability import applicability, applicable, applies, axioms_for, demand, formats
+from kinlint.catalogue.applicability import (
+    applicability,
+    applicable,
+    applies,
+    axioms_for,
+    demand,
+    formats,
+    possible,
+)
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import TREES, Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.demand import behind, made
 from kinlint.engine.lifting import lift
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
-from kinlint.facts.compute import facts
-from kinlint.findings import Account
+from kinlint.facts.compute import facts, hints
+from kinlint.findings.account import Account
+from kinlint.findings.grouping import grouped
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.grouping import grouped
 from kinlint.model import Finding
-from kinlint.profile import Profile
-from kinlint.references import references
+from kinlint.phases import Phases
+from kinlint.references import STATED, references
 from kinlint.report import Report
-from kinlint.rulebook import Rulebook
 from kinlint.suppression import silence
 from kinlint.terms import RDF_TYPE
 from kinlint.text import SourceText
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
 KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
+NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "ContextUse"))
 """What the source layer says of every file, whatever it speaks of."""
+
+
+@dataclass(frozen=True)
+class Examination:
+    """A report, and what it was made from: for those who mend what it tells of.
+
+    `documents` are all that were read, companions too; `options` say how.
+    """
+
+    report: Report
+    documents: Sequence[Document]
+    store: Store
+    account: Account
+    options: ReadOptions
 
 
 def run(
@@ -40,19 +67,35 @@ def run(
     errors: Iterable[SourceError],
     settings: Settings,
     rulebook: Rulebook,
-    profile: Profile | None = None,
+    phases: Phases | None = None,
 ) -> Report:
+    """Lint *sources* as one model: the report of `examine`."""
+    return examine(sources, errors, settings, rulebook, phases).report
+
+
+def examine(  # noqa: PLR0913
+    sources: Sequence[SourceText],
+    errors: Iterable[SourceError],
+    settings: Settings,
+    rulebook: Rulebook,
+    phases: Phases | None = None,
+    *,
+    repairing: bool = False,
+    overlay: Mapping[Path, SourceText] = NOTHING,
+) -> Examination:
     """Lint *sources* as one model. *errors* are of files that could not even be decoded.
 
     Nothing is reported of companions, not even that they cannot be read. Another source that
     cannot be read is reported in `Report.errors`; the rest is linted. The time that each phase
-    takes is added to *profile*.
+    takes is added to *phases*. The store holds what the rules look at, and if *repairing*, what
+    their repairs do. *overlay* has texts of files that others include, by their real
+    paths, which count in place of what the files hold.
     """
-    spent = profile or Profile()
-    before = sum(spent.phases.values())
+    spent = phases or Phases()
+    before = sum(spent.seconds.values())
     failed = list(errors)
     with spent.phase("reading"):
-        options = ReadOptions.of(settings)
+        options = replace(ReadOptions.of(settings), overlay=overlay)
         given = [source for source in sources if not source.companion]
         beside = [source for source in sources if source.companion]
         documents = list(_documents(given, options, failed))
@@ -67,17 +110,22 @@ def run(
     ]
     owners = applicability(asked, documents)
     constraints = applicable(rulebook.constraints, owners)
-    wanted = demand(constraints)
+    repairs = [one for rule in asked if rule.iri in owners for one in rule.repairs if repairing]
     store = Store()
     with spent.phase("loading"):
         store.load(joined)
         store.load_vocabulary(rulebook.vocabulary)
     with spent.phase("lifting"):
-        lift(store, wanted)
+        axioms = rulebook.axioms
+        constraints = possible(constraints, joined, store, STATED | made(axioms))
+        wanted = demand(constraints, repairs)
+        lift(store, wanted, None if wanted is None else behind(axioms, wanted))
     with spent.phase("closure"):
-        close(store, axioms_for(joined, rulebook.axioms, wanted))
+        close(store, axioms_for(joined, axioms, wanted))
     with spent.phase("facts"):
-        store.state((*facts(store, wanted), *references(documents, options.packages_of, wanted)))
+        helpful = hints(store, {term for each in repairs for term in each.terms})
+        named = references(documents, options.packages_of, wanted)
+        store.state((*facts(store, wanted), *named, *helpful))
     with spent.phase("checking"):
         results = check_all(joined, store, constraints, settings, rulebook)
         results = list(applies(results, joined, owners))
@@ -87,7 +135,7 @@ def run(
         silenced = silence.apply(judged, documents, policies, complete=not failed)
         told = grouped(silenced, account.detailed, _reused(joined))
         told.sort(key=lambda finding: finding.sort_key)
-    return Report(
+    report = Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
         suppressed=tuple(finding for finding in told if finding.suppressed is not None),
         files=tuple(document.source.name for document in documents),
@@ -96,8 +144,9 @@ def run(
         rules=tuple(asked),
         triples=sum(len(document.statements) for document in documents),
         applied=len(asked) if documents else 0,
-        seconds=sum(spent.phases.values()) - before,
+        seconds=sum(spent.seconds.values()) - before,
     )
+    return Examination(report, joined, store, account, options)
 
 
 def _meant(

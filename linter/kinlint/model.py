@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from urllib.parse import unquote
 
-from kinlint.terms import Term
-from kinlint.text import Location
+from kinlint.terms import Term, Triple
+from kinlint.text import Location, SourceText
 from kinlint.vocabulary import DOCUMENT_IRI
 
 
@@ -35,7 +35,8 @@ class Example:
     """A pair from a rule file: `bad` with `[|…|]` round what must be flagged, or `good`.
 
     `beside` are the paths of files in the same directory and below, for rules about them.
-    `companions` are files that are read with it, the format and the text of each.
+    `companions` are files that are read with it, the format and the text of each. `fixed` is what
+    the preferred fix makes of `bad`, where that is not `good`; `unfixable` tells that none can.
     """
 
     format: str
@@ -43,6 +44,8 @@ class Example:
     good: str | None
     beside: tuple[str, ...] = ()
     companions: tuple[tuple[str, str], ...] = ()
+    fixed: str | None = None
+    unfixable: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +65,83 @@ class SeverityFor:
         return about and (not self.formats or form in self.formats)
 
 
+class Applicability(IntEnum):
+    """How far a fix may be trusted.
+
+    SAFE: the meaning stays, and no consumer newly refuses the file. UNSAFE: it takes a decision
+    that the author may want to see. DISPLAY: shown only, never written.
+    """
+
+    DISPLAY = 1
+    UNSAFE = 2
+    SAFE = 3
+
+    @property
+    def label(self) -> str:
+        """The word for users: `safe`, `unsafe` or `display-only`."""
+        return "display-only" if self is Applicability.DISPLAY else self.name.lower()
+
+
+KNOWN = "{ # known\n}"
+"""Where the query of a repair is told what a finding has for its variables."""
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """How a rule mends what it finds: a SPARQL Update, taken apart when the catalogue is compiled.
+
+    `title` is an imperative with `{?variable}` placeholders, `applicability` what the author claims
+    at most and `why` the reason that it is no more. `formats` are those it can be said in; none
+    named is all of the rule. `update` is the text of the author, with prefixes. `query` selects
+    `variables`, once `KNOWN` gives way to what is known of them; `removed` and `added` are the
+    templates that are filled with each solution, in N-Triples tokens, `?variables` and blank nodes.
+    `terms` are the IRIs that it speaks of.
+    """
+
+    title: str
+    applicability: Applicability
+    update: str
+    query: str
+    variables: tuple[str, ...]
+    removed: tuple[Triple, ...]
+    added: tuple[Triple, ...]
+    terms: tuple[Term, ...] = ()
+    why: str = ""
+    formats: tuple[str, ...] = ()
+    order: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class TextEdit:
+    """What stands at a place gives way to `text`."""
+
+    location: Location
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A repair of one finding, as edits of texts, ascending and without overlap in each.
+
+    `title` has its placeholders filled in. `update` is the change of the graph as a SPARQL Update
+    without variables, `removed` and `added` are its triples. `applicability` is what the repair
+    claims and the proof allows; `why` tells why it is not safe, if it is not.
+    """
+
+    title: str
+    applicability: Applicability
+    edits: tuple[TextEdit, ...]
+    update: str
+    why: str = ""
+    removed: tuple[Triple, ...] = ()
+    added: tuple[Triple, ...] = ()
+
+    @property
+    def sources(self) -> tuple[SourceText, ...]:
+        """The texts that are changed, each once."""
+        return tuple({id(one.location.source): one.location.source for one in self.edits}.values())
+
+
 @dataclass(frozen=True, slots=True)
 class Rule:
     """One rule, as its file describes it.
@@ -69,9 +149,11 @@ class Rule:
     `antipatterns` are `AP1` to `AP6`, `symptoms` what they look like, such as `AP1.4`.
     `whole_model` marks a rule that can only judge when all files of the model are given.
     `targets` are the consumers that the rule is about: unless a run names one of them, it is
-    silent. `severity_for` is what it counts as for some consumers, or in files of some formats.
+    silent. `repairs` are the ways to mend it, the preferred first. `severity_for` is what it
+    counts as for some consumers, or in files of some formats.
     `group_by` are the variables whose values make one finding of many places in a file; of
     `file`, all places. `optional` marks a matter of taste: silent unless it is selected.
+    `also` are severities that single constraints have in place of `severity`.
     """
 
     iri: str
@@ -93,6 +175,8 @@ class Rule:
     severity_for: tuple[SeverityFor, ...] = ()
     group_by: tuple[str, ...] = ()
     optional: bool = False
+    repairs: tuple[Repair, ...] = ()
+    also: tuple[Severity, ...] = ()
 
     def counts_as(self, targets: Collection[str] = (), form: str = "") -> Severity | None:
         """What the rule counts as in a file of format *form* for those who mean *targets*.
@@ -160,6 +244,8 @@ class Finding:
     `message` is `template` with its `arguments` filled in. `iri` is the entity concerned, an
     absolute IRI or a blank node label; `path` and `value` are terms where the rule names them.
     `group` is what it has in common with others that are told with it (`Rule.group_by`).
+    `members` are those told as this one, if they are several. `fixes` are alternatives, the
+    preferred first.
     """
 
     rule: Rule
@@ -176,6 +262,12 @@ class Finding:
     because: tuple[Premise, ...] = ()
     suppressed: str | None = field(default=None)
     group: tuple[str, ...] = ()
+    members: tuple[Finding, ...] = ()
+    fixes: tuple[Fix, ...] = ()
+
+    def fix(self, least: Applicability) -> Fix | None:
+        """The first of the fixes that may be trusted at least so far: what `--fix` makes."""
+        return next((each for each in self.fixes if each.applicability >= least), None)
 
     @property
     def entity(self) -> str:

@@ -11,13 +11,13 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from kinlint import lint
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.findings import identity
+from kinlint.findings.account import identity
 from kinlint.independence import models
 from kinlint.model import Finding
 from kinlint.report import Report
-from kinlint.rulebook import Rulebook
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
@@ -27,21 +27,25 @@ SHARES = 4
 """How many shares each process gets, so that none waits long for the last one."""
 
 
-def run(
+def run(  # noqa: PLR0913
     sources: Sequence[SourceText],
     errors: Sequence[SourceError],
     settings: Settings,
     rulebook: Rulebook,
     jobs: int,
+    *,
+    fixing: bool = False,
 ) -> Report | None:
     """Lint *sources* in at most *jobs* processes: the report is that of one process.
+
+    If *fixing*, with the fixes that are offered.
 
     None where processes cannot be had, or where a file turns out not to be readable, which
     decides in all others what of their suppressions is told.
     """
     started = perf_counter()
     shares = _shares(list(models(sources)), jobs * SHARES)
-    reports = _reports([(share, errors, settings, rulebook) for share in shares], jobs)
+    reports = _reports([(share, errors, settings, rulebook, fixing) for share in shares], jobs)
     if reports is None or any(len(report.errors) > len(errors) for report in reports):
         return None
     seconds = perf_counter() - started
@@ -59,7 +63,7 @@ def divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
     return not shared and len(list(models(sources))) > 1
 
 
-Task = tuple[Sequence[SourceText], Sequence[SourceError], Settings, Rulebook]
+Task = tuple[Sequence[SourceText], Sequence[SourceError], Settings, Rulebook, bool]
 
 
 def _reports(tasks: Sequence[Task], jobs: int) -> list[Report] | None:
@@ -123,7 +127,11 @@ def _size(group: Iterable[SourceText]) -> int:
 
 
 def _one(task: Task) -> Report:
-    sources, errors, settings, rulebook = task
+    sources, errors, settings, rulebook, fixing = task
+    if fixing:
+        from kinlint.fixes.rounds import linted  # noqa: PLC0415  few outputs show fixes
+
+        return linted(sources, errors, settings, rulebook).report
     return lint.run(sources, errors, settings, rulebook)
 
 
@@ -144,6 +152,7 @@ def _merged(
         triples=sum(report.triples for report in reports),
         applied=len(rules) if files else 0,
         seconds=seconds,
+        unfixed=tuple(refusal for report in reports for refusal in report.unfixed),
     )
 
 

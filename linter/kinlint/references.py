@@ -23,6 +23,8 @@ CLASSES = {
     AbsentDirectory: iri(f"{SRC}AbsentDirectory"),
 }
 NODE, NAME, RESEMBLES = (iri(f"{SRC}{name}") for name in ("node", "name", "resembles"))
+STATED = frozenset({*CLASSES.values(), NODE, NAME, RESEMBLES})
+"""The properties and classes of what is said of a file that is not found."""
 
 
 def references(

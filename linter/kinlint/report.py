@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from kinlint import __version__
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Rule
+from kinlint.model import Finding, Repair, Rule
 
 STDIN_NAMES = frozenset({"", "-", "<stdin>"})
 """How a source is called that came from standard input and was given no name."""
@@ -22,7 +22,9 @@ class Report:
     read, `unapplied` those of them that no rule applied to. `rules` are the rules that were
     asked, found anything or not; `applied` counts those that had something to judge. `seconds`
     is wall-clock time, None where output must not depend on it. Relative file names start
-    at `root`.
+    at `root`. `fixed` is what the run mended, each with the fix that was made, and `unsafe` whether
+    unsafe fixes are made when safe ones are, or (False) the summary does not even hint at them.
+    `unfixed` are findings whose repairs cannot be offered, each with the repair and the reason.
     """
 
     findings: tuple[Finding, ...] = ()
@@ -35,6 +37,9 @@ class Report:
     applied: int = 0
     seconds: float | None = None
     baseline: int = 0
+    fixed: tuple[Finding, ...] = ()
+    unsafe: bool | None = None
+    unfixed: tuple[tuple[Finding, Repair, str], ...] = ()
     version: str = __version__
     root: str = field(default_factory=os.getcwd)
 

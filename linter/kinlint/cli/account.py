@@ -6,11 +6,11 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from kinlint import __version__
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASE_DATES
 from kinlint.report import Report
 from kinlint.reporters.summary import counted
-from kinlint.rulebook import Rulebook
 
 ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
 
@@ -42,6 +42,10 @@ def after(report: Report, book: Rulebook) -> Iterator[str]:
     yield f"read: {read[0]} with {read[1]}{unread}"
     off = f"; not {', '.join(silent)}" if silent else ""
     yield f"applied: {report.applied:,} of {counted(len(book.rules), 'rule')}{off}"
+    for finding, repair, why in report.unfixed:
+        source, start = finding.location.source, finding.location.start
+        place = f"{source.name}:{start.line}:{start.column}"
+        yield f"{finding.rule.code} at {place} has no fix '{repair.title}': {why}"
     if report.seconds is not None:
         yield f"time: {report.seconds:.3f} s"
 

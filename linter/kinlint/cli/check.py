@@ -11,12 +11,14 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-from kinlint import __version__, rulebook
+from kinlint import __version__
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.commands import hint
 from kinlint.cli.destinations import check_destinations, destinations
+from kinlint.cli.linting import Run
 from kinlint.cli.options import parser
 from kinlint.cli.overrides import configs, overrides
-from kinlint.cli.parser import HelpShown
 from kinlint.cli.settings import Layers, cache_directory
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -24,13 +26,9 @@ from kinlint.errors import SourceError, UsageError
 from kinlint.files.discovery import Found, Search
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.formats.registry import recognise
 from kinlint.model import Severity
-from kinlint.profile import Profile
+from kinlint.phases import Phases
 from kinlint.report import Report
-from kinlint.reporters import timing
-from kinlint.rulebook import Rulebook
-from kinlint.text import SourceText
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"
@@ -38,10 +36,7 @@ THRESHOLD = "warning"
 
 def run(arguments: Sequence[str]) -> int:
     """Lint what *arguments* name; the exit code."""
-    try:
-        options = parser().read(arguments)
-    except HelpShown:
-        return CLEAN
+    options = parser().read(arguments)
     if options.version:
         sys.stdout.write(f"kinlint {__version__}\n")
         return CLEAN
@@ -55,8 +50,8 @@ def run(arguments: Sequence[str]) -> int:
     fail_on = project.fail_on or THRESHOLD
     outputs = destinations(options, project)
     check_destinations(outputs, (*_paths(found), *settings.rules, *settings.shapes))
-    profile = Profile()
-    with profile.phase("rules"):
+    phases = Phases()
+    with phases.phase("rules"):
         book = rulebook.load(settings.rules, settings.shapes, settings.cache)
     Policies(settings, book.rules).check()
     if options.show_settings:
@@ -64,7 +59,7 @@ def run(arguments: Sequence[str]) -> int:
         return _show_settings(settings, more, found, book)
     if options.verbose:
         _tell(account().before(settings, book, map(layers.origin, found.inputs)))
-    report = _lint(settings, found, book, profile, options.jobs or os.cpu_count() or 1)
+    report = Run(settings, found, book, phases).report(options, outputs)
     if options.verbose:
         _tell(account().after(report, book))
     if not options.silent:
@@ -72,11 +67,18 @@ def run(arguments: Sequence[str]) -> int:
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
-    with profile.phase("reporting"):
-        outputs.emit(report)
+    with phases.phase("reporting"):
+        streamed = any(one.path is None for one in found.inputs)
+        fixing = options.fix or options.fix_only
+        outputs.emit(report, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
     if options.statistics and options.verbose:
-        sys.stderr.writelines(timing.render(profile.phases))
-    return exit_code(report, fail_on, exit_zero=options.exit_zero)
+        from kinlint.reporters import timing  # noqa: PLC0415
+
+        sys.stderr.writelines(timing.render(phases.seconds))
+    if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
+        return FOUND
+    left = replace(report, findings=()) if options.fix_only or options.diff else report
+    return exit_code(left, fail_on, exit_zero=options.exit_zero)
 
 
 def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
@@ -126,54 +128,6 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
         ignore_suppressions=options.ignore_suppressions,
         verbose=options.verbose,
     )
-
-
-def _lint(settings: Settings, found: Found, book: Rulebook, profile: Profile, jobs: int) -> Report:
-    with profile.phase("imports"):
-        from kinlint import lint  # noqa: PLC0415  engines are slow to import
-        from kinlint.cli.reading import read  # noqa: PLC0415
-
-    with profile.phase("decoding"):
-        sources, errors = read(found.inputs, settings)
-        sources += _beside(sources, settings)
-    failed = [*found.errors, *errors]
-    report = None
-    if jobs > 1:
-        with profile.phase("linting"):
-            report = _divided(sources, failed, settings, book, jobs)
-    if report is None:
-        report = lint.run(sources, failed, settings, book, profile)
-    if report.files:
-        return report
-    # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
-    asked = Policies(settings, book.rules).enabled([""])
-    return replace(report, rules=tuple(rule for rule in book.rules if rule.code in asked))
-
-
-def _divided(
-    sources: Sequence[SourceText],
-    failed: Sequence[SourceError],
-    settings: Settings,
-    book: Rulebook,
-    jobs: int,
-) -> Report | None:
-    """What several processes find; None where the files are one model, or one has to do it."""
-    from kinlint import parallel  # noqa: PLC0415  few runs have files enough
-
-    if not parallel.divisible(sources, settings):
-        return None
-    return parallel.run(sources, failed, settings, book, jobs)
-
-
-def _beside(sources: Sequence[SourceText], settings: Settings) -> Sequence[SourceText]:
-    """What the files were written for and that nobody gave."""
-    if not any(
-        ".srdf" in each.name or recognise(each.name, each.text) == "srdf" for each in sources
-    ):
-        return ()
-    from kinlint.cli.companions import companions  # noqa: PLC0415  most runs have no SRDF
-
-    return companions(sources, settings)
 
 
 def account() -> ModuleType:

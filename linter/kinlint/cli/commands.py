@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from importlib import import_module
 
+from kinlint.cli.parser import HelpShown
 from kinlint.suggestion import did_you_mean
 
 COMMANDS: Mapping[str, tuple[str, str]] = {
@@ -18,11 +19,14 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
 
 
 def run(arguments: list[str]) -> int:
-    """Run the subcommand that *arguments* begin with, else `check`."""
+    """Run the subcommand that *arguments* begin with, else `check`; asked for help, it is done."""
     name = arguments[0] if arguments[:1] and arguments[0] in COMMANDS else None
     module = import_module(COMMANDS[name or "check"][0])
     command: Callable[[list[str]], int] = module.run
-    return command(arguments[1:] if name else arguments)
+    try:
+        return command(arguments[1:] if name else arguments)
+    except HelpShown:
+        return 0
 
 
 def hint(word: str) -> str:

@@ -56,6 +56,8 @@ def _fitting(srdf: Description, candidates: Iterable[Path]) -> dict[Path, Source
 
 
 def _companion(path: Path) -> SourceText:
+    if not path.is_file():
+        raise SourceError(shown(path), "not a regular file")
     return replace(decode(shown(path), path.read_bytes()), companion=True)
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from kinlint.cli import options as linting
 from kinlint.cli.outputs import replacing
 from kinlint.cli.overrides import configs, overrides
-from kinlint.cli.parser import HelpShown, Parser, filled, one_of
+from kinlint.cli.parser import Parser, filled, one_of
 from kinlint.cli.settings import Layers
 from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
@@ -63,10 +63,7 @@ def parser() -> Parser:
 
 def run(arguments: Sequence[str]) -> int:
     """Convert what *arguments* name; the exit code."""
-    try:
-        options = parser().read(arguments)
-    except HelpShown:
-        return 0
+    options = parser().read(arguments)
     if not options.paths:
         raise UsageError("name the file of a robot to convert, or - for standard input")
     form = options.to or SUFFIXES.get(Path(options.output_file).suffix.lower(), FORMATS[0])

@@ -30,6 +30,9 @@ def destinations(options: Namespace, project: Config) -> Outputs:
         quiet=options.quiet,
         silent=options.silent,
         verbose=options.verbose,
+        show_fixes=options.show_fixes,
+        only_fixes=options.fix_only or options.diff,
+        would=options.diff,
     )
 
 

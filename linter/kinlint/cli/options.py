@@ -48,6 +48,7 @@ def parser() -> Parser:
     made.rest("paths", "PATH", "what to lint")
     made.helping.add_argument("-V", "--version", action="store_true", help="show the version")
     _rules(made)
+    _fixes(made)
     _files(made)
     _reading(made)
     _output(made)
@@ -72,6 +73,18 @@ def _rules(made: Parser) -> None:
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
     add("--no-cache", "-n", **FLAG, help="compile the rules anew")
     add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
+
+
+def _fixes(made: Parser) -> None:
+    add = made.add_argument_group("Fixes").add_argument
+    add("--fix", **FLAG, help="make the safe fixes, and report what is left")
+    add("--fix-only", **FLAG, help="make them, and report nothing that is left")
+    add("--unsafe-fixes", action=BooleanOptionalAction, help="make the unsafe ones, too")
+    add("--show-fixes", **FLAG, help="list what was fixed")
+    add("--diff", **FLAG, help="show what --fix-only would change, and write nothing")
+    add("--fixable", metavar="R", **LISTS, help="fix only what these rules find")
+    add("--unfixable", metavar="R", **LISTS, help="fix nothing that these rules find")
+    add("--exit-non-zero-on-fix", **FLAG, help="exit with 1 if anything was fixed")
 
 
 def _files(made: Parser) -> None:

@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
-import os
 import sys
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from io import TextIOWrapper
 from pathlib import Path
 from typing import TextIO
 
 from kinlint.errors import UsageError
+from kinlint.files.replacement import replacement
 from kinlint.report import Report
 from kinlint.reporters.columns import shown
-from kinlint.reporters.registry import FORMATS, write, write_statistics, write_summary
-from kinlint.reporters.style import When, style_of
+from kinlint.reporters.registry import (
+    FORMATS,
+    write,
+    write_fixed,
+    write_statistics,
+    write_summary,
+    write_verdict,
+)
+from kinlint.reporters.style import Style, When, style_of
 
 
 @dataclass(frozen=True, slots=True)
 class Outputs:
-    """What to write: `main` to `path`, or to standard output; `copies` by format to files."""
+    """What to write: `main` to `path`, or to standard output; `copies` by format to files.
+
+    `only_fixes` leaves unsaid what was not fixed. `would` tells that fixes were shown, not made.
+    """
 
     main: str
     path: Path | None = None
@@ -30,61 +40,77 @@ class Outputs:
     quiet: bool = False
     silent: bool = False
     verbose: bool = False
+    show_fixes: bool = False
+    only_fixes: bool = False
+    would: bool = False
 
-    def emit(self, report: Report) -> None:
+    @property
+    def tells_fixes(self) -> bool:
+        """Whether anything that is written tells how findings can be fixed."""
+        written = [name for name, _ in self.copies]
+        if self.path is None and self.silent:
+            return any(FORMATS[name].fixes for name in written)
+        return self.statistics or any(FORMATS[name].fixes for name in (self.main, *written))
+
+    def emit(self, report: Report, out: TextIO | None = None) -> None:
         """Write *report* everywhere; what a machine format leaves unsaid goes to stderr.
 
-        A file that cannot be written raises `UsageError` when the others are.
+        *out* is standard output, or what takes its place where it has something else. A file that
+        cannot be written raises `UsageError` when the others are.
         """
+        out = out or sys.stdout
+        told = replace(report, findings=()) if self.only_fixes else report
         failures: list[UsageError] = []
         for name, path in self.copies:
             try:
                 with replacing(path) as stream:
-                    self._write(report, name, stream)
+                    write(told, name, stream, self._style(stream), summarise=False)
+                    if not FORMATS[name].machine:
+                        self._conclude(report, stream)
             except UsageError as error:
                 failures.append(error)
         if self.path is not None:
             with replacing(self.path) as stream:
-                self._main(report, stream)
+                self._main(report, told, stream)
         elif not self.silent:
-            self._main(report, sys.stdout)
-        self._aside(report)
+            self._main(report, told, out)
+        self._aside(report, told, out)
         if failures:
             raise failures[0]
 
-    def _main(self, report: Report, stream: TextIO) -> None:
+    def _main(self, report: Report, told: Report, stream: TextIO) -> None:
         if self.statistics and not self._machine:
-            self._statistics(report, stream)
+            write_statistics(told, stream, self._style(stream))
         else:
-            self._write(report, self.main, stream)
+            write(told, self.main, stream, self._style(stream), summarise=False)
+        if not self._machine:
+            self._conclude(report, stream)
 
-    def _aside(self, report: Report) -> None:
+    def _aside(self, report: Report, told: Report, out: TextIO) -> None:
         """What standard error is told: all that standard output leaves unsaid."""
         if self.path is not None or self.silent or self._machine or self.statistics:
             for error in report.errors:
                 sys.stderr.write(f"kinlint: error: {shown(str(error))}\n")
-        if self.silent or not self._machine:
+        if self.silent or not self._machine or (self.path is None and out is sys.stderr):
             return
         if self.statistics:
-            self._statistics(report, sys.stderr)
-        elif not self.quiet:
-            write_summary(report, sys.stderr, verbose=self.verbose)
+            write_statistics(told, sys.stderr, self._style(sys.stderr))
+        self._conclude(report, sys.stderr)
 
-    def _statistics(self, report: Report, stream: TextIO) -> None:
-        style = style_of(stream, self._color(stream))
-        write_statistics(report, stream, style)
-        if not self.quiet:
+    def _conclude(self, report: Report, stream: TextIO) -> None:
+        """Say what was fixed, if that is asked for, and what the run amounts to."""
+        style = self._style(stream)
+        if self.show_fixes:
+            write_fixed(report, stream, style, would=self.would)
+        if self.quiet or self.silent:
+            return
+        if self.only_fixes:
+            write_verdict(report, stream, would=self.would)
+        else:
             write_summary(report, stream, style, verbose=self.verbose)
 
-    def _write(self, report: Report, name: str, stream: TextIO) -> None:
-        write(
-            report,
-            name,
-            stream,
-            style_of(stream, self._color(stream)),
-            summarise=not (self.quiet or self.silent),
-            verbose=self.verbose,
-        )
+    def _style(self, stream: TextIO) -> Style:
+        return style_of(stream, self._color(stream))
 
     def _color(self, stream: TextIO) -> When:
         return self.color if stream in (sys.stdout, sys.stderr) else "auto"
@@ -98,35 +124,14 @@ class Outputs:
 def replacing(path: Path) -> Iterator[TextIO]:
     """A stream whose text replaces the file at *path* once it is complete, or not at all.
 
-    Links stay links, and an existing file keeps its mode. What is no regular file, such as
-    `/dev/stdout`, is written to as it is. Raises `UsageError` if that cannot be.
+    Raises `UsageError` if that cannot be.
     """
-    target = Path(os.path.realpath(path))
     try:
-        if target.exists() and not target.is_file():
-            with target.open("w", encoding="utf-8", newline="\n") as stream:
-                yield stream
-            return
-        mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
-        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-        temporary = Path(name)
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-                yield stream
-                stream.flush()
-                os.fsync(stream.fileno())
-            temporary.chmod(mode)
-            temporary.replace(target)
-        except BaseException:
-            temporary.unlink(missing_ok=True)
-            raise
+        with replacement(path) as stream:
+            text = TextIOWrapper(stream, "utf-8", newline="\n")
+            yield text
+            text.detach()
     except BrokenPipeError:
         raise
     except OSError as error:
         raise UsageError(f"cannot write {path}: {error.strerror or error}") from None
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -45,6 +45,7 @@ def overrides(options: Namespace) -> Config:
             per_file_ignores=_per_file(options.per_file_ignores),
             extend_per_file_ignores=_per_file(options.extend_per_file_ignores) or (),
             target=None if options.target is None else tuple(options.target),
+            unsafe_fixes=options.unsafe_fixes,
             fail_on=options.fail_on,
             contexts=options.contexts,
             partial=options.partial,
@@ -128,6 +129,8 @@ def _choices(options: Namespace) -> tuple[Choice, ...]:
         extend_select=tuple(options.extend_select or ()),
         ignore=tuple(options.ignore or ()),
         severity=severity,
+        fixable=None if options.fixable is None else tuple(options.fixable),
+        unfixable=tuple(options.unfixable or ()),
     )
     return () if choice == Choice(origin=ORIGIN) else (choice,)
 

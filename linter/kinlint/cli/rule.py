@@ -7,10 +7,10 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 
-from kinlint import rulebook
-from kinlint.cli.parser import HelpShown, Parser, one_of
+from kinlint.catalogue import rulebook
+from kinlint.cli.parser import Parser, one_of
 from kinlint.cli.settings import cache_directory
-from kinlint.configuration.selection import Catalogue
+from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.model import Rule
@@ -36,10 +36,7 @@ def parser() -> Parser:
 
 def run(arguments: Sequence[str]) -> int:
     """Print the pages that *arguments* ask for; the exit code."""
-    try:
-        options = parser().read(arguments)
-    except HelpShown:
-        return 0
+    options = parser().read(arguments)
     if not options.names and not options.all:
         raise UsageError("name a rule, such as UNI002, or use --all")
     extra = [absolute(path) for path in options.rules or ()]

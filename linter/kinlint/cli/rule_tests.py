@@ -7,12 +7,13 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from kinlint import rule_test, rulebook
-from kinlint.cli.parser import HelpShown, Parser
+from kinlint.catalogue import rulebook
+from kinlint.cli.parser import Parser
 from kinlint.cli.settings import cache_directory
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.reporters.summary import counted
+from kinlint.rule_testing import promises
 
 
 def parser() -> Parser:
@@ -29,10 +30,7 @@ def parser() -> Parser:
 
 def run(arguments: Sequence[str]) -> int:
     """Test the rules that *arguments* name; 0 if all keep their promises, else 1."""
-    try:
-        options = parser().read(arguments)
-    except HelpShown:
-        return 0
+    options = parser().read(arguments)
     given = [absolute(path) for path in options.paths]
     book = rulebook.load(given, (), cache_directory(os.environ))
     rules = [rule for rule in book.rules if not given or _below(Path(rule.path), given)]
@@ -40,7 +38,7 @@ def run(arguments: Sequence[str]) -> int:
         raise UsageError(f"no rules found in {', '.join(options.paths)}")
     failed = 0
     for rule in rules:
-        problems = list(rule_test.failures(rule, book))
+        problems = list(promises.failures(rule, book))
         failed += bool(problems)
         for problem in problems:
             sys.stdout.write(f"{rule.code} {rule.name}: {problem}\n")

@@ -82,6 +82,7 @@ class Layers:
         _exist(contexts, f"{self._source('extra_contexts', project, source)}: extra-contexts")
         return Settings(
             **wide,
+            unsafe_fixes=project.unsafe_fixes,
             default=_file(project, Path.cwd()),
             files={one.name: _file(self.of(home(one)), _path(one)) for one in inputs},
             **given,

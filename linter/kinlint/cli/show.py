@@ -31,6 +31,8 @@ def pages(
     yield f"engine = {settings.engine}\n"
     yield f"partial = {str(settings.partial).lower()}\n"
     yield from (f"{key} = {value}\n" for key, value in run.items())
+    unsafe = "hint" if settings.unsafe_fixes is None else str(settings.unsafe_fixes).lower()
+    yield f"unsafe-fixes = {unsafe}\n"
     yield f"cache = {settings.cache or 'none'}\n"
     policies = Policies(settings, rules)
     groups: dict[tuple[str, ...], list[str]] = {}
@@ -43,7 +45,7 @@ def pages(
 
 
 def _file(name: str, policies: Policies) -> Iterator[str]:
-    settings, policy = policies.settings.of(name), policies.of(name)
+    settings, policy, trust = policies.settings.of(name), policies.of(name), policies.trust(name)
     origins = dict.fromkeys(choice.origin for choice in settings.choices)
     yield f"rules chosen by: {', '.join(origins) or 'default'}"
     yield f"require-reason = {str(settings.require_reason).lower()}"
@@ -59,4 +61,7 @@ def _file(name: str, policies: Policies) -> Iterator[str]:
         yield f"ignored by {ignore.origin}, {ignore.key}: {', '.join(ignore.selectors)}"
     for rule in policies.rules:
         severity = policy.severity(rule)
-        yield f"{rule.code} {rule.name}: {severity.label if severity else 'off'}"
+        careful = trust.unsafe.get(rule.code)
+        fixes = "" if careful is None else f", fixes {'unsafe' if careful else 'safe'}"
+        fixes = fixes if trust.mends(rule) else ", not fixed"
+        yield f"{rule.code} {rule.name}: {severity.label + fixes if severity else 'off'}"

@@ -68,6 +68,7 @@ class Config:
     require_reason: bool | None = None
     target: tuple[str, ...] | None = None
     srdf: tuple[tuple[Glob, Path], ...] | None = None
+    unsafe_fixes: bool | None = None
     fail_on: str | None = None
     output_format: str | None = None
     contexts: str | None = None
@@ -120,6 +121,7 @@ def config_of(
         require_reason=said.get("require-reason"),
         target=tuple(said["target"]) if "target" in said else None,
         srdf=_partners(said.get("srdf"), root),
+        unsafe_fixes=said.get("unsafe-fixes"),
         fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
         output_format=said.get("output-format"),
         contexts=said.get("contexts"),
@@ -136,12 +138,15 @@ def config_of(
 
 
 def _choices(said: Mapping[str, Any], origin: str) -> tuple[Choice, ...]:
-    select = said.get("select")
     choice = Choice(
         origin=origin,
-        select=None if select is None else tuple(select),
+        select=tuple(said["select"]) if "select" in said else None,
         extend_select=tuple(said.get("extend-select", ())),
         ignore=tuple(said.get("ignore", ())),
+        fixable=tuple(said["fixable"]) if "fixable" in said else None,
+        unfixable=tuple(said.get("unfixable", ())),
+        extend_safe_fixes=tuple(said.get("extend-safe-fixes", ())),
+        extend_unsafe_fixes=tuple(said.get("extend-unsafe-fixes", ())),
         severity=tuple(
             (selector, Severity[ALIASES.get(word, word).upper()])
             for selector, word in said.get("severity", {}).items()

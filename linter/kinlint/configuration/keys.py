@@ -8,7 +8,17 @@ from typing import Any
 from kinlint.errors import ConfigError
 from kinlint.suggestion import did_you_mean
 
-OUTPUT_FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
+OUTPUT_FORMATS = (
+    "full",
+    "concise",
+    "json",
+    "json-lines",
+    "sarif",
+    "github",
+    "rdjson",
+    "rdjsonl",
+    "turtle",
+)
 ENGINES = ("oxigraph", "pyshacl")
 THRESHOLDS = ("error", "warning", "info", "none")
 SEVERITIES = THRESHOLDS[:-1]
@@ -139,6 +149,11 @@ KEYS: Mapping[str, Callable[[object], str]] = {
     "extend-select": strings,
     "ignore": strings,
     "severity": _table(_one_of(SEVERITIES)),
+    "fixable": strings,
+    "unfixable": strings,
+    "unsafe-fixes": switch,
+    "extend-safe-fixes": strings,
+    "extend-unsafe-fixes": strings,
     "per-file-ignores": _table(strings),
     "extend-per-file-ignores": _table(strings),
     "require-reason": switch,

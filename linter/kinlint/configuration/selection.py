@@ -1,101 +1,37 @@
-"""Which rules speak in a file, and how loud: selectors resolved against the catalogue.
-
-A selector is a rule's code (`UNI002`) or name (`unit-quantity-mismatch`), the beginning of codes
-(`UNI`, `UNI0`, `U`), the tag of an anti-pattern (`AP3`), or `ALL`. As in ruff, the more specific
-selector wins over the less specific one, and of equals the ignoring one.
-"""
+"""Which rules speak in a file, how loud, and whose fixes are wanted there."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TypeAlias
 
-from kinlint.configuration.keys import TARGETS
+from kinlint.configuration.selectors import Catalogue, narrowed
 from kinlint.configuration.settings import Choice, Settings
-from kinlint.errors import UsageError
+from kinlint.configuration.trust import Trust, trust
 from kinlint.model import Finding, Rule, Severity
-from kinlint.suggestion import did_you_mean
-
-ALL = "ALL"
-
-Rank: TypeAlias = tuple[int, int]
-
-
-@dataclass(frozen=True)
-class Catalogue:
-    """The rules that selectors may name."""
-
-    rules: Sequence[Rule]
-
-    @cached_property
-    def exact(self) -> Mapping[str, Rule]:
-        """Rules by code and by name."""
-        return {key: rule for rule in self.rules for key in (rule.code, rule.name)}
-
-    @cached_property
-    def tags(self) -> frozenset[str]:
-        """The anti-patterns that kinlint knows, and those that rules witness."""
-        known = {f"AP{number}" for number in range(1, 7)}
-        return frozenset(known.union(*(rule.antipatterns for rule in self.rules)))
-
-    @cached_property
-    def families(self) -> frozenset[str]:
-        """The letters of the codes."""
-        return frozenset(rule.family for rule in self.rules)
-
-    def find(self, selector: str) -> tuple[Rank, frozenset[str]]:
-        """How specific *selector* is, and the codes of the rules that it names.
-
-        Raises `UsageError` with a suggestion if it names nothing known.
-        """
-        if selector == ALL:
-            return (0, 0), frozenset(rule.code for rule in self.rules)
-        if rule := self.exact.get(selector):
-            return (4, 0), frozenset({rule.code})
-        if selector in self.tags:
-            tagged = (rule.code for rule in self.rules if selector in rule.antipatterns)
-            return (2, 0), frozenset(tagged)
-        codes = frozenset(rule.code for rule in self.rules if rule.code.startswith(selector))
-        if not selector or not codes:
-            message = f"unknown rule selector '{selector}'"
-            meant = did_you_mean(selector, self.selectors)
-            raise UsageError(message + (meant or "; kinlint rule --all shows what there is"))
-        if selector in self.families:
-            return (2, 0), codes
-        return (1 if selector.isalpha() else 3, len(selector)), codes
-
-    @property
-    def selectors(self) -> Iterable[str]:
-        """Every selector worth suggesting."""
-        return (ALL, *self.tags, *self.families, *self.exact)
-
-    def check_target(self, target: str) -> None:
-        """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""
-        known = {*TARGETS, *(one for rule in self.rules for one in rule.targets)}
-        if target not in known:
-            listed = ", ".join(sorted(known))
-            meant = did_you_mean(target, known) or f"; there are {listed}"
-            raise UsageError(f"unknown target '{target}'{meant}")
-
-    def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
-        """As `find`; a failure says that *origin* is to blame."""
-        try:
-            return self.find(selector)
-        except UsageError as error:
-            raise type(error)(f"{origin}: {error}") from None
 
 
 @dataclass(frozen=True, slots=True)
 class Policy:
-    """The outcome of selection in one file: severities by code, None for a silent rule."""
+    """The outcome of selection in one file: severities by code, None for a silent rule.
+
+    `imposed` are the codes whose severity a target or the configuration set.
+    """
 
     severities: Mapping[str, Severity | None]
+    imposed: frozenset[str] = frozenset()
 
     def severity(self, rule: Rule) -> Severity | None:
         """What *rule* counts as here; None if it does not speak. Rules unheard of speak."""
         return self.severities.get(rule.code, rule.severity)
+
+    def judged(self, finding: Finding) -> Severity | None:
+        """What *finding* counts as here: what is imposed, or else what the constraint says."""
+        rule = finding.rule
+        own = finding.severity is not rule.severity and rule.code not in self.imposed
+        severity = self.severity(rule)
+        return finding.severity if own and severity is not None else severity
 
 
 @dataclass(frozen=True)
@@ -126,6 +62,17 @@ class Policies:
             self._by_settings[key] = policy(key[0], self.catalogue, *key[1:])
         return self._by_settings[key]
 
+    @cached_property
+    def _trusts(self) -> dict[tuple[Choice, ...], Trust]:
+        return {}
+
+    def trust(self, name: str) -> Trust:
+        """Which fixes are wanted in the source called *name*, and how far they are trusted."""
+        choices = self.settings.of(name).choices
+        if choices not in self._trusts:
+            self._trusts[choices] = trust(choices, self.catalogue)
+        return self._trusts[choices]
+
     def enabled(self, names: Iterable[str]) -> frozenset[str]:
         """The codes of the rules that speak in at least one of the sources called *names*."""
         each = [self.of(name) for name in names]
@@ -137,7 +84,7 @@ class Policies:
         """Those *findings* whose rule speaks where they lie, with the severity it has there."""
         kept = []
         for finding in findings:
-            severity = self.of(finding.location.source.name).severity(finding.rule)
+            severity = self.of(finding.location.source.name).judged(finding)
             if severity is not None:
                 kept.append(replace(finding, severity=severity))
         return kept
@@ -152,6 +99,7 @@ class Policies:
             self.catalogue.check_target(target)
         for choices in {settings.choices for settings in every}:
             policy(choices, self.catalogue)
+            trust(choices, self.catalogue)
         for ignore in {ignore for settings in every for ignore in settings.ignores}:
             for selector in ignore.selectors:
                 self.catalogue.find_from(f"{ignore.origin}: {ignore.key}", selector)
@@ -170,26 +118,19 @@ def policy(
     )
     meant = {rule.code: rule.counts_as(targets, form) for rule in catalogue.rules}
     severities = {rule.code: meant[rule.code] or rule.severity for rule in catalogue.rules}
+    imposed = {
+        rule.code
+        for rule in catalogue.rules
+        if any(each.targets and each.holds(targets, form) for each in rule.severity_for)
+    }
     for choice in choices:
-        chosen = _choose(choice, chosen, catalogue)
+        wanted = (*choice.extend_select, *(choice.select or ()))
+        below = chosen if choice.select is None else frozenset[str]()
+        chosen = narrowed(below, wanted, choice.ignore, choice.origin, catalogue)
         ranked = [(catalogue.find_from(choice.origin, sel), sev) for sel, sev in choice.severity]
         for (_, codes), severity in sorted(ranked, key=lambda entry: entry[0][0]):
             severities.update(dict.fromkeys(codes, severity))
+            imposed |= codes
     speaking = {code for code, severity in meant.items() if severity is not None} & chosen
-    return Policy({code: severities[code] if code in speaking else None for code in severities})
-
-
-def _choose(choice: Choice, below: frozenset[str], catalogue: Catalogue) -> frozenset[str]:
-    wanted = [(*choice.extend_select, *(choice.select or ())), choice.ignore]
-    steps = []
-    for ignoring, selectors in enumerate(wanted):
-        for selector in selectors:
-            rank, codes = catalogue.find_from(choice.origin, selector)
-            steps.append((rank, ignoring, codes))
-    chosen = set(below) if choice.select is None else set()
-    for _, ignoring, codes in sorted(steps, key=lambda step: step[:2]):
-        if ignoring:
-            chosen -= codes
-        else:
-            chosen |= codes
-    return frozenset(chosen)
+    spoken = {code: severities[code] if code in speaking else None for code in severities}
+    return Policy(spoken, frozenset(imposed))

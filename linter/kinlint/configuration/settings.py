@@ -23,6 +23,8 @@ class Choice:
 
     `select` replaces what lower layers chose, `extend_select` and `ignore` change it.
     `severity` pairs selectors with what the rules they name are to count as.
+    `fixable` replaces what lower layers chose to mend, `unfixable` takes from it; unsafe fixes of
+    `extend_safe_fixes` count as safe, safe ones of `extend_unsafe_fixes` as unsafe.
     `origin` says for messages where it was written.
     """
 
@@ -31,6 +33,10 @@ class Choice:
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
     severity: tuple[tuple[str, Severity], ...] = ()
+    fixable: tuple[str, ...] | None = None
+    unfixable: tuple[str, ...] = ()
+    extend_safe_fixes: tuple[str, ...] = ()
+    extend_unsafe_fixes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,9 +80,10 @@ class Settings:
 
     `contexts` names a bundled release; None is the newest. `extra_contexts` maps context IRIs to
     the files that hold them; `context_directories` hold more, by the path of their IRI.
-    `partial` says that the files are a part of a model. `files` has the settings of each source
-    by its name; a source without is governed by `default`. `cache` is where compiled catalogues
-    are kept; None keeps none.
+    `partial` says that the files are a part of a model. `unsafe_fixes` tells whether unsafe fixes
+    are made when safe ones are; None leaves them, but hints at them. `files` has the
+    settings of each source by its name; a source without is governed by `default`. `cache` is
+    where compiled catalogues are kept; None keeps none.
     """
 
     contexts: str | None = None
@@ -89,6 +96,7 @@ class Settings:
     cache: Path | None = None
     ignore_suppressions: bool = False
     verbose: bool = False
+    unsafe_fixes: bool | None = None
     default: FileSettings = field(default_factory=FileSettings)
     files: Mapping[str, FileSettings] = field(default_factory=dict)
 

@@ -1,7 +1,9 @@
 """One line for each finding, in the shape that compilers print and editors parse.
 
 `path:10:27: error: message [UNI002]`, as in the GNU coding standards, "Formatting Error
-Messages", with the code behind it as clang-tidy and mypy write it. Columns are code points.
+Messages", with the code behind it as clang-tidy and mypy write it. The code stays last, where
+problem matchers look for it: that a fix is at hand is said before the message, as ruff says it.
+Columns are code points.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from collections.abc import Iterator
 
 from kinlint.report import Report
 from kinlint.reporters.columns import folded, shown
+from kinlint.reporters.remedy import sign
 from kinlint.reporters.style import INK_OF, Style
 
 
@@ -23,6 +26,8 @@ def render(report: Report, style: Style) -> Iterator[str]:
         if finding.suppressed is not None:
             message += " (suppressed)"
         code = style.link(finding.rule.code, finding.rule.iri)
+        if mark := sign(finding, unsafe=report.unsafe):
+            message = f"{mark} {message}"
         yield f"{style.ink(name, 'strong')}:{line}:{column}: {kind}: {message} [{code}]\n"
     for error in report.errors:
         place = f"{shown(error.name, unicode=style.unicode)}:{error.line or 1}:{error.column or 1}"

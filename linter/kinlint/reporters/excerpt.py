@@ -48,7 +48,7 @@ class Cut:
 
 def cut(source: SourceText, line: int, at: int, style: Style) -> Cut:
     """The widest part of *line* that fits the style's width and shows what stands at *at*."""
-    first, last = _bounds(source, line)
+    first, last = bounds(source, line)
     limit = style.width - 12
     text = source.text
     if last - first <= limit and width(shown(text[first:last], unicode=style.unicode)) <= limit:
@@ -86,11 +86,16 @@ def rows(marks: Sequence[Mark], style: Style, gutter: int, context: int = 0) -> 
 def underlined(source: SourceText, marks: Sequence[Mark], style: Style) -> Iterator[str]:
     """All lines of a short source as they are, with the marks below."""
     for number in range(1, len(source.line_starts) + 1):
-        part = Cut(*_bounds(source, number), before=False, after=False)
+        part = Cut(*bounds(source, number), before=False, after=False)
         yield _text(source, part, style)
         for mark in marks:
             if mark.line == number:
                 yield _underline(mark, part, style)
+
+
+def line_text(source: SourceText, line: int, at: int, style: Style) -> str:
+    """What *line* looks like, cut round the offset *at* if it is too long for the style's width."""
+    return _text(source, cut(source, line, at, style), style)
 
 
 def _lines(source: SourceText, marked: dict[int, list[Mark]], main: int, context: int) -> list[int]:
@@ -105,7 +110,7 @@ def _lines(source: SourceText, marked: dict[int, list[Mark]], main: int, context
     return sorted(wanted | {line + 1 for line in wanted if line + 2 in wanted})
 
 
-def _bounds(source: SourceText, line: int) -> tuple[int, int]:
+def bounds(source: SourceText, line: int) -> tuple[int, int]:
     """The offsets of a line without its end; the text is not copied."""
     starts = source.line_starts
     first = starts[line - 1]

@@ -8,6 +8,8 @@ from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.columns import folded, shown
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
+from kinlint.reporters.help import Help, last_line
+from kinlint.reporters.remedy import sign
 from kinlint.reporters.style import INK_OF, Style
 from kinlint.reporters.summary import counted, errors
 from kinlint.text import Location
@@ -28,9 +30,10 @@ def render(report: Report, style: Style) -> Iterator[str]:
     for finding in report.findings:
         same = groups[_sameness(finding)]
         if len(same) <= SAME_MESSAGES:
-            yield from _block(finding, (), style)
+            yield from _block(finding, (), style, unsafe=report.unsafe)
         elif same[0] is finding:
-            yield from _block(finding, [other.location for other in same[1:]], style)
+            others = [other.location for other in same[1:]]
+            yield from _block(finding, others, style, unsafe=report.unsafe)
     yield from errors(report, style)
 
 
@@ -38,15 +41,17 @@ def _sameness(finding: Finding) -> tuple[str, str, bool]:
     return finding.rule.code, finding.message, finding.suppressed is None
 
 
-def _block(finding: Finding, others: Sequence[Location], style: Style) -> Iterator[str]:
+def _block(
+    finding: Finding, others: Sequence[Location], style: Style, *, unsafe: bool | None
+) -> Iterator[str]:
     near, far = _split(finding, style)
     if finding.rule.group_by:
         others = [*(mark.location for mark in far if not mark.label), *others]
         far = [mark for mark in far if mark.label]
-    gutter = len(str(max(mark.line for mark in (*near, *far))))
+    gutter = len(str(max(last_line(finding), *(mark.line for mark in (*near, *far)))))
     margin = " " * gutter
     bar = style.ink(f"{margin} |", "place")
-    yield _headline(finding, style) + "\n"
+    yield _headline(finding, style, unsafe=unsafe) + "\n"
     yield f"{margin}{style.ink('-->', 'place')} {_place(finding.location, style)}\n{bar}\n"
     for row in rows(near, style, gutter, CONTEXT_LINES):
         yield f"{row}\n"
@@ -63,16 +68,19 @@ def _block(finding: Finding, others: Sequence[Location], style: Style) -> Iterat
         yield f"{lead} {_elsewhere(others, style)}\n"
     if finding.suppressed is not None:
         yield f"{lead} suppressed: {folded(finding.suppressed, unicode=style.unicode)}\n"
+    for line in Help(style, gutter).block(finding):
+        yield f"{line}\n"
     yield f"{lead} docs: kinlint rule {finding.rule.code}\n\n"
 
 
-def _headline(finding: Finding, style: Style) -> str:
+def _headline(finding: Finding, style: Style, *, unsafe: bool | None) -> str:
     rule = finding.rule
     code = style.link(rule.code, rule.iri)
     kind = style.ink(f"{finding.severity.label}[{code}]", INK_OF[finding.severity])
     message = style.ink(folded(finding.message, unicode=style.unicode), "strong")
     tags = f" [{', '.join(rule.antipatterns)}]" if rule.antipatterns else ""
-    return f"{kind}: {message}{tags}"
+    mark = sign(finding, unsafe=unsafe)
+    return f"{kind}: {message}{tags}{f' {mark}' if mark else ''}"
 
 
 def _place(location: Location, style: Style) -> str:

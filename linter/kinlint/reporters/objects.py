@@ -1,17 +1,21 @@
-"""A finding as an object for JSON: ruff's fields, and what a graph adds to them."""
+"""A finding as an object for JSON: ruff's fields, and what a graph adds to them.
+
+`fix` is the preferred one of `fixes`; its edits have ruff's fields and the name of their file.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Premise, Related
+from kinlint.model import Finding, Fix, Premise, Related, TextEdit
 from kinlint.text import Location, Position
 
 
 def finding_object(finding: Finding) -> dict[str, Any]:
     """The fields of *finding*. Rows and columns count from one, in code points; ends exclude."""
     rule = finding.rule
+    fixes = [_fix(fix) for fix in finding.fixes]
     silenced = {} if finding.suppressed is None else {"suppressed": finding.suppressed}
     return {
         "filename": finding.location.source.name,
@@ -22,7 +26,8 @@ def finding_object(finding: Finding) -> dict[str, Any]:
         "end_location": _position(finding.location.end),
         "severity": finding.severity.label,
         "url": rule.iri,
-        "fix": None,
+        "fix": fixes[0] if fixes else None,
+        "fixes": fixes,
         "iri": finding.entity or None,
         "related": [_related(related) for related in finding.related],
         "because": [_premise(premise) for premise in finding.because],
@@ -44,11 +49,26 @@ def error_object(error: SourceError) -> dict[str, Any]:
         "severity": "error",
         "url": None,
         "fix": None,
+        "fixes": [],
         "iri": None,
         "related": [],
         "because": [],
         "taxa": [],
     }
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    return {
+        "applicability": fix.applicability.label,
+        "message": fix.title,
+        "why": fix.why or None,
+        "update": fix.update,
+        "edits": [_edit(edit) for edit in fix.edits],
+    }
+
+
+def _edit(edit: TextEdit) -> dict[str, Any]:
+    return {"content": edit.text, **_place(edit.location)}
 
 
 def _position(position: Position) -> dict[str, int]:

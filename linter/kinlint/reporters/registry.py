@@ -15,22 +15,27 @@ from kinlint.reporters.summary import summary
 
 
 class Format(NamedTuple):
-    """Where a format's `render` is, and whether a machine reads it.
+    """Where a format's `render` is, whether a machine reads it, and whether it tells of fixes.
 
-    A machine format has its stream for itself: the summary belongs on standard error.
+    A machine format has its stream for itself: the summary belongs on standard error. For one
+    that tells of no `fixes` nobody needs to work them out.
     """
 
     module: str
     machine: bool = True
+    fixes: bool = True
 
 
 FORMATS: Mapping[str, Format] = {
     "full": Format("full", machine=False),
-    "concise": Format("concise", machine=False),
+    "concise": Format("concise", machine=False, fixes=False),
     "json": Format("json_array"),
     "json-lines": Format("json_lines"),
     "sarif": Format("sarif.log"),
-    "github": Format("github"),
+    "github": Format("github", fixes=False),
+    "rdjson": Format("reviewdog.result"),
+    "rdjsonl": Format("reviewdog.lines"),
+    "turtle": Format("shacl"),
 }
 STATISTICS = Format("tally", machine=False)
 
@@ -67,6 +72,22 @@ def write_summary(
 ) -> None:
     """Write the summary by itself: to standard error, when a machine reads standard output."""
     put(summary(report, style or style_of(stream), verbose=verbose), stream)
+
+
+def write_fixed(
+    report: Report, stream: TextIO, style: Style | None = None, *, would: bool = False
+) -> None:
+    """Write the list of `--show-fixes`: what was fixed, or *would* be."""
+    from kinlint.reporters.fixed import listing  # noqa: PLC0415  few runs fix
+
+    put(listing(report, style or style_of(stream), would=would), stream)
+
+
+def write_verdict(report: Report, stream: TextIO, *, would: bool = False) -> None:
+    """Write how much was fixed, or *would* be, for a run that reports nothing else."""
+    from kinlint.reporters.fixed import verdict  # noqa: PLC0415  few runs fix
+
+    put(verdict(report, would=would), stream)
 
 
 def write_statistics(report: Report, stream: TextIO, style: Style | None = None) -> None:

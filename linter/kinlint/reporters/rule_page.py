@@ -13,6 +13,7 @@ from kinlint import resources
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.example import Marked, marked
+from kinlint.reporters.repair import furthest, heading, repair_object
 from kinlint.reporters.style import Style
 from kinlint.reporters.symptoms import SYMPTOMS, symptom_table
 
@@ -28,6 +29,9 @@ good model look like. Carets below show what is flagged in the bad one.
 
 This page is made from those files: `kinlint rule --all --output-format markdown`. One rule is
 explained by `kinlint rule CODE`.
+
+Some rules bring repairs, as SPARQL Updates. The index tells how far the best of them may be
+trusted: `safe` ones `kinlint --fix` makes, `unsafe` ones only with `--unsafe-fixes`.
 
 A rule needs no kinlint to run. Any SHACL engine that knows SPARQL constraints will do, with the
 ontology and the units beside the model, such as pySHACL from the top of this repository:
@@ -70,6 +74,9 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
         yield f"\n{textwrap.fill(paragraph, TEXT_WIDTH, break_long_words=False)}\n"
     for title, example in _cases(rule):
         yield f"\n{title}:\n\n{textwrap.indent(example.annotated(style), '    ')}\n"
+    for repair in rule.repairs:
+        told = textwrap.fill(f"Fix: {heading(repair).replace('`', '')}", TEXT_WIDTH)
+        yield f"\n{told}\n\n{textwrap.indent(repair.update, '    ')}\n"
     yield "\nTo ignore it:\n\n"
     for way in _ignoring(rule):
         yield f"  - {way.replace('`', '')}\n"
@@ -135,6 +142,9 @@ def _explained(rule: Rule) -> Iterator[str]:
         fence = "`" * max(3, example.longest_ticks + 1)
         yield f"{title}:"
         yield f"{fence}{language}\n{example.annotated(Style())}\n{fence}"
+    for repair in rule.repairs:
+        yield f"Fix: {heading(repair)}"
+        yield f"```sparql\n{repair.update}\n```"
 
 
 def _links(rule: Rule) -> Iterator[str]:
@@ -160,6 +170,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "title": rule.title,
         "why": "\n\n".join(paragraphs(rule.why)),
         "severity": rule.severity.label,
+        "severity_for_some": [each.label for each in rule.also],
         "severity_for": [
             {"severity": each.severity.label, "targets": each.targets, "formats": each.formats}
             for each in rule.severity_for
@@ -176,13 +187,14 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "links": list(rule.links),
         "messages": list(rule.messages),
         "examples": [_example_object(example) for example in rule.examples],
+        "fixes": [repair_object(repair) for repair in rule.repairs],
         "ignore": _ignoring(rule),
     }
 
 
 def _severity(rule: Rule) -> str:
     """What the rule counts as, and what else for whom."""
-    parts = [rule.severity.label]
+    parts = [rule.severity.label, *(f"{each.label} for some findings" for each in rule.also)]
     for each in rule.severity_for:
         where = f" in {' and '.join(each.formats)}" if each.formats else ""
         whom = f" with --target {' or '.join(each.targets)}" if each.targets else ""
@@ -192,7 +204,8 @@ def _severity(rule: Rule) -> str:
 
 def _index(rules: Iterable[Rule]) -> str:
     """A Markdown table of *rules*, with links to their sections."""
-    rows = ["| Code | Name | Severity | Anti-patterns | What it finds |", "|---|---|---|---|---|"]
+    titles = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "What it finds")
+    rows = [f"| {' | '.join(titles)} |", "|---" * len(titles) + "|"]
     for rule in rules:
         anchor = re.sub(r"[^\w -]", "", _heading(rule).lower()).replace(" ", "-")
         cells = (
@@ -200,6 +213,7 @@ def _index(rules: Iterable[Rule]) -> str:
             f"[{rule.name}](#{anchor})",
             rule.severity.label,
             ", ".join(rule.antipatterns),
+            furthest(rule),
             rule.title.replace("|", "\\|"),
         )
         rows.append(f"| {' | '.join(cells)} |")

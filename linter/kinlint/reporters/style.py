@@ -11,7 +11,7 @@ from typing import Literal, TextIO, TypeAlias
 from kinlint.model import Severity
 
 When: TypeAlias = Literal["auto", "always", "never"]
-Ink: TypeAlias = Literal["error", "warning", "info", "place", "note", "strong"]
+Ink: TypeAlias = Literal["error", "warning", "info", "place", "note", "strong", "removed", "added"]
 
 _INKS: Mapping[Ink, str] = {
     "error": "1;31",
@@ -20,6 +20,8 @@ _INKS: Mapping[Ink, str] = {
     "place": "1;34",
     "note": "32",
     "strong": "1",
+    "removed": "31",
+    "added": "32",
 }
 INK_OF: Mapping[Severity, Ink] = {
     Severity.ERROR: "error",

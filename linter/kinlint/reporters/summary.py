@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.reporters.columns import shown
+from kinlint.reporters.remedy import FIXABLE, WITH_CARE, fixable
 from kinlint.reporters.style import Style
 
 _NOT_APPLIED = "0 rules applied: no known vocabulary"
@@ -25,18 +27,33 @@ def errors(report: Report, style: Style) -> Iterator[str]:
 
 
 def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[str]:
-    """A line for each file that no rule applied to, then what was found in all.
+    """A line for each file that no rule applied to, what was found in all, and what can be fixed.
 
     With *verbose* a clean run says what was checked, too.
     """
     for name in report.unapplied:
         yield f"{shown(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
     yield _verdict(report, style, verbose=verbose) + _asides(report) + "\n"
+    yield from hint(report)
+
+
+def hint(report: Report) -> Iterator[str]:
+    """A line on how many of the findings `--fix` mends; nothing if it mends none."""
+    now, more = fixable(report.open, unsafe=report.unsafe)
+    if report.unsafe is False:
+        more = 0
+    if now and more:
+        extra = f" ({WITH_CARE} {more:,} more with `--fix --unsafe-fixes`)"
+        yield f"{FIXABLE} {now:,} fixable with `--fix`{extra}.\n"
+    elif now:
+        yield f"{FIXABLE} {now:,} fixable with `--fix`.\n"
+    elif more:
+        yield f"{WITH_CARE} {more:,} fixable with `--fix --unsafe-fixes`.\n"
 
 
 def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
-    if report.open:
-        return f"Found {_found(report)} ({_extent(report)})"
+    if report.open or report.fixed:
+        return f"Found {_found(report)}"
     if report.errors:
         unread = {error.name for error in report.errors}
         others = "; no findings in the others" if report.files else ""
@@ -57,15 +74,22 @@ def _idle(report: Report) -> bool:
     return not report.rules or len(report.unapplied) == len(report.files)
 
 
-def _found(report: Report) -> str:
-    severities = Counter(finding.severity for finding in report.open)
-    counts = [
+def counts(findings: Sequence[Finding]) -> str:
+    """How many *findings* there are of each severity: `2 errors and 1 warning`."""
+    severities = Counter(finding.severity for finding in findings)
+    each = [
         counted(severities[severity], severity.label)
         for severity in sorted(severities, reverse=True)
     ]
+    return " and ".join([", ".join(each[:-1]), each[-1]] if each[1:] else each)
+
+
+def _found(report: Report) -> str:
+    if report.fixed:
+        left = f"{len(report.fixed):,} fixed, {len(report.open):,} remaining"
+        return f"{counts((*report.fixed, *report.open))} ({left})"
     names = {finding.location.source.name for finding in report.open}
-    kinds = " and ".join([", ".join(counts[:-1]), counts[-1]] if counts[1:] else counts)
-    return f"{kinds} in {counted(len(names), 'file')}"
+    return f"{counts(report.open)} in {counted(len(names), 'file')} ({_extent(report)})"
 
 
 def _extent(report: Report) -> str:
@@ -82,7 +106,7 @@ def _asides(report: Report) -> str:
         parts.append(f"{silenced:,} suppressed")
     if report.baseline:
         parts.append(f"{report.baseline:,} in the baseline")
-    passed = not (report.open or report.errors) and report.files
+    passed = not (report.open or report.errors or report.fixed) and report.files
     clean = passed and not _idle(report)
     if clean:
         return f" {', '.join(parts)}." if parts else ""

@@ -2,38 +2,74 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from kinlint.model import Rule
+from kinlint.model import Finding
 from kinlint.report import Report
+from kinlint.reporters.remedy import FIXABLE, PARTLY, WITH_CARE, fixable
 from kinlint.reporters.style import INK_OF, Style
 
-_HEADINGS = ("Count", "Code", "Severity", "Anti-patterns", "Name")
+_HEADINGS = ("Count", "Code", "Fix", "Severity", "Anti-patterns", "Name")
+_FIX = _HEADINGS.index("Fix")
 
 
 def render(report: Report, style: Style) -> Iterator[str]:
-    """The table, most frequent rule first: drawn in colour, aligned columns otherwise."""
-    counts = Counter(finding.rule.code for finding in report.open)
-    rules = {finding.rule.code: finding.rule for finding in report.open}
-    order = sorted(rules.values(), key=lambda rule: (-counts[rule.code], rule.code))
-    rows = [(f"{counts[rule.code]:,}", *_cells(rule)) for rule in order]
-    if not rows:
+    """The table, most frequent rule first: drawn in colour, aligned columns otherwise.
+
+    What can be fixed has a column if anything can.
+    """
+    groups: dict[str, list[Finding]] = {}
+    for finding in report.open:
+        groups.setdefault(finding.rule.code, []).append(finding)
+    ordered = sorted(groups.values(), key=lambda group: (-len(group), group[0].rule.code))
+    if not ordered:
         return
+    rows = [_cells(group, unsafe=report.unsafe) for group in ordered]
+    columns = [
+        index
+        for index in range(len(_HEADINGS))
+        if index != _FIX or any(finding.fixes for finding in report.open)
+    ]
     if style.color:
-        yield _drawn(rows, order, style)
+        yield _drawn(rows, columns, ordered, style)
         return
-    widths = [max(len(row[column]) for row in rows) for column in range(len(_HEADINGS))]
-    for count, *cells in rows:
+    widths = [max(len(row[column]) for row in rows) for column in columns]
+    for row in rows:
+        count, *cells = (row[column] for column in columns)
         padded = (f"{cell:<{width}}" for cell, width in zip(cells, widths[1:], strict=True))
         yield f"{count:>{widths[0]}}  {'  '.join(padded)}".rstrip() + "\n"
 
 
-def _cells(rule: Rule) -> tuple[str, ...]:
-    return rule.code, rule.severity.label, ",".join(rule.antipatterns) or "-", rule.name
+def _cells(group: Sequence[Finding], *, unsafe: bool | None) -> tuple[str, ...]:
+    """What the table has of the findings of one rule."""
+    rule = group[0].rule
+    severities = sorted({finding.severity for finding in group}, reverse=True)
+    return (
+        f"{len(group):,}",
+        rule.code,
+        _sign(group, unsafe=unsafe),
+        ",".join(severity.label for severity in severities),
+        ",".join(rule.antipatterns) or "-",
+        rule.name,
+    )
 
 
-def _drawn(rows: list[tuple[str, ...]], rules: list[Rule], style: Style) -> str:
+def _sign(group: Sequence[Finding], *, unsafe: bool | None) -> str:
+    """Whether all of *group* can be fixed, some, or none."""
+    now, with_care = fixable(group, unsafe=unsafe)
+    if not now and not with_care:
+        return "-"
+    if now + with_care < len(group):
+        return PARTLY
+    return WITH_CARE if with_care else FIXABLE
+
+
+def _drawn(
+    rows: Sequence[tuple[str, ...]],
+    columns: Sequence[int],
+    groups: Sequence[Sequence[Finding]],
+    style: Style,
+) -> str:
     from rich.box import ASCII, SIMPLE_HEAD  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
     from rich.text import Text  # noqa: PLC0415
@@ -42,12 +78,15 @@ def _drawn(rows: list[tuple[str, ...]], rules: list[Rule], style: Style) -> str:
 
     inks = {"error": "bold red", "warning": "bold yellow", "info": "bold cyan"}
     table = Table(box=SIMPLE_HEAD if style.unicode else ASCII, pad_edge=False)
-    for heading in _HEADINGS:
+    for column in columns:
+        heading = _HEADINGS[column]
         table.add_column(heading, justify="right" if heading == "Count" else "left")
-    for row, rule in zip(rows, rules, strict=True):
-        count, code, severity, *rest = row
-        code_style = f"link {rule.iri}" if style.links else ""
-        table.add_row(
-            count, Text(code, code_style), Text(severity, inks[INK_OF[rule.severity]]), *rest
-        )
+    for row, group in zip(rows, groups, strict=True):
+        worst = max(finding.severity for finding in group)
+        count, code, fix, severity, tags, name = map(Text, row)
+        if style.links:
+            code.stylize(f"link {group[0].rule.iri}")
+        severity.stylize(inks[INK_OF[worst]])
+        cells = count, code, fix, severity, tags, name
+        table.add_row(*(cells[column] for column in columns))
     return drawn(table, style)

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kinlint.configuration.selection import Catalogue
+from kinlint.configuration.selectors import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_iri, is_literal, literal_value

@@ -28,6 +28,12 @@ class Regions:
         """
         return self._region(self._trimmed(span))
 
+    def exact(self, span: Span) -> dict[str, Any]:
+        """The `region` of all of *span*, by lines and columns and by offset and length."""
+        region = self._region(span)
+        del region["snippet"]
+        return region
+
     def context(self, span: Span) -> dict[str, Any] | None:
         """The `contextRegion`, properly larger than the region, or None if nothing is."""
         span = self._trimmed(span)

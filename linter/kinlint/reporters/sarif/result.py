@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from kinlint.edits import Edit
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Premise
+from kinlint.model import Applicability, Finding, Premise
+from kinlint.reporters.hunk import edits_of
 from kinlint.reporters.sarif.artifact import Artifacts
 from kinlint.reporters.sarif.catalogue import LEVELS, Catalogue, taxon_references
 from kinlint.reporters.sarif.fingerprint import DOCUMENT, Fingerprints
+from kinlint.reporters.sarif.fix import anchored, fix_object
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.message import RELATED_LOCATIONS, escaped, message_of
 from kinlint.reporters.sarif.region import Regions
-from kinlint.text import Location
+from kinlint.text import Location, SourceText, Span
 
 FLOW_LOCATIONS = 100
 """GitHub's limit for the steps of a derivation that its validator accepts."""
@@ -57,6 +60,8 @@ class Results:
             result["codeFlows"] = [self._flow(finding)]
         if taxa := taxon_references(rule):
             result["taxa"] = taxa
+        if fixes := self._fixes(finding):
+            result["fixes"] = fixes
         if silenced:
             result["suppressions"] = _suppressions(finding)
         return result
@@ -72,6 +77,26 @@ class Results:
             "level": "error",
             "message": {"text": escaped(error.cause)},
             "locations": [{"physicalLocation": physical}],
+        }
+
+    def _fixes(self, finding: Finding) -> list[dict[str, Any]]:
+        """What can be written to mend *finding*, the preferred first, each once."""
+        made: list[dict[str, Any]] = []
+        for fix in finding.fixes:
+            if fix.applicability is not Applicability.DISPLAY:
+                changes = [self._change(source, edits) for source, edits in edits_of(fix)]
+                made += [each for each in [fix_object(fix, changes)] if each not in made]
+        return made
+
+    def _change(self, source: SourceText, edits: Sequence[Edit]) -> dict[str, Any]:
+        """The `artifactChange` that makes *edits* in *source*."""
+        regions = self._region(Location(source, Span(0, 0)))
+        return {
+            "artifactLocation": self._artifacts.location(source.name),
+            "replacements": [
+                {"deletedRegion": regions.exact(span), "insertedContent": {"text": text}}
+                for span, text in anchored(source.text, edits)
+            ],
         }
 
     def _main(self, finding: Finding) -> dict[str, Any]:

@@ -6,20 +6,23 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from kinlint.catalogue.rule_file import SEVERITIES
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.display import Display
 from kinlint.document import Document
+from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import because
 from kinlint.engine.origin import is_fact, items
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.grouping import COUNT, PLACEHOLDER
-from kinlint.locator import Locator
-from kinlint.model import Finding, Premise, Related, Rule
-from kinlint.rulebook import Rulebook
+from kinlint.findings.grouping import COUNT, PLACEHOLDER
+from kinlint.findings.locator import Locator
+from kinlint.model import Finding, Premise, Related, Rule, Severity
 from kinlint.terms import (
     RDF_TYPE,
     Term,
     Triple,
+    iri,
     iri_value,
     is_blank,
     is_iri,
@@ -33,7 +36,7 @@ ELEMENT = "urn:kinlint:document:"
 """How addresses in files of elements begin, where one line of text may make several things."""
 
 CONSTRAINT = "ConstraintComponent"
-ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "message"})
+ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot", "message"})
 
 
 def findings(
@@ -56,18 +59,32 @@ class Account:
     ) -> None:
         self.rulebook = rulebook
         self._locator = Locator(documents, store)
-        found = [(_finding(result, self._locator, rulebook), result) for result in results]
-        self._told = {identity(finding): (finding, result) for finding, result in reversed(found)}
+        self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
+        for result in results:
+            finding = _finding(result, self._locator, rulebook)
+            self._told.setdefault(identity(finding), (finding, []))[1].append(result)
 
     def brief(self) -> list[Finding]:
         """One finding for each result, without `related` and `because`; what says the same once."""
-        return [finding for finding, _ in self._told.values()][::-1]
+        return [finding for finding, _ in self._told.values()]
+
+    def results(self, finding: Finding) -> Sequence[Result]:
+        """What the engine found, if *finding* is one of these; what says the same is several."""
+        told = self._told.get(identity(finding))
+        return told[1] if told is not None else ()
+
+    def filled(self, template: str, finding: Finding) -> str:
+        """*template* with what *finding* has for its placeholders, as its file abbreviates."""
+        told = (each for one in (finding, *finding.members) for each in self.results(one))
+        terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
+        display = self._locator.display(finding.location)
+        return PLACEHOLDER.sub(lambda match: _word(terms.get(match[1]), display), template)
 
     def detailed(self, finding: Finding) -> Finding:
         """*finding*, if it is one of these, with what else it speaks of and what it rests on."""
         if (told := self._told.get(identity(finding))) is None:
             return finding
-        result, location = told[1], finding.location
+        result, location = told[1][0], finding.location
         display = self._locator.display(location)
         return replace(
             finding,
@@ -88,20 +105,15 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     location = locator.of(result, rulebook.axioms)
     display = locator.display(location)
     template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
-    terms: dict[str, Term | None] = {
-        **result.bindings,
-        "this": result.focus,
-        "path": result.path,
-        "value": result.value,
-    }
+    terms = dict(_terms(result))
     names = list(dict.fromkeys(PLACEHOLDER.findall(template)))
-    shown = {name: display.term(term) if (term := terms.get(name)) else "" for name in names}
+    shown = {name: _word(terms.get(name), display) for name in names}
     if rule.group_by and COUNT in shown:
         shown[COUNT] = "1"
     about = locator.about(result.focus)
     return Finding(
         rule=rule,
-        severity=rule.severity,
+        severity=_severity(result.constraint, rule),
         message=PLACEHOLDER.sub(lambda match: shown[match[1]], template),
         location=location,
         iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
@@ -112,6 +124,23 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         arguments=tuple(shown.values()),
         group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
     )
+
+
+def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
+    """What placeholders of a message may stand for, by name."""
+    yield from result.bindings.items()
+    yield from (("this", result.focus), ("path", result.path), ("value", result.value))
+
+
+def _word(term: Term | None, display: Display) -> str:
+    return display.term(term) if term else ""
+
+
+def _severity(constraint: Constraint, rule: Rule) -> Severity:
+    """That of the constraint where it stands in the rule itself, and not in a shape within."""
+    if constraint.shape != iri(rule.iri):
+        return rule.severity
+    return SEVERITIES.get(constraint.severity, rule.severity)
 
 
 def _said(result: Result, rule: Rule) -> str:
@@ -147,10 +176,8 @@ def _because(
     if not any(step.axiom for step in steps) and not any(map(is_fact, constraint.premises)):
         return
     for step in steps:
-        subject, predicate, value = step.triple
-        said = None if step.axiom else locator.triple(subject, predicate, value)
-        if said is not None or step.axiom:
-            place = said[0] if said is not None else None
+        place = None if step.axiom else locator.premise(step.triple)
+        if place is not None or step.axiom:
             yield Premise(
                 _phrase(step.triple, locator.store, display), place, step.axiom, step.depth
             )

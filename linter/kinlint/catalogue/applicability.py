@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
-from kinlint.document import Document, document_of
+from kinlint.document import LIFTED_AS, Document, document_of
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.demand import relevant, terms
-from kinlint.engine.lifting import FORMATS, LIFTED_AS
+from kinlint.engine.lifting import FORMATS, lifts
+from kinlint.engine.presence import Lookup, Presence
 from kinlint.engine.result import Result
-from kinlint.facts.needs import INFERRED, sources
-from kinlint.model import Rule
+from kinlint.facts.needs import sources
+from kinlint.model import Repair, Rule
 from kinlint.terms import Term, is_iri
 
 COMPOSABLE = frozenset({"", "jsonld", "turtle", "ntriples", "nquads"})
@@ -23,7 +24,7 @@ def applicability(
 ) -> Mapping[str, frozenset[str]]:
     """The rules, by IRI, that apply to some of *documents*, each with the formats it applies to."""
     present = {document.format for document in documents}
-    found = {rule.iri: frozenset(f for f in present if _covers(rule.formats, f)) for rule in rules}
+    found = {rule.iri: frozenset(f for f in present if covers(rule.formats, f)) for rule in rules}
     return {owner: formats for owner, formats in found.items() if formats}
 
 
@@ -34,11 +35,11 @@ def applicable(
     return [
         each
         for each in constraints
-        if any(_covers(each.formats, form) for form in owners.get(each.owner, ()))
+        if any(covers(each.formats, form) for form in owners.get(each.owner, ()))
     ]
 
 
-def _covers(named: Collection[str], form: str) -> bool:
+def covers(named: Collection[str], form: str) -> bool:
     """Whether what is for the formats *named*, or for all if none is, is for files of *form*."""
     if form in COMPOSABLE:
         return not named or not COMPOSABLE.isdisjoint(named)
@@ -60,6 +61,10 @@ def applies(
     owners: Mapping[str, frozenset[str]],
 ) -> Iterator[Result]:
     """Those of *results* that are about a file of a format that their rule applies to."""
+    present = {document.format for document in documents}
+    if len(present) == 1 or present <= COMPOSABLE:
+        yield from results
+        return
     forms = {document.graph: document.format for document in documents}
     homes = {
         node: document.format
@@ -70,14 +75,36 @@ def applies(
     for result in results:
         form = forms.get(document_of(result.focus)) or homes.get(result.focus)
         constraint = result.constraint
-        if form is None or (form in owners[constraint.owner] and _covers(constraint.formats, form)):
+        if form is None or (form in owners[constraint.owner] and covers(constraint.formats, form)):
             yield result
 
 
-def demand(constraints: Iterable[Constraint]) -> frozenset[Term] | None:
-    """The terms that *constraints* look at, and what those are computed from; None for any."""
+def demand(
+    constraints: Iterable[Constraint], repairs: Iterable[Repair] = ()
+) -> frozenset[Term] | None:
+    """The terms that *constraints* and *repairs* look at, and what those are computed from.
+
+    None stands for any.
+    """
     found = terms(constraints)
-    return None if found is None else sources(found)
+    return None if found is None else sources(found.union(*(each.terms for each in repairs)))
+
+
+def possible(
+    constraints: Sequence[Constraint],
+    documents: Iterable[Document],
+    store: Lookup,
+    coming: frozenset[Term],
+) -> list[Constraint]:
+    """Those of *constraints* that something may violate, by what is in *store*, just loaded.
+
+    What is *coming* and what is lifted or computed may yet be there. Where no file is lifted, all:
+    what is asked for makes no difference there.
+    """
+    if not any(_lifted_as(document) in FORMATS for document in documents):
+        return list(constraints)
+    presence = Presence(store, coming | lifts())
+    return [each for each in constraints if presence.may_violate(each)]
 
 
 def axioms_for(
@@ -87,7 +114,10 @@ def axioms_for(
 
     What is lifted is complete by construction, and most of it asked for by nobody.
     """
-    present = {LIFTED_AS.get(document.format, document.format) for document in documents}
-    if wanted is None or not present <= FORMATS:
+    if wanted is None or not {_lifted_as(document) for document in documents} <= FORMATS:
         return axioms
-    return relevant(axioms, wanted | INFERRED)
+    return relevant(axioms, wanted)
+
+
+def _lifted_as(document: Document) -> str:
+    return LIFTED_AS.get(document.format, document.format)

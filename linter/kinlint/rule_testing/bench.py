@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
@@ -23,14 +24,13 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.facts.compute import facts
-from kinlint.findings import findings
+from kinlint.findings.account import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.xml.joining import join, partners
 from kinlint.model import Rule
 from kinlint.references import references
-from kinlint.rule_mutant import mutants
-from kinlint.rulebook import PREFIXES, Rulebook
+from kinlint.rule_testing.mutants import mutants
 from kinlint.terms import literal_value
 from kinlint.text import SourceText, Span
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, TypeAlias
 
 from kinlint import lint, resources
+from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.engine.check import check
 from kinlint.engine.store import Store
@@ -18,8 +19,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.model import Example, Finding, Rule
-from kinlint.rule_mutation import Bench, idle
-from kinlint.rulebook import PREFIXES, Rulebook
+from kinlint.rule_testing.bench import Bench, idle
 from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
@@ -53,6 +53,8 @@ def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """What *rule* promises and does not keep, a sentence each. Nothing if all is well."""
     found = list(_broken(rule, rulebook))
     yield from found
+    if rule.repairs:
+        yield from _repaired(rule, rulebook)
     if not found:
         examples = (each for example in rule.examples for each in _texts(example))
         yield from idle(Bench.of(rule, rulebook, examples))
@@ -82,6 +84,19 @@ def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> It
         if example.good is not None:
             for finding in found(rule, rulebook, _source(example, example.good, home)):
                 yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
+
+
+def _repaired(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    from kinlint.rule_testing.repairs import shown  # noqa: PLC0415  few rules have repairs
+
+    only, settings = _alone(rule, rulebook, "oxigraph")
+    with ExitStack() as stack:
+        bad = [
+            (number, each, _source(each, unmarked(each.bad)[0], stack.enter_context(_beside(each))))
+            for number, each in enumerate(rule.examples, 1)
+            if each.bad is not None and each.format in SUFFIXES
+        ]
+        yield from shown(rule, only, settings, bad)
 
 
 def _texts(example: Example) -> Iterator[Texts]:
@@ -153,15 +168,22 @@ def results(
 def _lint(
     rule: Rule, rulebook: Rulebook, texts: Texts, engine: Literal["oxigraph", "pyshacl"]
 ) -> list[Finding]:
-    own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
-    shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
-    only = replace(rulebook, constraints=own, shapes=shapes)
-    strict = replace(STRICT, targets=rule.targets)
-    settings = Settings(engine=engine, default=strict)
+    only, settings = _alone(rule, rulebook, engine)
     report = lint.run(texts, [], settings, only)
     if report.errors:
         raise report.errors[0]
     return [finding for finding in report.findings if finding.rule.iri == rule.iri]
+
+
+def _alone(
+    rule: Rule, rulebook: Rulebook, engine: Literal["oxigraph", "pyshacl"]
+) -> tuple[Rulebook, Settings]:
+    """*rulebook* with the constraints of *rule* only, and settings under which it speaks."""
+    own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
+    shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
+    only = replace(rulebook, constraints=own, shapes=shapes)
+    strict = replace(STRICT, targets=rule.targets)
+    return only, Settings(engine=engine, default=strict)
 
 
 def _place(finding: Finding) -> str:

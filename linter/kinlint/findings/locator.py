@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import itemgetter
 from urllib.parse import unquote
 
-from kinlint.anonymous import AnonymousNodes
 from kinlint.display import Display
 from kinlint.document import TREES, Document, document_of
 from kinlint.engine.axioms import Axiom
@@ -15,12 +15,28 @@ from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.terms import RDF_TYPE, Term, iri, is_blank, is_iri, is_literal, literal, literal_value
+from kinlint.findings.anonymous import AnonymousNodes
+from kinlint.terms import (
+    RDF_TYPE,
+    Term,
+    Triple,
+    iri,
+    is_blank,
+    is_iri,
+    is_literal,
+    literal,
+    literal_value,
+)
 from kinlint.text import Location, Span
-from kinlint.vocabulary import SRC
+from kinlint.vocabulary import QUDT, SRC
 
+ANGLES = ("alpha", "beta", "gamma")
 FROM = iri(f"{SRC}from")
 OWN = iri(f"{SRC}ownNamespace")
+TEXT = iri(f"{SRC}text")
+UNIT = iri(f"{QUDT}unit")
+COMPONENTS = {name: str(1 + i % 3) for i, name in enumerate(("x", "y", "z", *ANGLES))}
+"""Which number of a vector is the value of a property."""
 
 
 @dataclass(frozen=True)
@@ -81,14 +97,23 @@ class Locator:
             return ()
         return tuple(self.store.values(node, FROM))
 
-    def _written(self, element: Term, value: Term) -> tuple[Location, Term] | None:
-        """Where *element*, or one right below it, has what *value* was made of, and as what."""
+    def _written(self, element: Term, predicate: Term, value: Term) -> tuple[Location, Term] | None:
+        """Where *element*, or one right below it, has what *value* was made of, and as what.
+
+        Of several places with the same number it is the one that *predicate* is called after.
+        """
         address = f"{element[:-1]}/"
         below = [each for _, each in self.store.said(element) if each.startswith(address)]
         for spelled in (value,) if is_literal(value) else _names(value):
-            for each in (element, *below):
-                if (found := self.triple(each, None, spelled)) is not None:
-                    return found
+            places = [
+                (_likeness(predicate, each, triple[1]), document.location(span), triple[1])
+                for each in (element, *below)
+                for document, triple in self.store.written(each, None, spelled)
+                if (span := document.map.triples.get(triple)) is not None
+            ]
+            if places:
+                _, place, written = max(places, key=itemgetter(0))
+                return place, written
         return None
 
     def triple(
@@ -103,15 +128,24 @@ class Locator:
                 return document.location(span), triple[1]
         if predicate is not None:
             for element in self.origins(subject):
-                if (found := self._written(element, value)) is not None:
+                if (found := self._written(element, predicate, value)) is not None:
                     return found
         return None
+
+    def premise(self, triple: Triple) -> Location | None:
+        """Where *triple* is written, or what it was lifted from; a unit that it implies nowhere."""
+        subject, predicate, value = triple
+        if (said := self.triple(subject, predicate, value)) is not None:
+            return said[0]
+        implied = predicate == UNIT or not self.origins(subject)
+        return None if implied else self.node(subject)
 
     def of(self, result: Result, axioms: Sequence[Axiom]) -> Location:
         """The smallest place that shows *result*: a triple, its node, a mention of it, or a file.
 
         They are those of `?at`, if the rule says so, or else of the focus node. A triple that
-        follows by *axioms* is shown by the first one written that it follows from.
+        follows by *axioms* is shown by the first one written that it follows from. In files of
+        elements, `?spot` may say of which attribute the value shows it.
         """
         at = result.bindings.get("at", result.focus)
         if result.path is not None and result.value is not None:
@@ -120,8 +154,44 @@ class Locator:
             for subject, predicate, value in (triple, *(step.triple for step in proof)):
                 if (said := self.triple(subject, predicate, value)) is not None:
                     return said[0]
+        if (spot := result.bindings.get("spot")) is not None and (shown := self._spot(at, spot)):
+            return shown
         place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
         return place or self.documents[0].location(Span(0, 0))
+
+    def _spot(self, node: Term, attribute: Term) -> Location | None:
+        """Where the value of *attribute* is written, with all its numbers, in the element *node*.
+
+        That is the element itself or the one it was lifted from. Where an element has no such
+        attribute, it is the text of its child of that name, or its own.
+        """
+        name = _local_name(attribute)
+        for element in (node, *self.origins(node)):
+            if (found := self._numbers(element, attribute)) is not None:
+                return found
+            children = (
+                each
+                for way, each in self.store.said(element)
+                if is_iri(each) and _local_name(way) == name
+            )
+            for each in (*children, element):
+                if (found := self._numbers(each, TEXT)) is not None:
+                    return found
+        return None
+
+    def _numbers(self, element: Term, property_: Term) -> Location | None:
+        """From the first to the last of the values that *element* has for *property_*."""
+        stem = f"{property_[:-1]}-"
+        found = [
+            said[0]
+            for way, value in self.store.said(element)
+            if (way == property_ or (way.startswith(stem) and way[len(stem) : -1].isdecimal()))
+            and (said := self.triple(element, way, value)) is not None
+        ]
+        if not found or any(each.source is not found[0].source for each in found):
+            return None
+        start, end = min(each.span.start for each in found), max(each.span.end for each in found)
+        return replace(found[0], span=Span(start, end))
 
     @cached_property
     def _mentions(self) -> Mapping[Term, Location]:
@@ -180,7 +250,7 @@ class Locator:
             return Display()
         if document.graph not in self._displays:
             own = tuple(literal_value(o) for _, p, o in document.statements if p == OWN)
-            self._displays[document.graph] = Display(document.prefixes, own)
+            self._displays[document.graph] = Display(document.prefixes, own, document.map.nodes)
         return self._displays[document.graph]
 
     @cached_property
@@ -188,8 +258,20 @@ class Locator:
         return {}
 
 
+def _likeness(predicate: Term, element: Term, written: Term) -> int:
+    """How much a property that was lifted is like what may have been written for it."""
+    wanted, attribute = _local_name(predicate), _local_name(written)
+    if wanted in (attribute, element[:-1].rpartition("/")[2]):
+        return 2
+    return int(COMPONENTS.get(wanted, "") == attribute.rpartition("-")[2])
+
+
 def _names(node: Term) -> Iterator[Term]:
     """The names in the address of what was lifted, the last one first, as files spell them."""
     steps = node[:-1].partition("#")[2].split("/")
     for step in reversed(steps):
         yield literal(unquote(step))
+
+
+def _local_name(property_: Term) -> str:
+    return property_[:-1].rpartition("#")[2]

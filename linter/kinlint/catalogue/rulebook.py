@@ -17,12 +17,12 @@ from kinlint import __version__, resources
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
-from kinlint.model import Example, Rule, Severity, SeverityFor
+from kinlint.model import Applicability, Example, Repair, Rule, Severity, SeverityFor
 from kinlint.terms import RDF_TYPE, Term, is_iri
 from kinlint.vocabulary import FACT, SRC
 
 PREFIXES = "prefixes.ttl"
-SHIPPED = Path(__file__).parent / "catalogue"
+SHIPPED = Path(__file__).parent / "compiled"
 """Where a wheel carries the compiled built-in catalogue; a checkout has none."""
 
 KEPT = 8
@@ -106,9 +106,9 @@ def load(
 def _compile(
     files: Sequence[Path], extra: Sequence[Path], vocabulary: Sequence[Path], prefixes: Path
 ) -> dict[str, Any]:
+    from kinlint.catalogue.rule_file import read_rules  # noqa: PLC0415
     from kinlint.engine.compiler.compile import compile_shapes  # noqa: PLC0415
     from kinlint.engine.ontology import compile_axioms  # noqa: PLC0415
-    from kinlint.rule_file import read_rules  # noqa: PLC0415
 
     rules = [rule for file in (*files, *extra) for rule in read_rules(file)]
     _distinct(rules)
@@ -127,7 +127,7 @@ def _compile(
 
 def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> Rule:
     """A rule that stands for a user's shape, which says nothing of codes and reasons."""
-    from kinlint.rule_file import SEVERITIES  # noqa: PLC0415
+    from kinlint.catalogue.rule_file import SEVERITIES  # noqa: PLC0415
 
     own = [each for each in constraints if each.owner == owner]
     local = re.split(r"[#/:]", owner.rstrip("#/"))[-1]
@@ -172,9 +172,18 @@ def _rule(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
             SeverityFor(Severity(each["severity"]), tuple(each["targets"]), tuple(each["formats"]))
             for each in values["severity_for"]
         ),
+        "also": tuple(map(Severity, values["also"])),
+        "repairs": tuple(map(_repair, values["repairs"])),
         "path": homes.get(values["name"], ""),
     }
     return Rule(**{**values, **plural, **changed})
+
+
+def _repair(values: dict[str, Any]) -> Repair:
+    plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list)}
+    triples = {name: tuple(map(tuple, values[name])) for name in ("removed", "added")}
+    claimed = Applicability(values["applicability"])
+    return Repair(**{**values, **plural, **triples, "applicability": claimed})
 
 
 def _turtle(directory: Path) -> list[Path]:
@@ -204,8 +213,8 @@ def _existing(given: Iterable[Path]) -> Iterator[Path]:
 
 def _digest(inputs: Iterable[Path]) -> str:
     """What decides the compiled catalogue: the files compiled, and the code that compiles them."""
-    package = Path(__file__).parent
-    code = sorted([*package.glob("rule*.py"), *package.glob("engine/**/*.py")])
+    package = Path(__file__).parents[1]
+    code = sorted([*package.glob("catalogue/*.py"), *package.glob("engine/**/*.py")])
     digest = hashlib.sha256(__version__.encode())
     for file in (*code, *inputs):
         digest.update(f"\0{file.name}\0".encode())

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import pyoxigraph as ox
 
+from kinlint.catalogue.repair_file import read_repairs
 from kinlint.errors import RuleInvalid
 from kinlint.model import Example, Rule, Severity, SeverityFor
 from kinlint.vocabulary import KL, SH
@@ -89,6 +90,8 @@ def _rule(graph: Graph, subject: Node, file: Path) -> Rule:
         severity_for=tuple(sorted(_severity_for(graph, subject, file), key=astuple)),
         group_by=values(f"{KL}groupBy"),
         optional=value(f"{KL}optional") == "true",
+        also=tuple(sorted(_also(graph, subject, file), reverse=True)),
+        repairs=read_repairs(graph, subject, file),
     )
 
 
@@ -96,6 +99,17 @@ def _severity(said: str, file: Path) -> Severity:
     if said not in SEVERITIES:
         raise RuleInvalid(f"{file}: {said} is no severity that kinlint knows")
     return SEVERITIES[said]
+
+
+def _also(graph: Graph, subject: Node, file: Path) -> set[Severity]:
+    """What single constraints of the rule count as, where they say so themselves."""
+    from rdflib import URIRef  # noqa: PLC0415
+
+    return {
+        _severity(str(said), file)
+        for each in graph.objects(subject, URIRef(f"{SH}sparql"))
+        for said in graph.objects(each, URIRef(f"{SH}severity"))
+    }
 
 
 def _severity_for(graph: Graph, subject: Node, file: Path) -> Iterator[SeverityFor]:
@@ -125,7 +139,18 @@ def _examples(graph: Graph, subject: Node) -> list[Example]:
         format_ = str(written.datatype or "").removeprefix(KL) if written is not None else ""
         beside = sorted(str(path) for path in graph.objects(example, URIRef(f"{KL}beside")))
         companions = tuple(_companions(graph, example))
-        examples.append(Example(format_, _source(bad), _source(good), tuple(beside), companions))
+        unfixable = text(example, "unfixable")
+        examples.append(
+            Example(
+                format_,
+                _source(bad),
+                _source(good),
+                tuple(beside),
+                companions,
+                _source(text(example, "fixed")),
+                unfixable is not None and unfixable.toPython() is True,
+            )
+        )
     return sorted(examples, key=lambda each: (each.bad or "", each.good or ""))
 
 

@@ -19,7 +19,9 @@ def grouped(
     detailed: Callable[[Finding], Finding] = lambda finding: finding,
     reused: Collection[str] = (),
 ) -> list[Finding]:
-    """*findings* with each group as one: the first by place, which has the others as related.
+    """*findings* with each group as one, which has the others as related.
+
+    That is the first by place of those that count most.
 
     A group lies in one model and is what one rule finds there with the same values of the
     variables that the rule groups by. Suppressed places make groups of their own. What is told
@@ -40,7 +42,7 @@ def grouped(
 def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
     silence = finding.suppressed, finding.severity
     if finding.rule.group_by:
-        return finding.rule.code, finding.group, *silence, _model(finding)
+        return finding.rule.code, finding.group, finding.suppressed, _model(finding)
     text = finding.location.source.name
     if text not in reused:
         return (id(finding),)
@@ -54,8 +56,8 @@ def _model(finding: Finding) -> str:
 
 
 def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:
-    first, *others = sorted(group, key=lambda finding: finding.sort_key)
-    first = detailed(first)
+    members = sorted(group, key=lambda finding: (-finding.severity, finding.sort_key))
+    first, others = replace(detailed(members[0]), members=tuple(members)), members[1:]
     if not first.rule.group_by:
         times = f"So it is in '{1 + len(others)}' uses of this text."
         return replace(first, message=f"{first.message} {times}", template="")

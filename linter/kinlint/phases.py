@@ -7,18 +7,18 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 
-class Profile:
+class Phases:
     """Wall-clock seconds of the phases of a run, in the order in which they began."""
 
     def __init__(self) -> None:
-        self.phases: dict[str, float] = {}
+        self.seconds: dict[str, float] = {}
 
     @contextmanager
     def phase(self, name: str) -> Iterator[None]:
-        """Count the time spent within as time of phase *name*."""
+        """Count the time spent within as time of the phase *name*."""
         started = time.perf_counter()
         try:
             yield
         finally:
             spent = time.perf_counter() - started
-            self.phases[name] = self.phases.get(name, 0.0) + spent
+            self.seconds[name] = self.seconds.get(name, 0.0) + spent

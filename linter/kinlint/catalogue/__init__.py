@@ -1,0 +1,1 @@
+"""The rules: their files, the catalogue compiled of them, and what each speaks of."""

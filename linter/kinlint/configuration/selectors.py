@@ -1,0 +1,111 @@
+"""Names of rules in options and configurations: selectors, resolved against the catalogue.
+
+A selector is a rule's code (`UNI002`) or name (`unit-quantity-mismatch`), the beginning of codes
+(`UNI`, `UNI0`, `U`), the tag of an anti-pattern (`AP3`), or `ALL`. As in ruff, the more specific
+selector wins over the less specific one, and of equals the ignoring one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeAlias
+
+from kinlint.configuration.keys import TARGETS
+from kinlint.errors import UsageError
+from kinlint.model import Rule
+from kinlint.suggestion import did_you_mean
+
+ALL = "ALL"
+
+Rank: TypeAlias = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """The rules that selectors may name."""
+
+    rules: Sequence[Rule]
+
+    @cached_property
+    def exact(self) -> Mapping[str, Rule]:
+        """Rules by code and by name."""
+        return {key: rule for rule in self.rules for key in (rule.code, rule.name)}
+
+    @cached_property
+    def tags(self) -> frozenset[str]:
+        """The anti-patterns that kinlint knows, and those that rules witness."""
+        known = {f"AP{number}" for number in range(1, 7)}
+        return frozenset(known.union(*(rule.antipatterns for rule in self.rules)))
+
+    @cached_property
+    def families(self) -> frozenset[str]:
+        """The letters of the codes."""
+        return frozenset(rule.family for rule in self.rules)
+
+    def find(self, selector: str) -> tuple[Rank, frozenset[str]]:
+        """How specific *selector* is, and the codes of the rules that it names.
+
+        Raises `UsageError` with a suggestion if it names nothing known.
+        """
+        if selector == ALL:
+            return (0, 0), frozenset(rule.code for rule in self.rules)
+        if rule := self.exact.get(selector):
+            return (4, 0), frozenset({rule.code})
+        if selector in self.tags:
+            tagged = (rule.code for rule in self.rules if selector in rule.antipatterns)
+            return (2, 0), frozenset(tagged)
+        codes = frozenset(rule.code for rule in self.rules if rule.code.startswith(selector))
+        if not selector or not codes:
+            message = f"unknown rule selector '{selector}'"
+            meant = did_you_mean(selector, self.selectors)
+            raise UsageError(message + (meant or "; kinlint rule --all shows what there is"))
+        if selector in self.families:
+            return (2, 0), codes
+        return (1 if selector.isalpha() else 3, len(selector)), codes
+
+    @property
+    def selectors(self) -> Iterable[str]:
+        """Every selector worth suggesting."""
+        return (ALL, *self.tags, *self.families, *self.exact)
+
+    def check_target(self, target: str) -> None:
+        """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""
+        known = {*TARGETS, *(one for rule in self.rules for one in rule.targets)}
+        if target not in known:
+            listed = ", ".join(sorted(known))
+            meant = did_you_mean(target, known) or f"; there are {listed}"
+            raise UsageError(f"unknown target '{target}'{meant}")
+
+    def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
+        """As `find`; a failure says that *origin* is to blame."""
+        try:
+            return self.find(selector)
+        except UsageError as error:
+            raise type(error)(f"{origin}: {error}") from None
+
+
+def narrowed(
+    below: frozenset[str],
+    wanted: Iterable[str],
+    refused: Iterable[str],
+    origin: str,
+    catalogue: Catalogue,
+) -> frozenset[str]:
+    """The codes of *below* with those that *wanted* selects and without those of *refused*.
+
+    The more specific selector wins, and of equals the refusing one.
+    """
+    steps = []
+    for refusing, selectors in enumerate((wanted, refused)):
+        for selector in selectors:
+            rank, codes = catalogue.find_from(origin, selector)
+            steps.append((rank, refusing, codes))
+    chosen = set(below)
+    for _, refusing, codes in sorted(steps, key=lambda step: step[:2]):
+        if refusing:
+            chosen -= codes
+        else:
+            chosen |= codes
+    return frozenset(chosen)

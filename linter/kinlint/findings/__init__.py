@@ -1,0 +1,1 @@
+"""From results of an engine to findings: what they say, where, and which are told as one."""

@@ -1,0 +1,1 @@
+"""Quick fixes: what a rule repairs in the graph, written into the text and proven by reading it."""

@@ -1,0 +1,160 @@
+"""Which document says what a change of the graph takes back, and which is to say what it adds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+
+from kinlint.document import Document, document_of
+from kinlint.edits import Delta, Unsayable
+from kinlint.engine.spelling import normal
+from kinlint.engine.store import Store
+from kinlint.fixes.lowering import FROM, lowered
+from kinlint.terms import (
+    XSD,
+    Term,
+    Triple,
+    is_blank,
+    is_iri,
+    is_literal,
+    literal,
+    literal_datatype,
+    literal_value,
+)
+
+DOUBLE = f"{XSD}double"
+NUMERIC = frozenset({DOUBLE, *(f"{XSD}{name}" for name in ("float", "decimal", "integer"))})
+
+
+@dataclass
+class Placed:
+    """A change of the graph as changes of documents, by their graphs; `lifted` is what it means."""
+
+    deltas: Mapping[Term, Delta]
+    lifted: Delta
+
+
+@dataclass
+class _Sheet:
+    """What is to be changed in one document."""
+
+    document: Document
+    removed: dict[Triple, None] = field(default_factory=dict)
+    added: dict[Triple, None] = field(default_factory=dict)
+
+    def delta(self) -> Delta:
+        """The change; numbers have the type that was there, and if they only move, the spelling."""
+        spelled = {normal(value): value for _, _, value in self.removed if is_literal(value)}
+        types = {(s, p): literal_datatype(o) for s, p, o in self.removed if _is_number(o)}
+        added: dict[Triple, None] = {}
+        for s, p, o in self.added:
+            if not is_literal(o):
+                added[s, p, o] = None
+                continue
+            type_ = types.get((s, p)) if _is_number(o) else None
+            value = literal(literal_value(o), type_) if type_ else o
+            added[s, p, spelled.get(normal(value)) or _short(value)] = None
+        return Delta(tuple(self.removed), tuple(added))
+
+
+def _short(value: Term) -> Term:
+    """*value* with an exponent, where it has the zeros that a store writes in its stead."""
+    if literal_datatype(value) != DOUBLE:
+        return value
+    number = float(literal_value(value))
+    if not isfinite(number) or "e" not in repr(number):
+        return value
+    return literal(f"{number:.16E}".replace("E+", "E"), DOUBLE)
+
+
+def placed(store: Store, delta: Delta, home: Document) -> Placed:
+    """*delta* by document; *home* is where a repair belongs that could go anywhere.
+
+    Raises Unsayable for what no text says: what was inferred or computed.
+    """
+    sheets: dict[Term, _Sheet] = {}
+
+    def sheet(document: Document) -> _Sheet:
+        return sheets.setdefault(document.graph, _Sheet(document))
+
+    above = [each for each in delta.removed if not _asserted(store, each, sheet)]
+    if not all(map(store.is_lifted, above)):
+        raise Unsayable("what has to go is written nowhere: it follows from other statements")
+    lifted = Delta(tuple(above), tuple(each for each in delta.added if _is_lifted(store, each[0])))
+    for document, old, new in lowered(store, lifted):
+        sheet(document).removed[old] = None
+        sheet(document).added[new] = None
+    rest = [each for each in delta.added if each not in set(lifted.added)]
+    for document, triple in _homes(store, rest, list(sheets.values()), home):
+        for each in (document, *_besides(triple, document, sheets.values())):
+            sheet(each).added[triple] = None
+    return Placed({graph: each.delta() for graph, each in sheets.items()}, lifted)
+
+
+def _is_number(term: Term) -> bool:
+    """Whether *term* is a literal of one of the numeric types of SPARQL."""
+    return is_literal(term) and literal_datatype(term) in NUMERIC
+
+
+def _asserted(store: Store, triple: Triple, sheet: Callable[[Document], _Sheet]) -> bool:
+    """Whether documents say *triple*, which is then noted as what they are to say no more."""
+    written = list(store.written(*triple))
+    for document, spelled in written:
+        sheet(document).removed[spelled] = None
+    return bool(written)
+
+
+def _besides(triple: Triple, home: Document, sheets: Iterable[_Sheet]) -> list[Document]:
+    """The documents other than *home* that lose what *triple* replaces."""
+    if any(is_blank(term) for term in triple[::2]):
+        return []
+    return [
+        each.document
+        for each in sheets
+        if each.document is not home
+        and any(triple[:2] == old[:2] or triple[::2] == old[::2] for old in each.removed)
+    ]
+
+
+def _is_lifted(store: Store, node: Term) -> bool:
+    return is_iri(node) and any(True for _ in store.values(node, FROM))
+
+
+def _homes(
+    store: Store, added: Sequence[Triple], sheets: Sequence[_Sheet], home: Document
+) -> Iterable[tuple[Document, Triple]]:
+    """The document for each of the *added* triples; new nodes go where they are named."""
+    new = {term for triple in added for term in triple[::2] if _is_new(term)}
+    where: dict[Term, Document] = {}
+    left = list(added)
+    while left:
+        waiting = []
+        for triple in left:
+            subject, _, value = triple
+            known = where.get(subject) if subject in new else _home(store, subject, sheets, home)
+            if known is None:
+                waiting.append(triple)
+                continue
+            if value in new:
+                where.setdefault(value, known)
+            yield known, triple
+        if len(waiting) == len(left):
+            where.update(dict.fromkeys((triple[0] for triple in waiting), home))
+        left = waiting
+
+
+def _is_new(term: Term) -> bool:
+    return is_blank(term) and term.startswith("_:new")
+
+
+def _home(store: Store, node: Term, sheets: Sequence[_Sheet], home: Document) -> Document:
+    """The document that describes *node*, those that change first, and *home* before others."""
+    own = store.documents.get(document_of(node))
+    if own is not None:
+        return own
+    for each in sheets:
+        if any(node == triple[0] for triple in each.removed):
+            return each.document
+    describing = [each for each in store.documents.values() if node in each.map.nodes]
+    return home if home in describing or not describing else describing[0]

@@ -1,0 +1,84 @@
+"""Proves by reading again that a text says what its fix promises: the old graph plus the delta."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from kinlint.document import TREES, Document
+from kinlint.edits import Delta
+from kinlint.engine.spelling import normal
+from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_literal
+from kinlint.vocabulary import DOCUMENT_BASE, SRC
+
+FAR = 64
+"""How far from a blank node its surroundings are looked at, in steps."""
+
+OF_THE_TEXT = f"<{SRC}"
+
+
+def proven(before: Document, after: Document, delta: Delta) -> bool:
+    """Whether *after* states exactly what *before* states with *delta*.
+
+    Blank nodes may be called otherwise, and numbers be spelled otherwise. Where *delta* mends what
+    was lost in reading, nobody can tell beforehand what is found: then nothing may be missing,
+    but types that were none.
+    """
+    if before.format in TREES:
+        from kinlint.formats.xml.editing.tree import changed, tree  # noqa: PLC0415
+
+        return bool(changed(before, delta) == tree(after))
+    removed = set(delta.removed)
+    mending = any(_of_the_text(triple) for triple in (*delta.removed, *delta.added))
+    old = (
+        triple
+        for triple in before.statements
+        if triple not in removed and not (mending and _means_nothing(triple))
+    )
+    expected = _canonical([*old, *delta.added])
+    found = _canonical(after.statements)
+    if mending or any(map(_means_nothing, delta.removed)):
+        return expected <= found
+    return expected == found
+
+
+def _means_nothing(triple: Triple) -> bool:
+    """Whether *triple* has a type that is none, which a context may yet give a meaning."""
+    return triple[1] == RDF_TYPE and triple[2].startswith(f"<{DOCUMENT_BASE}")
+
+
+def _of_the_text(triple: Triple) -> bool:
+    """Whether *triple* is about the writing, not about what is written."""
+    _, predicate, value = triple
+    return predicate.startswith(OF_THE_TEXT) or (
+        predicate == RDF_TYPE and value.startswith(OF_THE_TEXT)
+    )
+
+
+def _canonical(statements: Iterable[Triple]) -> Counter[Triple]:
+    """*statements* of the model, with blank nodes called by what is said of and about them.
+
+    That is the colour refinement of graphs: nodes keep one name only if nothing within `FAR`
+    steps tells them apart, and then they are counted.
+    """
+    said = {
+        (s, p, normal(o) if is_literal(o) else o)
+        for s, p, o in statements
+        if not _of_the_text((s, p, o))
+    }
+    around: dict[Term, list[tuple[str, Term, Term]]] = {}
+    for s, p, o in said:
+        if is_blank(s):
+            around.setdefault(s, []).append((">", p, o))
+        if is_blank(o):
+            around.setdefault(o, []).append(("<", p, s))
+    names = dict.fromkeys(around, "")
+    for _ in range(FAR):
+        finer = {
+            node: hash((names[node], *sorted((d, p, str(names.get(o, o))) for d, p, o in edges)))
+            for node, edges in around.items()
+        }
+        if len(set(finer.values())) == len(set(names.values())) and names:
+            break
+        names = {node: f"_:{name}" for node, name in finer.items()}
+    return Counter((names.get(s, s), p, names.get(o, o)) for s, p, o in said)

@@ -1,0 +1,64 @@
+"""Which of the files that others include are the user's to be written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.configuration.settings import Settings
+from kinlint.edits import Unsayable
+from kinlint.files.packages import SKIPPED
+from kinlint.files.pathname import real
+from kinlint.fixes.texts import Texts
+
+SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))
+"""Where files are installed, wherever kinlint runs."""
+WRITING = 0o222
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Files that are `given`, and those below one of `roots`, may be written."""
+
+    given: frozenset[Path]
+    roots: tuple[Path, ...]
+
+    @classmethod
+    def of(cls, texts: Texts, settings: Settings) -> Reach:
+        """What lies below the directory that all given files share, or where kinlint works."""
+        named = [each for each in texts.given if not each.companion]
+        given = [path for each in named if (path := texts.path(each)).is_file()]
+        spaces = {settings.of(each.name).workspace for each in named}
+        roots = {Path.cwd(), *(real(each) for each in spaces if each is not None)}
+        if given:
+            roots.add(_shared(path.parent for path in given))
+        return cls(frozenset(given), tuple(each for each in roots if each != each.parent))
+
+    def check(self, path: Path, name: str) -> None:
+        """Raises Unsayable if the file at *path*, called *name*, is not to be written."""
+        if path in self.given:
+            return
+        if not any(_holds(root, path) for root in self.roots):
+            raise Unsayable(f"it is written in {name}, which lies outside of what is linted")
+        try:
+            writable = path.stat().st_mode & WRITING and os.access(path, os.W_OK)
+        except OSError:
+            writable = False
+        if not writable or not os.access(path.parent, os.W_OK):
+            raise Unsayable(f"it is written in {name}, which cannot be written to")
+
+
+def _holds(root: Path, path: Path) -> bool:
+    """Whether *path* lies below *root*, and is neither installed nor made there."""
+    if not path.is_relative_to(root) or any(path.is_relative_to(each) for each in SYSTEM):
+        return False
+    return SKIPPED.isdisjoint(path.relative_to(root).parts)
+
+
+def _shared(directories: Iterable[Path]) -> Path:
+    try:
+        return Path(os.path.commonpath(list(directories)))
+    except ValueError:  # several drives
+        return Path.cwd()

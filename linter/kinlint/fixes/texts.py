@@ -1,0 +1,69 @@
+"""The texts that fixes change: those that are given, and those that these include."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Protocol
+
+from kinlint.document import Document
+from kinlint.edits import Edit, applied
+from kinlint.files.pathname import real
+from kinlint.text import SourceText
+
+
+class Changes(Protocol):
+    """Edits of texts, by the paths of their files."""
+
+    @property
+    def sources(self) -> Mapping[Path, SourceText]:
+        """The texts as they are."""
+        ...
+
+    @property
+    def edits(self) -> Mapping[Path, Sequence[Edit]]:
+        """What is to change in each."""
+        ...
+
+
+@dataclass(frozen=True)
+class Texts:
+    """The texts that are `given`, and all that changed so far in place of files, by real paths.
+
+    `streamed` are the names of those that are no files, with which what they include stays as it
+    is.
+    """
+
+    given: Sequence[SourceText]
+    streamed: Collection[str] = ()
+    changed: Mapping[Path, SourceText] = field(default_factory=dict)
+    _paths: dict[str, Path] = field(default_factory=dict, repr=False)
+
+    def path(self, source: SourceText) -> Path:
+        """The file that holds *source*, with all links followed."""
+        if source.name not in self._paths:
+            self._paths[source.name] = real(source.name)
+        return self._paths[source.name]
+
+    def paths(self, document: Document) -> Iterable[Path]:
+        """The files that *document* is read from."""
+        return map(self.path, document.sources)
+
+    def rewritten(self, batch: Iterable[Changes]) -> Texts:
+        """These texts with the edits of *batch*, those that several make once."""
+        edits: dict[Path, dict[Edit, None]] = {}
+        sources: dict[Path, SourceText] = {}
+        for each in batch:
+            sources |= each.sources
+            for path, made in each.edits.items():
+                edits.setdefault(path, {}).update(dict.fromkeys(made))
+        new = {
+            path: replace(sources[path], text=applied(sources[path].text, made))
+            for path, made in edits.items()
+        }
+        given = [
+            replace(source, text=new[path].text) if (path := self.path(source)) in new else source
+            for source in self.given
+        ]
+        return replace(self, given=given, changed={**self.changed, **new})

@@ -1,0 +1,36 @@
+"""What can be done about findings: the signs for it, and how many there are of each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from kinlint.model import Applicability, Finding
+
+FIXABLE, WITH_CARE, PARTLY = "[*]", "[*!]", "[-]"
+"""`--fix` mends it; it does with `--unsafe-fixes`; it mends some of them."""
+
+
+class Fixable(NamedTuple):
+    """How many findings `--fix` mends, and how many more `--fix --unsafe-fixes` would."""
+
+    now: int
+    with_care: int
+
+
+def sign(finding: Finding, *, unsafe: bool | None = None) -> str:
+    """The sign of *finding*; nothing if it has no fix that is ever written.
+
+    *unsafe* tells that unsafe fixes count like safe ones.
+    """
+    fix = finding.fix(Applicability.UNSAFE)
+    if fix is None:
+        return ""
+    least = Applicability.UNSAFE if unsafe else Applicability.SAFE
+    return FIXABLE if finding.fix(least) else WITH_CARE
+
+
+def fixable(findings: Iterable[Finding], *, unsafe: bool | None = None) -> Fixable:
+    """How many of *findings* can be mended."""
+    signs = [sign(finding, unsafe=unsafe) for finding in findings]
+    return Fixable(signs.count(FIXABLE), signs.count(WITH_CARE))

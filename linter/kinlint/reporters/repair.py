@@ -1,0 +1,38 @@
+"""How a rule mends what it finds, for its page: what it does, and how far to trust that."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from kinlint.model import Applicability, Repair, Rule
+
+_TRUST = {
+    Applicability.SAFE: "safe, so `--fix` makes it",
+    Applicability.UNSAFE: "unsafe, so only `--fix --unsafe-fixes` makes it",
+    Applicability.DISPLAY: "shown, but never made",
+}
+"""At most: a fix is made if the proof allows it, too."""
+
+
+def heading(repair: Repair) -> str:
+    """The title, for which formats, how far it may be trusted, and why no further."""
+    formats = f" in {' and '.join(repair.formats)}" if repair.formats else ""
+    why = f" {' '.join(repair.why.split())}" if repair.why else ""
+    return f"{repair.title}{formats} ({_TRUST[repair.applicability]}).{why}"
+
+
+def furthest(rule: Rule) -> str:
+    """How far the most trusted of the repairs may be trusted; nothing if there are none."""
+    levels = [each.applicability for each in rule.repairs]
+    return max(levels).label if levels else ""
+
+
+def repair_object(repair: Repair) -> dict[str, Any]:
+    """The repair as an object for JSON."""
+    return {
+        "title": repair.title,
+        "applicability": repair.applicability.label,
+        "why": " ".join(repair.why.split()) or None,
+        "formats": list(repair.formats),
+        "update": repair.update,
+    }

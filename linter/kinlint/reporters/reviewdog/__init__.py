@@ -1,0 +1,1 @@
+"""Reports for reviewdog, which turns them into comments and suggestions on pull requests."""

@@ -1,0 +1,17 @@
+"""`rdjsonl`: a diagnostic a line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinlint.report import Report
+from kinlint.reporters.notation import json_text
+from kinlint.reporters.reviewdog.diagnostic import SOURCE, Diagnostics
+from kinlint.reporters.style import Style
+
+
+def render(report: Report, style: Style) -> Iterator[str]:
+    """A line for each finding, then one for each file that cannot be read."""
+    made = Diagnostics(unsafe=report.unsafe)
+    for one in (*map(made.finding, report.open), *map(made.error, report.errors)):
+        yield json_text({**one, "source": SOURCE}, style) + "\n"

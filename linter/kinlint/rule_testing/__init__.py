@@ -1,0 +1,1 @@
+"""Holds rules to the promises of their files."""
