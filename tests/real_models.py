@@ -15,7 +15,8 @@ from pathlib import Path
 
 from data import locate_data
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.model import Finding

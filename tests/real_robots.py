@@ -16,12 +16,13 @@ from statistics import median
 
 from data import locate_data
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.model import Finding, Rule, Severity
 from kinlint.report import Report
-from kinlint.rulebook import Rulebook
 from kinlint.text import SourceText
 
 FORMATS = {
@@ -62,6 +63,7 @@ on purpose. Of all of them, the meshes and other files beside are not there.
 | with an error | {errors} |
 
 Made by `python tests/real_robots.py > rules/real-robots.md`; a test holds kinlint to it.
+What of it can be mended: [real-fixes.md](real-fixes.md).
 """
 
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from kinlint import rulebook
-from kinlint.applicability import applicability, applicable, applies, axioms_for, formats
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.applicability import applicability, applicable, applies, axioms_for, formats
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.result import Result
@@ -73,6 +73,15 @@ def test_results_about_files_of_other_formats_are_dropped():
     assert [result.focus for result in kept] == [foci[0], foci[2], foci[4]]
     own = [Result(constraint("sdf"), foci[0]), Result(constraint("urdf"), foci[0])]
     assert list(applies(own, documents, owners)) == own[1:]
+
+
+def test_a_run_of_one_format_keeps_every_result():
+    """There, rules that speak of no file were left out before; so among composable models."""
+    results = [Result(constraint(), "_:lost"), Result(constraint(), "<https://example.org/x>")]
+    owners = {"urn:x:r": frozenset({"jsonld", "turtle"})}
+
+    for documents in ([document("jsonld")], [document("jsonld"), document("turtle", "_:lost")]):
+        assert list(applies(results, documents, owners)) == results
 
 
 def test_axioms_are_left_out_only_where_every_file_is_lifted():

@@ -13,9 +13,10 @@ from benchmarks.table import Row, markdown
 from rdflib import Graph
 
 from kinlint import lint
+from kinlint.catalogue.rulebook import Rulebook, load
 from kinlint.configuration.settings import Settings
+from kinlint.engine.reference import recording
 from kinlint.report import Report
-from kinlint.rulebook import Rulebook, load
 from kinlint.text import SourceText
 
 
@@ -53,8 +54,9 @@ def test_seventy_joints_have_every_kind_of_defect():
     assert len(DEFECTS) == len(range(0, 70, STEP))
 
 
-def test_both_engines_find_the_same_in_a_spoiled_chain(catalogue):
-    """The benchmark compares like with like."""
+def test_both_engines_find_the_same_in_a_spoiled_chain(catalogue, monkeypatch):
+    """The benchmark compares like with like. Here pySHACL may keep the queries that it parsed."""
+    monkeypatch.setattr(*recording.QUERIES, recording._query)
     assert all(seconds > 0 for seconds in compared(1, catalogue, runs=1))
 
 
@@ -100,7 +102,7 @@ def test_a_process_that_fails_is_not_timed(tmp_path):
 LEG = '<robot name="leg"><link name="thigh"/></robot>'
 
 
-def test_a_fleet_is_linted_at_once_and_loaded_one_by_one(tmp_path, monkeypatch):
+def test_a_fleet_is_linted_at_once_and_loaded_one_by_one(tmp_path, rules_cache, monkeypatch):
     """The files below a directory, whoever is there to be compared with."""
     for name in ("left", "right"):
         (tmp_path / f"{name}.urdf").write_text(LEG, "utf-8")

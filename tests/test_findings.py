@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinlint import rulebook
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.display import LONGEST, Display
 from kinlint.lint import run
@@ -37,6 +37,28 @@ def found(*texts: str, code: str) -> list[Finding]:
 )
 def test_terms_as_people_read_them(term: str, shown: str) -> None:
     assert Display({"ex": "https://e.org/#"}).term(term) == shown
+
+
+@pytest.mark.parametrize(
+    ("path", "shown"),
+    [
+        ("/joint/elbow", "elbow"),
+        ("joint/elbow", "elbow"),
+        ("/link/upper%20arm/visual/geometry", "upper arm/visual/geometry"),
+        ("/model/arm/joint/elbow/axis", "arm/elbow/axis"),
+        ("/joint/tool", "joint/tool"),
+        ("/link/tool/inertial", "link/tool/inertial"),
+        ("link/tool/mass", "link/tool/mass"),
+        ("/link/base;2", "link/base;2"),
+        ("/material/tool", "material/tool"),
+    ],
+)
+def test_elements_go_by_their_names_where_no_other_has_them(path: str, shown: str) -> None:
+    """Else by their kinds too."""
+    nodes = ("/joint/elbow", "/joint/tool", "/link/tool", "/link/base", "/link/base;2")
+    address = "urn:kinlint:document:arm.urdf#{}".format
+    display = Display(nodes=[iri(address(node)) for node in nodes])
+    assert display.term(iri(address(path))) == shown
 
 
 def test_of_very_long_terms_both_ends_are_shown() -> None:

@@ -7,16 +7,17 @@ from textwrap import dedent
 
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rule_file import read_rules
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.findings.grouping import grouped
 from kinlint.formats.registry import decode
-from kinlint.grouping import grouped
 from kinlint.report import Report
 from kinlint.reporters.full import render
 from kinlint.reporters.style import Style
-from kinlint.rule_file import read_rules
-from kinlint.rulebook import Rulebook
 
 RULE = """
     @prefix kl:   <https://w3id.org/kinlint/ns#> .
@@ -165,6 +166,21 @@ def test_what_a_macro_writes_is_told_once(tmp_path, calls, end):
     (told,) = (finding for finding in found if finding.rule.code == "INE003")
 
     assert told.location.source.name.endswith("part.xacro")
-    assert told.location.source[told.location.span] == "mass"
+    assert told.location.source[told.location.span] == "-1"
     assert told.message.endswith(end)
     assert told.message.startswith("'w0/inertia/mass'")
+
+
+def test_a_group_counts_as_the_worst_in_it():
+    """A value that is malformed in a drawing and in a shape to hit is told once, of the shape."""
+    mesh = '<geometry><mesh filename="a.stl" scale="1 1 1 1"/></geometry>'
+    link = f"<visual>{mesh}</visual><collision>{mesh}</collision>"
+    text = f'<robot name="a"><link name="b">{link}</link></robot>'
+    found = lint.run([decode("a.urdf", text.encode())], [], Settings(), rulebook.load()).findings
+    (told,) = (finding for finding in found if finding.rule.code == "SRC007")
+
+    assert told.severity.label == "error"
+    assert told.location.span.start > text.index("<collision>")
+    assert [
+        related.location.span.start < text.index("<collision>") for related in told.related
+    ] == [True]

@@ -8,9 +8,9 @@ from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import lift
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
+from kinlint.findings.locator import Locator
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.locator import Locator
 from kinlint.terms import XSD, iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import KIN

@@ -23,10 +23,9 @@ FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
 
 
 @pytest.fixture
-def robots(tmp_path, tmp_path_factory, monkeypatch):
+def robots(tmp_path, rules_cache, monkeypatch):
     """A directory of robots in several formats, some of which include each other."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path_factory.getbasetemp() / "rules"))
     for number in range(5):
         (tmp_path / f"r{number}.urdf").write_text(f'<robot name="r{number}">{MEMBERS}</robot>')
     (tmp_path / "R4.sdf").write_text('<sdf version="1.9"><model name="R4"/></sdf>')
@@ -130,7 +129,6 @@ def test_as_many_as_there_are_processors(robots, capsys):
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
 def test_who_ends_the_run_ends_all_of_it(robots, capsys, number, code):
     """No traceback, and nobody who goes on alone."""
-    _said(capsys, "r0.urdf")  # so that rules are compiled
     many = "".join(f'<link name="l{n}"/>' + JOINT.format(f"oint{n}") for n in range(4000))
     for each in range(4):
         (robots / f"long{each}.urdf").write_text(f'<robot name="long{each}">{many}</robot>')
@@ -208,9 +206,8 @@ def test_what_is_judged_together(texts, together):
     assert [one for one in joined if len(one) > 1] == together
 
 
-def test_the_samples(capsys, monkeypatch, tmp_path_factory):
+def test_the_samples(capsys, monkeypatch, rules_cache):
     """What the project itself has, of all formats."""
     monkeypatch.chdir(Path(__file__).parents[1])
-    monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path_factory.getbasetemp() / "rules"))
     arguments = ["samples/urdf", "samples/sdf", "--output-format", "concise"]
     assert _said(capsys, *arguments, "-j", "2") == _said(capsys, *arguments, "-j", "1")

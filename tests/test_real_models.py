@@ -7,7 +7,8 @@ import pytest
 from data import locate_data
 from real_models import MODELS, findings, page
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.model import Severity

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid

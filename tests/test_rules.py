@@ -5,10 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import resources, rule_test, rulebook
+from kinlint import resources
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rule_file import read_rules
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.errors import RuleInvalid
-from kinlint.rule_file import read_rules
+from kinlint.rule_testing import promises
 
 BOOK = rulebook.load()
 
@@ -44,7 +46,7 @@ rule:space-in-identifier a kl:Rule, sh:NodeShape ;
 @pytest.mark.parametrize("rule", BOOK.rules, ids=lambda rule: rule.name)
 def test_a_rule_keeps_its_promises(rule):
     """Bad examples are found where marked, good ones left alone, the file has the right form."""
-    assert list(rule_test.failures(rule, BOOK)) == []
+    assert list(promises.failures(rule, BOOK)) == []
 
 
 def test_every_rule_file_is_one_rule():
@@ -56,7 +58,7 @@ def test_every_rule_file_is_one_rule():
 
 def test_marks_are_taken_out_and_remembered():
     """`[|…|]` marks leave their content, and its place."""
-    text, spans = rule_test.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
+    text, spans = promises.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
 
     assert text == '{"a": 1, "b": ["x"]}'
     assert [text[span.start : span.end] for span in spans] == ["1", '"x"']
@@ -73,7 +75,7 @@ def written(tmp_path):
         files = (resources.data("shapes") / rulebook.PREFIXES, file)
         constraints = compile_shapes(files)
         book = replace(BOOK, rules=(rule,), constraints=constraints, shapes=files)
-        return list(rule_test.failures(rule, book))
+        return list(promises.failures(rule, book))
 
     return failures
 

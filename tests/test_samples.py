@@ -10,7 +10,8 @@ from pathlib import Path
 import pyoxigraph as ox
 import pytest
 
-from kinlint import lint, resources, rulebook
+from kinlint import lint, resources
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.contexts.declarations import PATH
 from kinlint.contexts.library import RELEASES, Contexts

@@ -13,10 +13,7 @@ from pathlib import Path
 
 import pytest
 from data import locate_data
-
-from kinlint import lint, rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
+from real_robots import report
 
 TABLE = Path(__file__).with_name("sdf_verdicts.tsv")
 WRONG = ("bad_", "invalid", "duplicate_sibling", "missing", "without", "_error", "noname")
@@ -38,14 +35,11 @@ def expected() -> dict[str, set[str]]:
 def found() -> tuple[dict[str, set[str]], dict[str, set[str]]]:
     """The codes of all that is found in each file, and of the errors."""
     root = locate_data("robots", "sdf")
-    paths = sorted([*root.rglob("*.sdf"), *root.rglob("*.world")])
-    report = lint.run(
-        [decode(str(path), path.read_bytes()) for path in paths], [], Settings(), rulebook.load()
-    )
-    assert report.errors == ()
+    linted = report("sdf")
+    assert linted.errors == ()
     every: dict[str, set[str]] = defaultdict(set)
     errors: dict[str, set[str]] = defaultdict(set)
-    for finding in report.findings:
+    for finding in linted.findings:
         name = Path(finding.location.source.name).relative_to(root).as_posix()
         every[name].add(finding.rule.code)
         if finding.severity.label == "error":

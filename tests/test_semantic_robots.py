@@ -5,7 +5,8 @@ from functools import cache
 import pytest
 from data import locate_data
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.formats.registry import decode
 
@@ -44,7 +45,7 @@ def found(*paths):
     [
         (FANUC, []),
         (FANUC[:1], [("CMP019", 6)]),
-        (PR2, [("CMP004", 19), ("CMP001", 75)]),
+        (PR2, [("CMP026", 2), ("CMP004", 19), ("CMP001", 75)]),
         (DUAL_ARM, [("CMP019", 7), ("CMP001", 42), ("CMP001", 43)]),
     ],
 )

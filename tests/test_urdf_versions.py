@@ -2,7 +2,8 @@
 
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 

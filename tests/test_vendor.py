@@ -11,6 +11,7 @@ import pytest
 
 from kinlint.cli.main import main
 
+pytestmark = pytest.mark.usefixtures("rules_cache")
 ROOT = Path(__file__).parents[1]
 SAMPLE = ROOT / "samples" / "vendor"
 FENCE = re.compile(r"^( *)```(\w+)\n(.*?)^\1```", re.DOTALL | re.MULTILINE)

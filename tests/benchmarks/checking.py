@@ -17,6 +17,7 @@ from rdflib.plugins.sparql import evaluate
 
 from benchmarks.stages import parsed
 from benchmarks.timing import interleaved
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
@@ -28,7 +29,6 @@ from kinlint.engine.schema import Schema
 from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.rulebook import Rulebook
 from kinlint.terms import Term, iri, is_blank
 
 DEPTH = 1_000_000

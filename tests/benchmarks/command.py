@@ -15,8 +15,8 @@ from benchmarks.fleet import Fleet
 from benchmarks.processes import Workplace
 from benchmarks.stages import stages
 from benchmarks.table import Row, markdown
-from kinlint import rulebook
-from kinlint.rulebook import Rulebook
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 
 SIZES = (7, 70, 700)
 PACKAGES = ("pyoxigraph", "pyld", "pyshacl", "rdflib", "owlrl")

@@ -9,16 +9,16 @@ from statistics import median
 from time import perf_counter
 
 from benchmarks import robot
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.findings import findings
+from kinlint.findings.account import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.rulebook import Rulebook
 from kinlint.text import SourceText
 
 

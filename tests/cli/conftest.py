@@ -1,7 +1,5 @@
 """A working directory of its own, and a pipeline that finds what a test says."""
 
-import os
-
 import pipeline as pipelines
 import pytest
 
@@ -11,17 +9,13 @@ MODEL = '{"@context": "https://example.org/c.json"}'
 
 
 @pytest.fixture(autouse=True)
-def here(tmp_path, tmp_path_factory, monkeypatch):
+def here(tmp_path, rules_cache, monkeypatch):
     """An empty working directory, and no settings from outside."""
     monkeypatch.chdir(tmp_path)
     for name in ("OUTPUT_FORMAT", "OUTPUT_FILE", "TRACEBACK"):
         monkeypatch.delenv(f"KINLINT_{name}", raising=False)
     for name in ("NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv(
-        "KINLINT_CACHE_DIR",
-        os.environ.get("KINLINT_TESTS_CATALOGUE", str(tmp_path_factory.getbasetemp() / "rules")),
-    )
     return tmp_path
 
 

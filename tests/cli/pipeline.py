@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli import check
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Rule, Severity
 from kinlint.report import Report
-from kinlint.rulebook import Rulebook
 from kinlint.text import Location, SourceText, Span
 
 RULES = tuple(
@@ -45,8 +45,8 @@ class Pipeline:
     settings: Settings | None = None
     inputs: list[str] = field(default_factory=list)
 
-    def lint(self, settings, found, book, _profile, _jobs):
-        self.settings = settings
+    def report(self, run, _options, _outputs):
+        self.settings, found, book = run.settings, run.found, run.book
         self.inputs = [one.name for one in found.inputs]
         return Report(
             findings=tuple(self._finding(code) for code in self.found),
@@ -74,6 +74,6 @@ class Pipeline:
 def install(monkeypatch):
     """Put the pipeline in the place of the true one."""
     pipeline = Pipeline()
-    monkeypatch.setattr(check, "_lint", pipeline.lint)
+    monkeypatch.setattr(check.Run, "report", lambda run, *given: pipeline.report(run, *given))  # noqa: PLW0108  else it is bound
     monkeypatch.setattr(check.rulebook, "load", lambda *_: BOOK)
     return pipeline

@@ -11,12 +11,6 @@ DANGLING = "arm/config/arm.srdf:2:50: error: There is no 'link' called 'tip'. [C
 UNJOINED = "No complete URDF of 'arm' was read with this"
 
 
-@pytest.fixture(autouse=True)
-def cache(here, tmp_path_factory, monkeypatch):
-    """The rules are compiled once for all of these tests."""
-    monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path_factory.getbasetemp() / "rules"))
-
-
 @pytest.fixture
 def robot(write):
     """An SRDF, and a URDF at a path."""

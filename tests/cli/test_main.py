@@ -132,7 +132,7 @@ def test_help_tells_of_every_command_and_option_group(kinlint):
         assert word in out
 
 
-@pytest.mark.parametrize("command", ["check", "rule", "test-rules"])
+@pytest.mark.parametrize("command", commands.COMMANDS)
 def test_every_command_has_help(kinlint, command):
     """Of its own."""
     code, out, err = kinlint(command, "-h")

@@ -13,16 +13,9 @@ ARM = f"""<robot name="arm" {XMLNS}>
 HAND = f'<robot name="hand" {XMLNS}>\n<lnik/></robot>'
 
 
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory):
-    """Where compiled rules are kept, so that they are compiled once."""
-    return tmp_path_factory.mktemp("cache")
-
-
 @pytest.fixture
-def cell(here, cache, tmp_path, monkeypatch):
+def cell(tmp_path):
     """A cell with an arm, whose hand lies in a package that nobody finds by itself."""
-    monkeypatch.setenv("KINLINT_CACHE_DIR", str(cache))
     hand = tmp_path / "lib" / "hands" / "one" / "two"
     hand.mkdir(parents=True)
     (hand / "hand.xacro").write_text(HAND)

@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import sys
 
 import pytest
@@ -45,8 +46,9 @@ def test_entities_are_ways_through_the_file(kinlint, lamp):
 
 @pytest.mark.parametrize("form", ["full", "concise", "json", "json-lines", "sarif", "github"])
 def test_no_report_has_addresses_of_elements(kinlint, lamp, form):
-    """Nor those of the terms for attributes."""
+    """Nor those of the terms for attributes, but in the updates that fixes are."""
     code, out, err = kinlint("lamp.urdf", *ONLY, "--output-format", form)
+    out = re.sub(r'"(update|kinlint/sparqlUpdate)": "(?:[^"\\]|\\.)*"', "", out)
 
     assert code == 1
     assert "urn:kinlint" not in out + err

@@ -2,7 +2,8 @@
 
 import pytest
 
-from kinlint.configuration.selection import Catalogue, Policies, policy
+from kinlint.configuration.selection import Policies, policy
+from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.errors import UsageError
 from kinlint.model import Finding, Rule, Severity
@@ -130,10 +131,23 @@ def test_each_file_has_its_own_policy():
 
     def found(name):
         location = Location(SourceText(name, "{}"), Span(0, 1))
-        return Finding(RULES[0], W, "", location, "", "_:b")
+        return Finding(RULES[0], Severity.ERROR, "", location, "", "_:b")
 
     assert policies.judged([found("a.jsonld")]) == []
     assert [one.severity for one in policies.judged([found("b.jsonld")])] == [Severity.ERROR]
     assert policies.enabled(["a.jsonld"]) == CODES - {"UNI001"}
     assert policies.enabled(["a.jsonld", "b.jsonld"]) == CODES
     assert policies.enabled([]) == set()
+
+
+@pytest.mark.parametrize(
+    ("choices", "severity"),
+    [((), W), ((Choice(severity=(("UNI001", Severity.INFO),)),), Severity.INFO)],
+)
+def test_what_a_constraint_counts_as_holds_until_somebody_says_otherwise(choices, severity):
+    """A constraint of a rule may be milder than the rule is."""
+    policies = Policies(Settings(default=FileSettings(choices)), RULES)
+    place = Location(SourceText("a.jsonld", "{}"), Span(0, 1))
+    mild = Finding(next(rule for rule in RULES if rule.code == "UNI001"), W, "", place, "", "_:b")
+
+    assert [one.severity for one in policies.judged([mild])] == [severity]

@@ -4,12 +4,13 @@ import json
 
 import pytest
 
-from kinlint.configuration.selection import Catalogue, Policies, policy
+from kinlint.catalogue.rule_file import read_rules
+from kinlint.configuration.selection import Policies, policy
+from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError
 from kinlint.model import Rule, Severity, SeverityFor
 from kinlint.reporters import rule_page
-from kinlint.rule_file import read_rules
 
 WARNING, ERROR, INFO = Severity.WARNING, Severity.ERROR, Severity.INFO
 

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.conversion.composition import compose
 from kinlint.conversion.output import jsonld

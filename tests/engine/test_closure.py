@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -30,10 +31,15 @@ def closed(model: str, ontology: list[Path]) -> set[Triple]:
     store = Store()
     store.load([document(model)])
     store.load_vocabulary(ontology)
-    count = close(store, compile_axioms(ontology))
-    found = set(store.inferred())
-    assert count == len(found)
-    return found
+    return inferred(store, compile_axioms(ontology))
+
+
+def inferred(store: Store, axioms: Sequence[Axiom]) -> set[Triple]:
+    """What *axioms* conclude, each once."""
+    close(store, axioms)
+    found = list(store.inferred())
+    assert len(found) == len(set(found))
+    return set(found)
 
 
 CASES = {
@@ -197,7 +203,7 @@ def test_asserted_triples_are_not_inferred_again(tmp_path):
     store.load([document(":a a :A .", "one"), document(":a a :B . :x a :A .", "two")])
     store.load_vocabulary(ontology)
 
-    assert close(store, compile_axioms(ontology)) == 0
+    assert len(inferred(store, compile_axioms(ontology))) == 0
 
 
 def test_closing_again_forgets_what_no_longer_follows(tmp_path):
@@ -206,12 +212,12 @@ def test_closing_again_forgets_what_no_longer_follows(tmp_path):
     axioms = compile_axioms(ontology)
     store = Store()
     store.load([document(":a a :A .")])
-    assert close(store, axioms) == 1
+    assert len(inferred(store, axioms)) == 1
 
     store.load([document(":b a :C .")])
 
-    assert close(store, axioms) == 0
-    assert close(store, axioms) == 0
+    assert len(inferred(store, axioms)) == 0
+    assert len(inferred(store, axioms)) == 0
 
 
 def test_no_axioms_infer_nothing():
@@ -219,7 +225,7 @@ def test_no_axioms_infer_nothing():
     store = Store()
     store.load([document(":a a :A .")])
 
-    assert close(store, ()) == 0
+    assert len(inferred(store, ())) == 0
 
 
 LABELS = {

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from data import locate_data
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.check import check
@@ -15,7 +16,7 @@ from kinlint.engine.closure import close
 from kinlint.engine.explanation import premises_of
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.findings import findings
+from kinlint.findings.account import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.model import Finding

@@ -8,13 +8,13 @@ import pytest
 from data import locate_data
 
 from kinlint import resources
+from kinlint.catalogue.rulebook import Rulebook, load
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import RELEASES, Contexts
 from kinlint.document import Document
+from kinlint.engine.axioms import Axiom
 from kinlint.engine.check import check
 from kinlint.engine.closure import close
-from kinlint.engine.compiler.compile import compile_shapes
-from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import lift
 from kinlint.engine.ontology import compile_axioms
 from kinlint.engine.reference.owl import owlrl_closure
@@ -32,7 +32,6 @@ CHECKOUT = Path(__file__).parents[2]
 SHAPES = resources.data("shapes")
 ONTOLOGY = sorted((SHAPES / "ontology").glob("*.ttl"))
 UNITS = sorted((SHAPES / "units").glob("*.ttl"))
-RULES = [SHAPES / "prefixes.ttl", *sorted(resources.data("rules").rglob("*.ttl"))]
 
 BROKEN = sorted((CHECKOUT / "samples" / "broken").glob("*.jsonld"))
 MODELS = {
@@ -53,8 +52,13 @@ PUBLISHED = {
 
 
 @cache
-def catalogue() -> tuple[Constraint, ...]:
-    return compile_shapes(RULES)
+def catalogue() -> Rulebook:
+    return load()
+
+
+@cache
+def axioms(vocabulary: tuple[Path, ...]) -> tuple[Axiom, ...]:
+    return tuple(compile_axioms(vocabulary))
 
 
 def documents(files: list[Path]) -> list[Document]:
@@ -67,7 +71,7 @@ def closed(model: list[Document], vocabulary: list[Path]) -> Store:
     assert store.load(model) == ()
     store.load_vocabulary(vocabulary)
     lift(store)
-    close(store, compile_axioms(vocabulary))
+    close(store, axioms(tuple(vocabulary)))
     store.state(facts(store))
     return store
 
@@ -116,9 +120,10 @@ def test_both_engines_find_the_same_in_a_sample(name):
     """
     store = closed(model_of(name), [*ONTOLOGY, *UNITS])
 
-    found = reported(list(check(store, catalogue())))
+    book = catalogue()
+    found = reported(list(check(store, book.constraints)))
 
-    assert found == reported(check_store(store, RULES, catalogue()))
+    assert found == reported(check_store(store, book.shapes, book.constraints))
 
 
 LIFTED = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "broken/automatic-inertia-of-nothing.sdf")
@@ -144,6 +149,7 @@ def test_both_engines_find_the_same_in_what_is_lifted(name):
     """The whole catalogue, rules of other formats included, on models that came from XML."""
     store = lifted(name)
 
-    assert reported(list(check(store, catalogue()))) == reported(
-        check_store(store, RULES, catalogue())
-    )
+    book = catalogue()
+    found = reported(list(check(store, book.constraints)))
+
+    assert found == reported(check_store(store, book.shapes, book.constraints))

@@ -13,7 +13,8 @@ from data import locate_data
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinlint import lint, resources, rulebook
+from kinlint import lint, resources
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.engine.reference.owl import owlrl_complaints
 from kinlint.formats.registry import decode

@@ -45,7 +45,7 @@ def named(store: Store) -> set[Triple]:
 def test_a_query_makes_what_it_is_said_to_make(query: Lifting) -> None:
     """No property and no class that nobody could ask it for."""
     store = model(*MODELS)
-    store.oxigraph.update(query.update)
+    store.oxigraph.update(query.update())
     made: set[Term] = {o if p == RDF_TYPE else p for _, p, o in named(store)}
 
     assert made <= query.makes | EVERYWHERE

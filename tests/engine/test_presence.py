@@ -7,7 +7,7 @@ from kinlint.engine.constraint import Constraint
 from kinlint.engine.presence import Presence
 from kinlint.engine.store import Store
 from kinlint.terms import RDF_TYPE
-from kinlint.vocabulary import RDFS
+from kinlint.vocabulary import FACT, RDFS
 
 EX = "https://example.org/arm#"
 SUBCLASS = f"<{RDFS}subClassOf>"
@@ -46,6 +46,7 @@ def presence():
         ("?this", RDF_TYPE, ex("Hinge")),
         ("?k_c", f"{SUBCLASS}*", ex("Joint")),
         ("?this", f"{ex('lost')}*", "?name"),
+        ("?this", f"{ex('lost')}|{ex('name')}", "?name"),
         ("?this", "?anything", "?name"),
     ],
 )
@@ -58,6 +59,7 @@ def test_what_may_match(presence, premise):
     "premise",
     [
         ("?this", ex("lost"), "?name"),
+        ("?this", f"{ex('lost')}|{ex('gone')}", "?name"),
         ("?this", RDF_TYPE, ex("Joint")),
         ("?this", RDF_TYPE, ex("Link")),
         ("?k_c", f"{SUBCLASS}*", ex("Link")),
@@ -76,3 +78,13 @@ def test_one_way_to_be_a_target_is_enough(presence):
     assert presence.may_violate(constraint(targets=(("?this", ex("name"), "?k_t"), lost)))
     assert presence.may_violate(constraint(targets=(("?this", RDF_TYPE, "?k_t"), lost)))
     assert not presence.may_violate(constraint(targets=(lost, ("?this", RDF_TYPE, ex("Link")))))
+
+
+def test_what_may_yet_come_may_match(presence):
+    """Properties and classes that will be made, and whatever is computed."""
+    coming = Presence(presence.store, {ex("lost"), ex("Link")})
+
+    assert coming.may_violate(constraint(("?this", ex("lost"), "?name")))
+    assert coming.may_violate(constraint(("?this", RDF_TYPE, ex("Link"))))
+    assert coming.may_violate(constraint(("?this", f"<{FACT}mass>", "?mass")))
+    assert not coming.may_violate(constraint(("?this", ex("gone"), "?name")))

@@ -7,14 +7,14 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
-from kinlint import rulebook
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.rulebook import Rulebook
 from kinlint.terms import Term, iri_value, is_literal, literal_datatype, literal_value
 from kinlint.text import SourceText
 from kinlint.vocabulary import FACT

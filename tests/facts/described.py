@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from kinlint import rulebook
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.engine.closure import close
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.rulebook import Rulebook
 from kinlint.terms import is_literal, literal_value
 from kinlint.text import SourceText
 from kinlint.vocabulary import FACT
@@ -48,6 +48,17 @@ def found(name: str, *parts: str) -> list[tuple[str, Any]]:
         for s, p, o in facts(store_of(*parts))
         if p == f"<{FACT}{name}>"
     )
+
+
+def amended(kind: str, *parts: str) -> dict[str, float]:
+    """What could be written instead of the entries of the only inertia of a robot."""
+    told = {(s, p): o for s, p, o in facts(store_of(*parts))}
+    kinds = f"urn:kinlint:fact:{kind}:"
+    return {
+        _local(entry): float(literal_value(told[node, f"<{FACT}amended>"]))
+        for (node, p), entry in told.items()
+        if p == f"<{FACT}entry>" and kinds in node
+    }
 
 
 def _local(term: str) -> str:

@@ -7,11 +7,11 @@ import json
 import pytest
 from computed import CONTEXT, QUARTER, STRAIGHT, Node, frame, pose, shift
 
-from kinlint import rulebook
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.lint import run
 from kinlint.model import Premise
-from kinlint.rulebook import Rulebook
 from kinlint.text import SourceText
 
 RULE = """
@@ -154,3 +154,79 @@ def test_a_value_in_si_is_shown_with_number_and_unit(faults: Rulebook) -> None:
         (1, "ex:c mass 2000", ""),
         (1, "ex:c unit GM", ""),
     ]
+
+
+ARM = """<robot name="arm">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia
+        ixx="1"
+        ixy="0"
+        ixz="0"
+        iyy="1"
+        iyz="0"
+        izz="3"/>
+    </inertial>
+  </link>
+  <link name="tip"/>
+  <link name="pad"/>
+  <joint name="j" type="revolute">
+    <parent link="base"/><child link="tip"/><axis xyz="0 0 1"/>
+    <limit effort="1" velocity="1"
+      lower="-1"
+      upper="2"/>
+  </joint>
+  <joint name="k" type="revolute">
+    <parent link="base"/><child link="pad"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/>
+    <mimic joint="j"/>
+  </joint>
+</robot>
+"""
+
+
+def places(code: str, text: str, name: str) -> list[tuple[str, int]]:
+    """What the first finding of a rule of the catalogue rests on, each with its line."""
+    report = run([SourceText(name, text)], (), Settings(), rulebook.load())
+    finding = next(each for each in report.findings if each.rule.code == code)
+    return [
+        (each.statement, each.location.start.line)
+        for each in finding.because
+        if each.location is not None
+    ]
+
+
+def test_what_was_computed_of_a_lifted_robot_is_shown_where_its_file_says_it() -> None:
+    """Each number at its attribute, also where others have the same value."""
+    assert places("INE001", ARM, "arm.urdf") == [
+        ("base/inertia/moments ixx 1", 6),
+        ("base/inertia/moments ixy 0", 7),
+        ("base/inertia/moments ixz 0", 8),
+        ("base/inertia/moments iyy 1", 9),
+        ("base/inertia/moments iyz 0", 10),
+        ("base/inertia/moments izz 3", 11),
+        ("base/inertia/mass mass 1", 4),
+    ]
+
+
+def test_a_value_that_is_not_written_is_shown_at_its_element() -> None:
+    """So is the multiplier of a mimic; the units that the format implies are not shown."""
+    shown = places("LIM011", ARM, "arm.urdf")
+    assert ("k/coupling multiplier 1", 25) in shown
+    assert ("j/position-limit lower -1", 19) in shown
+    assert ("j/position-limit upper 2", 20) in shown
+    assert not any("unit" in statement for statement, _ in shown)
+
+
+def test_numbers_of_sdf_are_shown_at_their_elements() -> None:
+    text = """<sdf version="1.9"><model name="arm"><link name="base"><inertial>
+    <mass>1</mass><inertia>
+    <ixx>1</ixx>
+    <iyy>1</iyy>
+    <izz>3</izz>
+    </inertia></inertial></link></model></sdf>"""
+    shown = places("INE001", text, "arm.sdf")
+    assert {("base/inertia/moments iyy 1", 4), ("base/inertia/moments izz 3", 5)} <= {
+        (statement.removeprefix("arm/"), line) for statement, line in shown
+    }

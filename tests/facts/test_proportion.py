@@ -69,3 +69,27 @@ def test_one_shape_of_unknown_size_leaves_all_open(shape):
 
     assert nothing("extent", *shapes)
     assert nothing("least-density", *shapes)
+
+
+@pytest.mark.parametrize(
+    ("products", "miss"), [("-0.04", 0.0), ("-0.0355", 0.1125), ("0", None), ("-0.05", None)]
+)
+def test_a_tensor_about_the_origin_has_the_products_of_a_point_mass_there(products, miss):
+    """Nothing is said where no body could have what would be left about its centre."""
+    tensor = f'ixx="0.03" iyy="0.11" izz="0.09" ixy="0" ixz="{products}" iyz="0"'
+    mass = f'<inertial><origin xyz="0.2 0 0.1"/><mass value="2"/><inertia {tensor}/></inertial>'
+
+    assert [value for _, value in found("transfer", link("hand", mass))] == (
+        [] if miss is None else [pytest.approx(miss, abs=1e-9)]
+    )
+
+
+@pytest.mark.parametrize(
+    "origin", ['xyz="0.2 0 0.1" rpy="0 0.1 0"', 'xyz="0 0 0.1"', 'xyz="0 0 0"', "", 'xyz="a"']
+)
+def test_a_tensor_along_other_axes_or_without_products_tells_no_point(origin):
+    """As it is about a centre that lies on an axis of the link."""
+    tensor = 'ixx="0.03" iyy="0.11" izz="0.09" ixy="0" ixz="-0.04" iyz="0"'
+    mass = f'<inertial><origin {origin}/><mass value="2"/><inertia {tensor}/></inertial>'
+
+    assert found("transfer", link("hand", mass)) == []

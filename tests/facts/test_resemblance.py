@@ -23,6 +23,8 @@ def resembled(kind: str) -> list[str]:
     [
         ("Lenght", "Length"),
         ("Angel", "Angle"),
+        ("Legth", "Length"),
+        ("Torqua", "Torque"),
         ("torque", "Torque"),
         ("linear-velocity", "LinearVelocity"),
         ("AngularVelocitiy", "AngularVelocity"),

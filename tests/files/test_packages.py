@@ -1,5 +1,7 @@
 """Packages are found where users, workspaces and environments keep them, and nowhere else."""
 
+import os
+
 import pytest
 
 from kinlint.files import packages
@@ -117,3 +119,19 @@ def test_uris(tmp_path):
     assert found.resolve("package://table/model.sdf", near) is None
     assert found.resolve("meshes/a.stl", near) is None
     assert found.resolve("https://example.org/a.stl", near) is None
+
+
+def test_the_search_ends_whatever_links_and_pipes_lie_in_the_way(tmp_path):
+    """A link to itself, one to the directory above, and a manifest that nobody ever writes."""
+    arm = tmp_path / "arm"
+    (arm / "urdf").mkdir(parents=True)
+    (arm / "self").symlink_to("self")
+    (arm / "up").symlink_to("..")
+    (tmp_path / "pipe").mkdir()
+    os.mkfifo(tmp_path / "pipe" / "package.xml")
+    (arm / "package.xml").write_text("<package><name>arm_description</name></package>")
+    packages = Packages(workspace=tmp_path, environment={"ROS_PACKAGE_PATH": str(arm / "up")})
+    assert packages.find("arm_description", arm / "urdf") == arm
+    assert packages.find("hand", arm / "urdf") is None
+    assert packages.find("..", arm / "urdf") is None
+    assert packages.resolve("package://../../etc/passwd", arm) is None

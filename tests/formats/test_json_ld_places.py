@@ -147,3 +147,11 @@ def test_every_place_says_what_is_there(text: str) -> None:
 @given(TEXTS)
 def test_the_triples_are_those_of_pyld(text: str) -> None:
     assert ours(document(text)) == theirs(json.loads(text))
+
+
+def test_zero_and_minus_zero_are_told_apart_in_any_order() -> None:
+    for zeros in (["0.0", "-0.0"], ["-0.0", "0.0"]):
+        values = ", ".join(zeros)
+        read = document(f'{{"@context": {json.dumps(CONTEXT)}, "list": [], "real": [{values}]}}')
+        found = [value for _, prop, value in domain(read) if prop.endswith("#real>")]
+        assert [value[1:].partition('"')[0] for value in found] == [f"{zero}E0" for zero in zeros]

@@ -10,12 +10,18 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
+from kinlint.terms import Triple
 
 
-def robot(*paths: Path) -> Robot:
-    """The robot that the files at *paths* describe together."""
+def triples(*paths: Path) -> tuple[Triple, ...]:
+    """What the files at *paths* say together, and what is lifted from it."""
     documents = [read(decode(path.name, path.read_bytes()), ReadOptions()) for path in paths]
     store = Store()
     store.load(documents)
     lift(store)
-    return Robot((*(each for one in documents for each in one.statements), *store.lifted()))
+    return (*(each for one in documents for each in one.statements), *store.lifted())
+
+
+def robot(*paths: Path) -> Robot:
+    """The robot that the files at *paths* describe together."""
+    return Robot(triples(*paths))

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-import os
 import random
-import sys
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import pytest
 from data import locate_data
 from lifted import robot
+from pinocchio_robots import ROOT, configuration, silence
 from robot import ZERO, Inertia, Motion, Robot
 
 from kinlint.errors import SourceError
@@ -20,9 +18,6 @@ from kinlint.facts.linear import scale
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 3
-ROOT = "what the root moves by"
-"""The name of a joint that Pinocchio puts above the root, so that it keeps the root's inertia."""
-
 FEWEST = 250
 """Of the robots in the data, this many at least are compared."""
 
@@ -47,7 +42,7 @@ def compared() -> list[Compared]:
     found = []
     for path in sorted(data.rglob("*.urdf")):
         try:
-            with _silence():
+            with silence():
                 model = pin.buildModelFromUrdf(str(path), pin.JointModelFreeFlyer(), ROOT)
         except (ValueError, RuntimeError):
             continue
@@ -75,7 +70,7 @@ def _compare(pin: Any, path: str, model: Any, ours: Robot) -> Compared:
     random_numbers = random.Random(path)  # noqa: S311
     data, places = model.createData(), 0.0
     for _ in range(CONFIGURATIONS):
-        positions, q = _configuration(pin, model, random_numbers)
+        positions, q = configuration(pin, model, lambda _: random_numbers)
         pin.framesForwardKinematics(model, data, q)
         where = ours.places(_frame(ours, links[0].name), positions)
         first = data.oMf[model.getFrameId(links[0].name, pin.FrameType.BODY)]
@@ -88,35 +83,6 @@ def _compare(pin: Any, path: str, model: Any, ours: Robot) -> Compared:
 
 def _frame(ours: Robot, link: str) -> str:
     return ours.bodies[link][:-1] + "/frame>"
-
-
-def _configuration(
-    pin: Any, model: Any, numbers: random.Random
-) -> tuple[Mapping[str, Sequence[float]], Any]:
-    """A position of each joint by name, and the same as Pinocchio's configuration vector."""
-    q = pin.neutral(model)
-    positions: dict[str, Sequence[float]] = {}
-    for index in range(1, model.njoints):
-        joint = model.joints[index]
-        angle = numbers.uniform(-3.0, 3.0)
-        at = slice(joint.idx_q, joint.idx_q + joint.nq)
-        match joint.nq:
-            case 1:
-                positions[model.names[index]] = [angle]
-                q[at] = [angle]
-            case 2:
-                positions[model.names[index]] = [angle]
-                q[at] = [math.cos(angle), math.sin(angle)]
-            case 4:
-                x, y = (numbers.uniform(-1.0, 1.0) for _ in range(2))
-                positions[model.names[index]] = [x, y, angle]
-                q[at] = [x, y, math.cos(angle), math.sin(angle)]
-            case 7:
-                free = [numbers.uniform(-1.0, 1.0) for _ in range(7)]
-                norm = math.hypot(*free[3:])
-                positions[model.names[index]] = [*free[:3], *(each / norm for each in free[3:])]
-                q[at] = positions[model.names[index]]
-    return positions, q
 
 
 def _apart(ours: Motion, theirs: Any) -> float:
@@ -163,18 +129,3 @@ def _lumps(model: Any, ours: Robot) -> Mapping[str, Inertia]:
         joint = carried.get(frame, ROOT)
         lumps[joint] = lumps.get(joint, NOTHING).with_(seen)
     return lumps
-
-
-@contextmanager
-def _silence() -> Iterator[None]:
-    """What Pinocchio's parser prints goes nowhere."""
-    sys.stderr.flush()
-    kept = os.dup(2)
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 2)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(kept)
-        os.close(nowhere)

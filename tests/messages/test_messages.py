@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import lint, rulebook
+from kinlint import lint
+from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.formats.registry import decode
 from kinlint.formats.xml.recognition import sniff

@@ -7,7 +7,17 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from kinlint.model import Example, Finding, Premise, Related, Rule, Severity
+from kinlint.model import (
+    Applicability,
+    Example,
+    Finding,
+    Fix,
+    Premise,
+    Related,
+    Rule,
+    Severity,
+    TextEdit,
+)
 from kinlint.report import Report
 from kinlint.reporters.style import Style
 from kinlint.text import Location, SourceText, Span
@@ -122,6 +132,22 @@ INERTIA_FINDING = Finding(
 UNIT_FINDING = unit_finding(at(DYNAMICS, '"M"'))
 
 
+def edit(source: SourceText, token: str, text: str) -> TextEdit:
+    """*text* in the place of *token*."""
+    return TextEdit(at(source, token), text)
+
+
+def fix(*edits: TextEdit, **changes: Any) -> Fix:
+    """A fix that makes *edits*; safe, unless *changes* say otherwise."""
+    made = Fix("Express it in frame 'rob:link2-root'", Applicability.SAFE, edits, "DELETE WHERE {}")
+    return replace(made, **changes)
+
+
+SAFE = fix(edit(DYNAMICS, '"rob:link1-root"', '"rob:link2-root"'))
+UNSAFE = replace(SAFE, applicability=Applicability.UNSAFE, why="The numbers stay as they are.")
+DISPLAY = replace(SAFE, applicability=Applicability.DISPLAY, why="Nobody knows.")
+
+
 def report(*findings: Finding, **fields: Any) -> Report:
     """A report of *findings* in order."""
     names = {finding.location.source.name: None for finding in findings}
@@ -147,6 +173,36 @@ def locations(draw: st.DrawFn) -> Location:
     end = draw(st.integers(start, min(len(text), start + 40)))
     source = SourceText(draw(names), text, bom=draw(st.booleans()))
     return Location(source, Span(start, end))
+
+
+@st.composite
+def edits_in(draw: st.DrawFn, source: SourceText) -> tuple[TextEdit, ...]:
+    """Any edits of *source* in order; none touches another or parts a CR from its LF."""
+    text = source.text
+    whole = [at for at in range(len(text) + 1) if text[max(0, at - 1) : at + 1] != "\r\n"]
+    offsets = sorted(draw(st.lists(st.sampled_from(whole), min_size=2, max_size=6)))
+    edits: list[TextEdit] = []
+    for start, end in zip(offsets[::2], offsets[1::2], strict=False):
+        if not edits or start > edits[-1].location.span.end:
+            edits.append(TextEdit(Location(source, Span(start, end)), draw(messages)))
+    return tuple(edits)
+
+
+@st.composite
+def fixes_in(draw: st.DrawFn, source: SourceText) -> Fix:
+    """Any fix that changes *source*."""
+    terms = st.sampled_from(
+        ["<https://example.org/a>", "<https://example.org/a b>", "_:b 0", '"é"']
+    )
+    triples = st.lists(st.tuples(terms, st.just("<https://example.org/p>"), terms), max_size=2)
+    return fix(
+        *draw(edits_in(source)),
+        title=draw(messages),
+        applicability=draw(st.sampled_from(Applicability)),
+        why=draw(messages),
+        removed=tuple(one for one in draw(triples) if not one[0].startswith('"')),
+        added=tuple(one for one in draw(triples) if not one[0].startswith('"')),
+    )
 
 
 @st.composite
@@ -197,4 +253,9 @@ def reports(draw: st.DrawFn) -> Report:
         )
         for finding in found
     ]
-    return report(*settled)
+    return report(
+        *(
+            replace(one, fixes=tuple(draw(st.lists(fixes_in(one.location.source), max_size=2))))
+            for one in settled
+        )
+    )

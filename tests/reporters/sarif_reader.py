@@ -10,6 +10,11 @@ from urllib.parse import unquote
 
 from kinlint.text import SourceText
 
+LINE_END = re.compile("\r\n|\n|\r")
+INDENTATION = re.compile(
+    "[\t\n\v\f\r \xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]*"
+)
+"""What JavaScript's `\\s*` matches."""
 LINK = re.compile(r"(?<!\\)(?:\\\\)*\[(?:\\.|[^\[\]\\])*\]\((\d+)\)")
 
 
@@ -82,3 +87,40 @@ def overlapping(replacements: list[dict[str, Any]]) -> bool:
     regions = [one["deletedRegion"] for one in replacements]
     spans = sorted((r["charOffset"], r["charOffset"] + r["charLength"]) for r in regions)
     return any(end > start for (_, end), (start, _) in pairwise(spans))
+
+
+def by_specification(source: SourceText, change: dict[str, Any]) -> str:
+    """The text after *change*, by offset and length in UTF-16 units (SARIF 2.1.0, 3.56, 3.57)."""
+    pieces, at = [], 0
+    for one in change["replacements"]:
+        region = one["deletedRegion"]
+        pieces += [units(source.text)[2 * at : 2 * region["charOffset"]]]
+        pieces += [units(one["insertedContent"]["text"])]
+        at = region["charOffset"] + region["charLength"]
+    joined = b"".join([*pieces, units(source.text)[2 * at :]])
+    return joined.decode("utf-16-le", "surrogatepass")
+
+
+def by_viewer(source: SourceText, change: dict[str, Any]) -> str:
+    """The text after *change* as the viewer of VS Code makes it.
+
+    It goes by lines and columns, and begins no earlier than the first character of a line that is
+    no blank.
+    """
+    lines = [units(line) for line in LINE_END.split(source.text)]
+    ends = [0, *(len(units(source.text[: one.end()])) for one in LINE_END.finditer(source.text))]
+
+    def offset(line: int, column: int) -> int:
+        return ends[line] + 2 * min(column, len(lines[line]) // 2)
+
+    pieces, at = [], 0
+    for one in change["replacements"]:
+        region = one["deletedRegion"]
+        line = region["startLine"] - 1
+        match = INDENTATION.match(lines[line].decode("utf-16-le", "surrogatepass"))
+        assert match
+        start = offset(line, max(match.end(), region["startColumn"] - 1))
+        pieces += [units(source.text)[at:start], units(one["insertedContent"]["text"])]
+        at = offset(region["endLine"] - 1, region["endColumn"] - 1)
+    joined = b"".join([*pieces, units(source.text)[at:]])
+    return joined.decode("utf-16-le", "surrogatepass")

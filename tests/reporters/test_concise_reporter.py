@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 
 from hypothesis import given
-from reported import BOTH, here, report, reports, unit_finding
+from reported import BOTH, INERTIA_FINDING, SAFE, UNSAFE, here, report, reports, unit_finding
 
 from kinlint.errors import SourceError
 from kinlint.report import Report
@@ -25,6 +25,13 @@ def test_each_finding_is_one_gnu_line() -> None:
 def test_line_ends_in_a_message_are_folded() -> None:
     finding = unit_finding(here("x", 0, 1), message="one\r\n  two\n\nthree")
     assert "".join(render(report(finding), Style())).endswith(": one two three [UNI002]\n")
+
+
+def test_what_can_be_fixed_has_a_sign_before_the_message() -> None:
+    """The code stays last, where editors look for it."""
+    for fix, unsafe, sign in ((SAFE, None, "[*]"), (UNSAFE, None, "[*!]"), (UNSAFE, True, "[*]")):
+        made = report(replace(INERTIA_FINDING, fixes=(fix,)), unsafe=unsafe)
+        assert f": error: {sign} Inertia " in "".join(render(made, Style()))
 
 
 def test_a_suppressed_finding_is_called_so() -> None:

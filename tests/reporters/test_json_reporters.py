@@ -5,7 +5,17 @@ from dataclasses import replace
 from typing import Any
 
 from hypothesis import given
-from reported import BOTH, PLAIN, here, report, reports, unit_finding
+from reported import (
+    BOTH,
+    INERTIA_FINDING,
+    PLAIN,
+    SAFE,
+    UNSAFE,
+    here,
+    report,
+    reports,
+    unit_finding,
+)
 
 from kinlint.errors import SourceError
 from kinlint.report import Report
@@ -34,6 +44,7 @@ def test_an_object_has_the_fields_of_ruff_and_ours() -> None:
         "severity": "warning",
         "url": "https://w3id.org/kinlint/rules/unit-quantity-mismatch",
         "fix": None,
+        "fixes": [],
         "iri": "https://example.org/robot#length",
         "related": [],
         "because": [],
@@ -55,6 +66,28 @@ def test_an_object_has_the_fields_of_ruff_and_ours() -> None:
         "end_location": None,
     }
     assert first["because"][2]["filename"] == "models/skeleton.jsonld"
+
+
+def test_a_fix_has_the_fields_of_ruff_and_the_first_is_preferred() -> None:
+    """Edits are in the places of the file, and name it: a fix may change several."""
+    (told,) = array(report(replace(INERTIA_FINDING, fixes=(UNSAFE, SAFE))))
+    assert told["fix"] == told["fixes"][0]
+    assert told["fix"] == {
+        "applicability": "unsafe",
+        "message": "Express it in frame 'rob:link2-root'",
+        "why": "The numbers stay as they are.",
+        "update": "DELETE WHERE {}",
+        "edits": [
+            {
+                "content": '"rob:link2-root"',
+                "filename": "models/dynamics.jsonld",
+                "location": {"row": 7, "column": 21},
+                "end_location": {"row": 7, "column": 37},
+            }
+        ],
+    }
+    assert [fix["applicability"] for fix in told["fixes"]] == ["unsafe", "safe"]
+    assert told["fixes"][1]["why"] is None
 
 
 def test_no_findings_are_an_empty_array_and_no_lines() -> None:

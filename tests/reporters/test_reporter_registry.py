@@ -7,9 +7,10 @@ import sys
 from dataclasses import replace
 
 import pytest
-from reported import BOTH, here, report, unit_finding
+from reported import BOTH, INERTIA_FINDING, SAFE, UNSAFE, here, report, unit_finding
 
 from kinlint.errors import UsageError
+from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters import registry
 from kinlint.reporters.style import Style
@@ -68,10 +69,48 @@ def test_statistics_count_by_rule() -> None:
     assert out.getvalue() == ""
 
 
+def test_statistics_have_the_severities_of_the_findings() -> None:
+    """Not that of the rule: targets, formats and the configuration may have set another."""
+    usual = unit_finding(here("x", 0, 1))
+    mild = replace(usual, severity=Severity.INFO)
+
+    assert "  warning,info  " in written_statistics(report(mild, usual))[0]
+    assert "  info  " in written_statistics(report(mild))[0]
+
+
+def test_statistics_say_what_can_be_fixed_if_anything_can() -> None:
+    """All of a rule's findings, all with care, some, or none."""
+    other = replace(SAFE, edits=())
+    findings = [
+        replace(INERTIA_FINDING, fixes=(UNSAFE,)),
+        unit_finding(here("x", 0, 1), fixes=(other,)),
+        unit_finding(here("y", 0, 1)),
+    ]
+    table = written_statistics(report(*findings))
+    assert table == [
+        "2  UNI002  [-]   warning  AP5,AP6  unit-quantity-mismatch",
+        "1  INE007  [*!]  error    AP3      inertia-seen-by-foreign-frame",
+    ]
+    assert "  [*]  error" in written_statistics(report(findings[0], unsafe=True))[0]
+    assert "  -    error" in written_statistics(report(INERTIA_FINDING, findings[1]))[0]
+
+
+def written_statistics(made: Report) -> list[str]:
+    registry.write_statistics(made, out := io.StringIO())
+    return out.getvalue().splitlines()
+
+
+def test_only_formats_that_tell_of_fixes_need_them() -> None:
+    """Working fixes out takes time; where there is a line for a finding, there is no place."""
+    told = [name for name, one in registry.FORMATS.items() if not one.fixes]
+    assert told == ["concise", "github"]
+
+
 @pytest.mark.parametrize("style", [Style(color=True), Style(color=True, links=True, unicode=False)])
 def test_statistics_are_drawn_as_a_table_in_colour(style: Style) -> None:
     out = io.StringIO()
-    registry.write_statistics(BOTH, out, style)
+    registry.write_statistics(report(replace(INERTIA_FINDING, fixes=(SAFE,))), out, style)
+    assert "[*]" in out.getvalue()
     assert "Anti-patterns" in out.getvalue()
     assert "\x1b[" in out.getvalue()
     assert ("\x1b]8;" in out.getvalue()) is style.links

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from reported import INERTIA, RULES
 
-from kinlint.model import Example
+from kinlint.model import Applicability, Example, Repair
 from kinlint.reporters import rule_page
 from kinlint.reporters.example import marked
 from kinlint.reporters.style import Style
@@ -49,6 +49,47 @@ See also:
     )
 
 
+REPAIR = Repair(
+    title="Swap the limits",
+    applicability=Applicability.UNSAFE,
+    update="DELETE { $this kin:lower ?lower }\nWHERE { $this kin:lower ?lower }",
+    query="",
+    variables=(),
+    removed=(),
+    added=(),
+    why="Either number\n   may be the wrong one.",
+    formats=("urdf", "sdf"),
+)
+SURE = replace(REPAIR, applicability=Applicability.SAFE, why="")
+MENDED = replace(INERTIA, repairs=(REPAIR, SURE))
+
+
+def test_the_page_tells_what_a_fix_does_and_how_far_to_trust_it() -> None:
+    """With the update, as it stands in the rule file."""
+    page = "".join(rule_page.text(MENDED, Style()))
+    assert (
+        """
+Fix: Swap the limits in urdf and sdf (unsafe, so only --fix --unsafe-fixes makes
+it). Either number may be the wrong one.
+
+    DELETE { $this kin:lower ?lower }
+    WHERE { $this kin:lower ?lower }
+
+Fix: Swap the limits in urdf and sdf (safe, so --fix makes it).
+"""
+        in page
+    )
+    assert "```sparql\nDELETE { $this" in rule_page.markdown(MENDED)
+    assert rule_page.rule_object(MENDED)["fixes"][0] == {
+        "title": "Swap the limits",
+        "applicability": "unsafe",
+        "why": "Either number may be the wrong one.",
+        "formats": ["urdf", "sdf"],
+        "update": REPAIR.update,
+    }
+    assert "| error | AP3 | safe | inertia is" in "".join(rule_page.catalogue([MENDED]))
+
+
 def test_the_page_is_drawn_where_there_are_colours() -> None:
     text = "".join(rule_page.text(INERTIA, Style(color=True)))
     assert "\x1b[" in text
@@ -80,12 +121,15 @@ def test_the_object_has_examples_without_marks_and_where_they_were() -> None:
 
 def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -> None:
     page = "".join(rule_page.catalogue(reversed(RULES)))
-    table = "| Code | Name | Severity | Anti-patterns | What it finds |\n|---|---|---|---|---|\n"
+    table = (
+        "| Code | Name | Severity | Anti-patterns | Fix | What it finds |\n"
+        "|---|---|---|---|---|---|\n"
+    )
     assert page.startswith("# The rules of kinlint\n")
     assert (
         f"\n### inertia (INE)\n\n{table}"
         "| INE007 | [inertia-seen-by-foreign-frame](#ine007-inertia-seen-by-foreign-frame) "
-        "| error | AP3 | inertia is seen by a frame of another body |\n"
+        "| error | AP3 |  | inertia is seen by a frame of another body |\n"
         f"\n### other (UNI)\n\n{table}"
     ) in page
     assert page.count("\n## ") == 3 + len(RULES)

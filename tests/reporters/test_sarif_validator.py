@@ -16,7 +16,17 @@ from typing import Any
 import jsonschema
 import pytest
 from hypothesis import given, settings
-from reported import BOTH, INERTIA_FINDING, RULES, here, report, reports, unit_finding
+from reported import (
+    BOTH,
+    INERTIA_FINDING,
+    RULES,
+    SAFE,
+    UNSAFE,
+    here,
+    report,
+    reports,
+    unit_finding,
+)
 
 from kinlint.errors import SourceError
 from kinlint.model import Finding
@@ -59,6 +69,7 @@ CASES = {
         *(unit_finding(here("{}", 0, 1, n)) for n in ("../x.jsonld", "/abs/y.jsonld", "<stdin>"))
     ),
     "suppressed": report(replace(INERTIA_FINDING, suppressed="known"), *BOTH.findings[1:]),
+    "fixes": report(replace(INERTIA_FINDING, fixes=(UNSAFE, SAFE)), *BOTH.findings[1:]),
     "free text": report(unit_finding(here("{}", 0, 1), message="[a](7) {0}", template="")),
 }
 

@@ -3,13 +3,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from reported import BOTH, RULES, here, report, unit_finding
+from reported import BOTH, DISPLAY, INERTIA_FINDING, RULES, SAFE, UNSAFE, here, report, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Severity
+from kinlint.model import Fix, Severity
 from kinlint.report import Report
+from kinlint.reporters.fixed import listing, verdict
 from kinlint.reporters.style import Style
-from kinlint.reporters.summary import summary
+from kinlint.reporters.summary import hint, summary
 
 UNREAD = SourceError("bad.jsonld", "no JSON")
 WARNING = unit_finding(here("x", 0, 1))
@@ -83,3 +84,79 @@ def test_what_is_shown_though_suppressed_is_no_finding() -> None:
 )
 def test_a_run_without_findings_never_passes_silently(made: Report, expected: str) -> None:
     assert said(made) == expected + "\n"
+
+
+@pytest.mark.parametrize(
+    ("fixes", "unsafe", "expected"),
+    [
+        ([], None, ""),
+        ([SAFE], None, "[*] 1 fixable with `--fix`.\n"),
+        (
+            [SAFE, UNSAFE, UNSAFE],
+            None,
+            "[*] 1 fixable with `--fix` ([*!] 2 more with `--fix --unsafe-fixes`).\n",
+        ),
+        ([UNSAFE], None, "[*!] 1 fixable with `--fix --unsafe-fixes`.\n"),
+        ([SAFE, UNSAFE], True, "[*] 2 fixable with `--fix`.\n"),
+        ([SAFE, UNSAFE], False, "[*] 1 fixable with `--fix`.\n"),
+        ([UNSAFE], False, ""),
+        ([DISPLAY], None, ""),
+    ],
+)
+def test_the_last_line_tells_what_can_be_fixed(
+    fixes: list[Fix],
+    unsafe: bool | None,  # noqa: FBT001
+    expected: str,
+) -> None:
+    """Unsafe fixes are not even hinted at where the configuration says no to them."""
+    findings = [replace(INERTIA_FINDING, fixes=(one,)) for one in fixes]
+    silent = replace(INERTIA_FINDING, fixes=(SAFE,), suppressed="known")
+    made = report(*findings, silent, unsafe=unsafe)
+    assert "".join(hint(made)) == expected
+    assert said(made).endswith(expected)
+
+
+MENDED = report(
+    ERROR,
+    fixed=(
+        replace(INERTIA_FINDING, fixes=(SAFE,)),
+        unit_finding(here("x", name="a.jsonld")),
+        unit_finding(here("x", name="a.jsonld")),
+        replace(ERROR, location=here("x", name="a.jsonld"), rule=RULES[0]),
+    ),
+)
+
+
+def test_a_run_that_fixes_tells_what_it_fixed_and_what_is_left() -> None:
+    assert said(MENDED) == "Found 3 errors and 2 warnings (4 fixed, 1 remaining).\n"
+    assert said(replace(MENDED, findings=())) == (
+        "Found 2 errors and 2 warnings (4 fixed, 0 remaining).\n"
+    )
+
+
+def test_what_was_fixed_is_listed_by_file_and_rule() -> None:
+    assert "".join(listing(MENDED, Style())) == (
+        """\
+Fixed 2 errors and 2 warnings:
+- models/dynamics.jsonld:
+    1 x INE007 (inertia-seen-by-foreign-frame)
+- a.jsonld:
+    2 x UNI002 (unit-quantity-mismatch)
+    1 x INE007 (inertia-seen-by-foreign-frame)
+
+"""
+    )
+    assert "".join(listing(MENDED, Style(), would=True)).startswith("Would fix 2 errors and ")
+    assert "".join(listing(report(ERROR), Style())) == ""
+
+
+def test_a_run_that_only_fixes_says_how_much() -> None:
+    left = report(replace(ERROR, fixes=(UNSAFE,)), fixed=MENDED.fixed)
+    assert "".join(verdict(left)) == (
+        "Fixed 2 errors and 2 warnings (1 more with `--unsafe-fixes`).\n"
+    )
+    assert "".join(verdict(replace(left, unsafe=False))) == "Fixed 2 errors and 2 warnings.\n"
+    assert "".join(verdict(report(ERROR), would=True)) == "Would fix nothing.\n"
+    assert "".join(verdict(replace(left, fixed=()))) == (
+        "Fixed nothing (1 fixable with `--unsafe-fixes`).\n"
+    )

@@ -1,8 +1,11 @@
 """Included files are read as if they were written where they are included, and stay themselves."""
 
+import os
+
 import pytest
 from reading_sdf import file, losses, numbers, paths, said
 
+from kinlint.formats.sdf import reader
 from kinlint.terms import is_literal, literal_value
 
 HAND = """<sdf version="1.9">
@@ -177,3 +180,20 @@ def test_a_manifest_may_name_a_file_that_is_not_there(folder):
     (folder / "hand" / "model.config").write_text('<model><sdf version="1.9">x.sdf</sdf></model>')
     read = arm(folder, "<include><uri>hand</uri></include>", "base")
     assert "x.sdf" in losses(read, "UnresolvedInclude")[0]["reason"]
+
+
+@pytest.mark.parametrize("uri", ["/dev/zero", "file:///dev/zero", "pipe", "/dev/stdin"])
+def test_what_never_ends_is_not_included(folder, uri):
+    os.mkfifo(folder / "pipe")
+    (folder / "arm.sdf").write_text(ARM.format(f"<include><uri>{uri}</uri></include>", ""))
+    (loss,) = losses(file(folder / "arm.sdf"), "UnresolvedInclude")
+    assert loss["written"] == uri
+    assert loss["reason"].endswith("is not a file")
+
+
+def test_what_is_included_is_bounded_in_all(folder, monkeypatch):
+    monkeypatch.setattr(reader, "MOST_STATED", 20)
+    names = "".join(f"<include><name>n{i}</name><uri>hand</uri></include>" for i in range(4))
+    (folder / "arm.sdf").write_text(ARM.format(names, ""))
+    found = losses(file(folder / "arm.sdf"), "UnresolvedInclude")
+    assert [each["reason"] for each in found] == ["what is included is too large"] * 3

@@ -13,6 +13,7 @@ import xacro
 from data import locate_data
 
 from kinlint.files.packages import Packages
+from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode
 from kinlint.formats.xacro.files import Pieces
 from kinlint.formats.xacro.session import Expansion, Session
@@ -53,7 +54,7 @@ def finding(packages: Packages, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def expand(path: Path, packages: Packages) -> tuple[Expansion, str]:
-    pieces = Pieces(decode(str(path), path.read_bytes()), path, {})
+    pieces = Pieces(decode(str(path), path.read_bytes()), path, ReadOptions())
     expansion = Session(pieces, {}, packages).expand()
     return expansion, "" if expansion.fault else write(expansion.parsed, pieces).text
 
@@ -94,7 +95,7 @@ def test_expansions_are_those_of_xacro(home: Path, packages: Packages) -> None:
 def test_every_character_is_accounted_for(home: Path, packages: Packages) -> None:
     """What is marked as copied stands in the texts as it stands in the expansion."""
     for path in sorted(home.rglob("*.xacro")):
-        pieces = Pieces(decode(str(path), path.read_bytes()), path, {})
+        pieces = Pieces(decode(str(path), path.read_bytes()), path, ReadOptions())
         expansion = Session(pieces, {}, packages).expand()
         if expansion.fault is not None:
             continue

@@ -13,6 +13,7 @@ from kinlint.formats.xml import elements, parsing
 
 HEAD, END = "<robot name='a'>", "</robot>"
 MANY = 30_000
+MANY_ATTRIBUTES = " ".join(f'b{k}=""' for k in range(1001))
 
 
 def entity(level: int) -> str:
@@ -91,6 +92,9 @@ def test_size_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(SourceError, match="more than 3 elements") as caught:
         model(f"{HEAD}\n<a/><a/>\n <a/><b/></robot>")
     assert (caught.value.line, caught.value.column) == (3, 2)
+    with pytest.raises(SourceError, match="more than 1000 attributes") as caught:
+        model(f"{HEAD}\n <a {MANY_ATTRIBUTES}/></robot>")
+    assert (caught.value.line, caught.value.column) == (2, 2)
     monkeypatch.setattr(parsing, "MOST_CHARACTERS", 10)
     with pytest.raises(SourceError, match="more than 10 characters"):
         model(f"{HEAD}</robot>")

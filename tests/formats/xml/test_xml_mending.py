@@ -28,6 +28,10 @@ from kinlint.errors import SourceError
         ),
         (
             "<!-- x --><?xml version='1.0'?>\n<r name='a'/>",
+            [("<?xml version='1.0'?>", "an XML declaration behind other content")],
+        ),
+        (
+            "<?xml version='1.0'?>\n<?xml version='1.0'?><r name='a'/>",
             [("<?xml version='1.0'?>", "an XML declaration that is not at the very beginning")],
         ),
         ("<r name='a'/>\n\0\n", [("\0", "the character U+0000")]),

@@ -60,7 +60,7 @@ def test_every_type_is_reached_from_a_root() -> None:
         (("number",), False, "inf", None),
         (("number",), False, "1e999", None),
         (("number",), False, "1e-999", "1e-999"),
-        (("number",), True, "1e999", "1e999"),
+        (("number",), True, "1e999", None),
         (("number",), True, "-Inf", "-INF"),
         (("number",), True, "nan", "NaN"),
         (("integer",), False, "+3", "+3"),

@@ -1,0 +1,129 @@
+"""`--fix`, `--fix-only`, `--diff`: what they write, print and return."""
+
+import io
+import sys
+
+import pytest
+
+from kinlint.cli import fixing
+from kinlint.files import replacement as files
+
+ARM = """<?xml version="1.0"?>\r
+<robot name="arm">\r
+  <link name="base"/>\r
+  <link name="hand"/>\r
+  <joint name="elbow" type="revolute">\r
+    <parent link="base"/><child link="hand"/><axis xyz="0 0 1"/>\r
+    <limit lower="2.60" upper="-2.6" effort="10" velocity="1"/>   <!-- wrong -->\r
+  </joint>\r
+</robot>"""
+FIXED = ARM.replace('lower="2.60" upper="-2.6"', 'lower="-2.6" upper="2.60"')
+ONLY = ("--select", "LIM001", "--unsafe-fixes")
+
+
+@pytest.fixture
+def arm(here):
+    """A file with one fault, CRLF line ends, and no line end at its end."""
+    path = here / "arm.urdf"
+    path.write_bytes(ARM.encode())
+    return path
+
+
+def test_fix_writes_and_reports_what_is_left(kinlint, arm):
+    """Every other byte stays; a second run changes nothing."""
+    code, out, _ = kinlint("arm.urdf", "--fix", *ONLY)
+    assert (code, arm.read_bytes()) == (0, FIXED.encode())
+    assert "1 fixed" in out
+
+    before = arm.stat().st_mtime_ns
+    assert kinlint("arm.urdf", "--fix", *ONLY)[0] == 0
+    assert (arm.read_bytes(), arm.stat().st_mtime_ns) == (FIXED.encode(), before)
+
+
+def test_unsafe_fixes_are_not_made_unless_asked_for(kinlint, arm):
+    """And the summary says that they are there."""
+    code, out, _ = kinlint("arm.urdf", "--fix", "--select", "LIM001")
+
+    assert (code, arm.read_bytes()) == (1, ARM.encode())
+    assert "1 fixable with `--fix --unsafe-fixes`" in out
+
+
+def test_exit_codes(kinlint, arm):
+    """`--exit-non-zero-on-fix` tells that something was changed; `--diff` that it would be."""
+    assert kinlint("arm.urdf", "--diff", *ONLY)[0] == 1
+    assert arm.read_bytes() == ARM.encode()
+    assert kinlint("arm.urdf", "--fix-only", "--exit-non-zero-on-fix", *ONLY)[0] == 1
+    assert arm.read_bytes() == FIXED.encode()
+    assert kinlint("arm.urdf", "--fix-only", "--exit-non-zero-on-fix", *ONLY)[0] == 0
+    assert kinlint("arm.urdf", "--diff", *ONLY)[0] == 0
+
+
+def test_rules_may_be_left_out(kinlint, arm):
+    """`--unfixable` and `--fixable` take selectors."""
+    kinlint("arm.urdf", "--fix", "--unfixable", "LIM", *ONLY)
+    assert arm.read_bytes() == ARM.encode()
+    kinlint("arm.urdf", "--fix", "--fixable", "TOP", *ONLY)
+    assert arm.read_bytes() == ARM.encode()
+    kinlint("arm.urdf", "--fix", "--fixable", "LIM001", *ONLY)
+    assert arm.read_bytes() == FIXED.encode()
+
+
+def test_standard_input_comes_out_mended(kinlint, here, capsys, monkeypatch):
+    """The text on standard output, the report aside."""
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(ARM.encode())))
+    code, out, err = kinlint("-", "--stdin-filename", "arm.urdf", "--fix", *ONLY)
+
+    assert (code, out) == (0, FIXED)
+    assert "1 fixed" in err
+
+
+def test_a_file_that_changed_meanwhile_is_not_overwritten(kinlint, arm, monkeypatch):
+    """It is reported, with exit code 2."""
+    mended = fixing.mended
+
+    def meanwhile(*given):
+        outcome = mended(*given)
+        arm.write_bytes(ARM.replace("base", "root").encode())
+        return outcome
+
+    monkeypatch.setattr(fixing, "mended", meanwhile)
+    code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
+
+    assert code == 2
+    assert "the file has changed since it was read" in out + err
+    assert b"root" in arm.read_bytes()
+
+
+def test_a_file_that_cannot_be_written(kinlint, arm, monkeypatch):
+    """An error that names the file, with exit code 2, and the file as it was."""
+
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(files.tempfile, "mkstemp", refuse)
+    code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
+
+    assert (code, arm.read_bytes()) == (2, ARM.encode())
+    assert "arm.urdf: not fixed: Permission denied" in out + err
+
+
+def test_links_and_modes_stay(kinlint, arm, here):
+    """The linked file is mended, the link stays one."""
+    arm.chmod(0o600)
+    (here / "link.urdf").symlink_to("arm.urdf")
+    kinlint("link.urdf", "--fix", *ONLY)
+
+    assert (here / "link.urdf").is_symlink()
+    assert (arm.read_bytes(), arm.stat().st_mode & 0o777) == (FIXED.encode(), 0o600)
+    assert sorted(each.name for each in here.iterdir()) == ["arm.urdf", "link.urdf"]
+
+
+def test_why_a_repair_is_not_offered_is_told_if_asked(kinlint, here):
+    """Under `-v`."""
+    text = ARM.replace('lower="2.60" upper="-2.6"', 'lower="${2.6}" upper="-2.6"')
+    robot = text.replace("<robot", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"')
+    (here / "arm.urdf.xacro").write_text(robot)
+    code, _, err = kinlint("arm.urdf.xacro", "-v", *ONLY)
+
+    assert code == 1
+    assert "LIM001 at arm.urdf.xacro:7:19 has no fix 'Swap the two limits': " in err
