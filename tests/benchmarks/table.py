@@ -50,7 +50,8 @@ def duration(seconds: float) -> str:
 
 def _ratio(row: Row) -> str:
     if row.form == "faster":
-        return f"{row.ratio:,.0f} times faster"
+        slower = row.ratio < 1
+        return f"{1 / row.ratio:,.0f} times slower" if slower else f"{row.ratio:,.0f} times faster"
     return f"{row.ratio:.2f} times as long"
 
 

