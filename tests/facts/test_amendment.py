@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from described import amended, inertial, link
+from described import amended, found, inertial, link
 
 HERE = '<origin xyz="0 0 0.1" rpy="0 0.2 0"/>'
 TENSOR = '<inertia ixx="{}" iyy="{}" izz="{}" ixy="{}" ixz="{}" iyz="{}"/>'
@@ -138,6 +138,39 @@ def test_a_tensor_about_the_origin_moves_to_the_centre():
     assert amended("shift", tensor(0.03, 0.11, 0.09, origin="", mass=2.0)) == {}
     turned = '<origin xyz="0.2 0 0.1" rpy="0 0.2 0"/>'
     assert amended("shift", tensor(9.0, 9.0, 9.0, origin=turned)) == {}
+
+
+BOX = '<{0}>{1}<geometry><box size="{2}"/></geometry></{0}>'
+SEEN, HIT = (BOX.format(kind, "", "0.1 0.2 0.3") for kind in ("visual", "collision"))
+
+
+def watery(*parts):
+    facts = ("water-mass", "water-ixx", "water-iyy", "water-izz")
+    return [value for name in facts for _, value in found(name, *parts)]
+
+
+def test_a_body_without_inertia_could_be_of_water():
+    """Six litres have a mass of six kilograms, and the moments of a box."""
+    assert watery(link("hand", SEEN)) == [6.0, 0.065, 0.05, 0.025]
+    assert watery(link("hand", SEEN, HIT)) == [6.0, 0.065, 0.05, 0.025]
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        (),
+        (inertial(), SEEN),
+        (SEEN, BOX.format("collision", "", "0.1 0.2 0.4")),
+        (HIT, '<visual><geometry><mesh filename="hand.stl"/></geometry></visual>'),
+        (BOX.format("visual", HERE, "0.1 0.2 0.3"),),
+        (BOX.format("visual", "", "0 0.2 0.3"),),
+        (BOX.format("visual", "", "1e200 1e200 1e200"),),
+        (BOX.format("visual", "", "1e-200 1e-200 1e-200"),),
+    ],
+)
+def test_a_body_is_of_water_only_if_it_is_one_simple_shape(parts):
+    """In the frame of its link, of a size that a number can have, and nothing else is stated."""
+    assert watery(link("hand", *parts)) == []
 
 
 def test_numbers_without_bounds_have_no_amendment():

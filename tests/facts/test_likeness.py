@@ -67,6 +67,49 @@ def test_axes_of_an_arm_are_no_twins():
     assert len(found("twin", axes[1], axes[3])) == 2
 
 
+def unlike(masses):
+    """The body whose mass differs from that of its siblings."""
+    links = [link(name, inertial(mass)) for name, mass in masses.items()]
+    return [node.split("/")[1] for node, _ in found("unlike-siblings", *links)]
+
+
+LEGS = {"FL_foot": 0.5, "FR_foot": 0.5, "RL_foot": 0.501, "RR_foot": 0.5}
+
+
+@pytest.mark.parametrize("mass", [0.05, 5.0, 0.0, -0.5])
+def test_one_leg_may_be_unlike_the_others(mass):
+    """Where all others agree to a percent."""
+    assert unlike({**LEGS, "FR_foot": mass}) == ["FR_foot"]
+
+
+@pytest.mark.parametrize(
+    "changes", [{}, {"FR_foot": 0.9, "RR_foot": 0.9}, {"FR_foot": 0.9, "RR_foot": 0.8}]
+)
+def test_several_legs_may_be_unlike_each_other(changes):
+    """Then none of them is the odd one."""
+    assert unlike({**LEGS, **changes}) == []
+
+
+def test_two_pairs_make_siblings():
+    """Not one pair with another body, and not bodies whose names say no side."""
+    assert unlike({"FL_foot": 0.5, "FR_foot": 0.9, "RL_foot": 0.5}) == []
+    assert unlike({"foot_a": 0.5, "foot_b": 0.9, "foot_c": 0.5, "foot_d": 0.5}) == []
+
+
+def test_a_bound_may_be_unlike_the_others():
+    """Force with force, velocity with velocity."""
+    legs = ("FL", "FR", "RL", "RR")
+    limits = [LIMIT] * 3 + [LIMIT.replace('effort="3"', 'effort="30"')]
+    joints = [
+        joint(f"{leg}_hip", "base", f"{leg}_leg", "revolute", limit)
+        for leg, limit in zip(legs, limits, strict=True)
+    ]
+    links = [link(name) for name in ("base", *(f"{leg}_leg" for leg in legs))]
+
+    ((odd, _),) = found("unlike-siblings", *links, *joints)
+    assert odd == "joint/RR_hip/force-limit"
+
+
 def test_bodies_of_several_shapes_that_share_an_inertia():
     """The identity, zero and bodies without mass are other matters, and so are twins."""
     same = [link(f"link{n}", inertial(), BOX.format(f"{n} 1 1")) for n in range(1, 4)]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from computed import Node, computed
+import pytest
+from computed import Computed, Node, computed, store_of
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinlint.facts.compute import hints
+from kinlint.facts.statement import fact
 from kinlint.facts.strong import strong_components
 
 KIN = "https://w3id.org/kinlint/kinematics#"
@@ -37,6 +40,49 @@ def test_a_schedule_with_two_orders_has_none() -> None:
     chain = "https://comp-rob2b.github.io/metamodels/algorithm#trigger-chain"
 
     assert not computed({"@id": "ex:s", chain: [one, other]}).nodes("step")
+
+
+OPERATORS = (
+    operator("first", "start", "a"),
+    operator("second", "a", "b"),
+    operator("third", "a b", "c"),
+    operator("apart", "d", "d"),
+    operator("again", "start", "a"),
+    operator("ping", "f", "e"),
+    operator("pong", "e", "f"),
+)
+
+
+def due(chain: str) -> list[str]:
+    """The operators that get another place in a schedule, by that place."""
+    names = [f"ex:{name}" for name in chain.split()]
+    schedule = {"@id": "ex:s", "@type": "Schedule", "trigger-chain": names}
+    found = Computed(hints(store_of(*OPERATORS, schedule), {fact("reordered")}))
+    moves = found.values("ex:s", "reordered")
+    cells = [found.value(move, "cell") for move in moves]
+
+    assert len(set(cells)) == len(cells)
+    return [str(found.value(move, "due")).removeprefix("ex:") for move in moves]
+
+
+@pytest.mark.parametrize(
+    ("chain", "moved"),
+    [
+        ("first apart second third", ""),
+        ("second first", "first second"),
+        ("third second first", "first third"),
+        ("third second apart first", "apart first second third"),
+        ("apart third second first", "first third"),
+        ("second third", ""),
+        ("second second first", ""),
+        ("second first again", ""),
+        ("second first ping pong", ""),
+        ("second first ping", "first second"),
+    ],
+)
+def test_operators_can_run_after_what_feeds_them(chain: str, moved: str) -> None:
+    """In the order that they have where that is open; not where that is impossible or a choice."""
+    assert due(chain) == moved.split()
 
 
 def test_operators_that_wait_for_each_other() -> None:

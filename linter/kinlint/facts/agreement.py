@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -68,6 +69,22 @@ class Comparison:
     norm_only: bool = False
 
 
+@dataclass(frozen=True)
+class Pair:
+    """Two coordinates of a relation, and what they differ by in a quantity that both state.
+
+    `alone` tells that no others of the relation state it.
+    """
+
+    node: Term
+    relation: Term
+    quantity: Term
+    first: Term
+    second: Term
+    found: Comparison
+    alone: bool
+
+
 class Agreements:
     """How well several coordinates of one relation agree, each compared with one of the first."""
 
@@ -78,22 +95,29 @@ class Agreements:
 
     def facts(self) -> Iterator[Triple]:
         """One fact node for each two coordinates and each quantity that both state."""
+        for pair in self.pairs():
+            yield pair.node, RDF_TYPE, fact("Agreement")
+            yield pair.node, fact("of"), pair.relation
+            yield pair.node, fact("first"), pair.first
+            yield pair.node, fact("second"), pair.second
+            if pair.quantity != PLACE:
+                yield pair.node, fact("quantity"), pair.quantity
+            if pair.found.norm_only:
+                yield pair.node, fact("compared"), NORM
+            yield from numbers(pair.node, pair.found.values)
+            yield from derived(pair.node, [pair.first, pair.second])
+
+    def pairs(self) -> Iterator[Pair]:
+        """Each two that are compared, with the fact node for them."""
         names = count(1)
         for relation, nodes in self.relations.coordinates.items():
             if len(nodes) == 1:
                 continue
-            for (quantity, first, second), found in self._compared(relation, nodes).items():
-                node = fact_node("agreement", next(names))
-                yield node, RDF_TYPE, fact("Agreement")
-                yield node, fact("of"), relation
-                yield node, fact("first"), first
-                yield node, fact("second"), second
-                if quantity != PLACE:
-                    yield node, fact("quantity"), quantity
-                if found.norm_only:
-                    yield node, fact("compared"), NORM
-                yield from numbers(node, found.values)
-                yield from derived(node, [first, second])
+            compared = self._compared(relation, nodes)
+            times = Counter(quantity for quantity, _, _ in compared)
+            for (quantity, first, second), found in compared.items():
+                node, alone = fact_node("agreement", next(names)), times[quantity] == 1
+                yield Pair(node, relation, quantity, first, second, found, alone)
 
     def _compared(
         self, relation: Term, nodes: Sequence[Term]
@@ -119,7 +143,7 @@ class Agreements:
         """How far two vectors are apart, or by how much their norms differ."""
         a, b = table[first], table[second]
         magnitude = ("magnitude", max(length(a), length(b)))
-        turn = self._turn(relation, first, second)
+        turn = self.turn(relation, first, second)
         if turn is None:
             apart = abs(length(a) - length(b))
             return Comparison([("distance", apart), magnitude], norm_only=True)
@@ -135,7 +159,7 @@ class Agreements:
 
     def _tensor(self, relation: Term, first: Term, second: Term) -> Comparison:
         """The largest difference of two tensors, and the largest entry of both."""
-        turn = self._turn(relation, first, second)
+        turn = self.turn(relation, first, second)
         if turn is None:
             return Comparison()
         a, b = self.inertias.tensors[first], self.inertias.tensors[second]
@@ -146,7 +170,7 @@ class Agreements:
             [("distance", apart), ("magnitude", max(max(abs(x), abs(y)) for x, y in entries))]
         )
 
-    def _turn(self, relation: Term, first: Term, second: Term) -> Matrix | None:
+    def turn(self, relation: Term, first: Term, second: Term) -> Matrix | None:
         """What turns components of coordinates *second* into those of *first*."""
         one, other = (self.relations.seen_by(node, relation) for node in (first, second))
         return None if one is None or other is None else self.attitudes.between(one, other)

@@ -12,7 +12,7 @@ from kinlint.facts.assembly import Assemblies
 from kinlint.facts.geometry import BOX, CYLINDER, GEOMETRY, SPHERE, Geometries, Shape
 from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
 from kinlint.facts.linear import Matrix, eigenvalues
-from kinlint.facts.names import FROM, attribute, body, sdf, urdf
+from kinlint.facts.names import FROM, attribute, body, kin, sdf, urdf
 from kinlint.facts.names import inertia as inertial
 from kinlint.facts.placement import ROTATION_FORMAT, TEXT, TEXT_TURNS, XYZ, Placements
 from kinlint.facts.scan import Scan
@@ -24,6 +24,10 @@ PLACES = range(1, 10)
 """By how many places a decimal point is looked for elsewhere."""
 CLEAR = 1.1
 """By how much the greatest moment exceeds the others where a slip of the point shows."""
+WATER = 1000.0
+"""The density of water in kg/m³."""
+ORIGIN = (0.0,) * 6
+"""The place of what is in the frame of its link."""
 DIGITS = 6
 """Of a number that is computed, how many are written."""
 TENSOR = re.compile(r"/inertia(;[0-9]+)?>$")
@@ -102,6 +106,24 @@ class Amendments:
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
                 yield from _amended(node, "solid", entries, changed, numbers)
 
+    def filled(self) -> Iterator[Triple]:
+        """The mass and moments that each body of one simple shape has if it weighs as water does.
+
+        That is so where all that is seen and hit of it is the same shape, in the frame of its link.
+        """
+        known, bodies = self.scan.instances(kin("MassProperty")), self.scan.single(kin("of-body"))
+        weighed = {owner for node, owner in bodies.items() if node in known}
+        for owner, nodes in sorted(self.geometries.references.items()):
+            shape = self.geometries.uniform(owner) if owner not in weighed else None
+            if shape is None or any(self._place(each, GEOMETRY) != ORIGIN for each in nodes):
+                continue
+            mass = WATER * shape.volume
+            moments = _solid(shape, mass)
+            if math.isfinite(sum((mass, *moments))) and min(mass, *moments) > 0.0:
+                values = (*_rounded([mass]), *_rounded(moments))
+                for name, value in zip(("mass", *MOMENTS), values, strict=True):
+                    yield owner, fact(f"water-{name}"), double(value)
+
     def shifts(self) -> Iterator[Triple]:
         """Each tensor moved from the origin of its link to the centre of mass."""
         numbers = count(1)
@@ -143,7 +165,7 @@ class Amendments:
                 if any(element in self.scan.table(each) for each in odd):
                     return None
                 return tuple(self.scan.numbers(each).get(element, 0.0) for each in components)
-        return (0.0,) * 6
+        return ORIGIN
 
 
 def _amended(

@@ -23,10 +23,11 @@ from kinlint.facts.identifier import Identifiers
 from kinlint.facts.idleness import Idleness
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.likeness import Twins, repeated
-from kinlint.facts.order import circles, steps
+from kinlint.facts.order import circles, reordered, steps
 from kinlint.facts.planning import Planning
 from kinlint.facts.proportion import astray, proportions
 from kinlint.facts.quantity import Quantities
+from kinlint.facts.recomputation import Recomputations
 from kinlint.facts.reference import References
 from kinlint.facts.relation import Relations
 from kinlint.facts.resemblance import resemblances
@@ -54,6 +55,7 @@ WELDS = ("welded-mass", "rests-on", "moved-by")
 PROPORTIONS = ("gyration", "extent", "least-density", "greatest-density")
 PLANNING = ("comprises", "moves", "between", "joints")
 RELATED = ("Agreement", "of", "first", "second", "closed-by", "traced-to", "compared")
+WATER = ("water-mass", "water-ixx", "water-iyy", "water-izz")
 STEPS = ("step", "index", "operator", "in-cycle")
 
 
@@ -72,12 +74,28 @@ def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Tripl
 
 def hints(store: Store, wanted: Iterable[Term]) -> Iterator[Triple]:
     """What repairs need to know of *store*, and no rule: of that, what is *wanted*."""
-    identifiers = Identifiers(Scan(store))
-    kinds = (("slip-for", identifiers.resemblances), ("free-name", identifiers.free_names))
+    scan = Scan(store)
+    identifiers = Identifiers(scan)
+    kinds: tuple[tuple[str, Callable[[], Iterator[Triple]]], ...] = (
+        ("slip-for", identifiers.resemblances),
+        ("free-name", identifiers.free_names),
+        ("reordered", partial(reordered, scan)),
+        ("recomputed", partial(_recomputed, scan)),
+    )
     asked = frozenset(wanted)
     for name, found in kinds:
         if fact(name) in asked:
             yield from found()
+
+
+def _recomputed(scan: Scan) -> Iterator[Triple]:
+    """What coordinates that contradict others could say instead."""
+    units = Units(scan)
+    quantities = Quantities(scan, units)
+    relations = Relations(scan, quantities, Rotations(scan, quantities))
+    inertias = Inertias(scan, units, quantities)
+    agreements = Agreements(relations, Attitudes(relations.turns), inertias)
+    yield from Recomputations(agreements).facts()
 
 
 def _kinds(scan: Scan) -> Iterator[Kind]:
@@ -116,9 +134,12 @@ def _bodies(scan: Scan, units: Units, inertias: Inertias) -> Iterator[Kind]:
     yield ("sign-slip",), amendments.sign_slips
     yield ("solid",), amendments.solids
     yield ("shift",), amendments.shifts
+    yield WATER, amendments.filled
     yield ("shared-with", "shapes"), partial(repeated, inertias, assemblies, geometries)
     yield ("idle", "working"), Idleness(scan).facts
-    yield ("twin",), Twins(scan, assemblies).facts
+    twins = Twins(scan, assemblies)
+    yield ("twin",), twins.facts
+    yield ("unlike-siblings",), twins.odd_ones
     yield ("drift", "quantity"), Drifts(scan, assemblies).facts
     yield PLANNING, Planning(scan, trees).facts
     yield ("leads-back-to",), partial(dependencies, scan)

@@ -126,6 +126,12 @@ class Geometries:
         chosen = [node for node in nodes if node in solid] or nodes
         return self._shape(chosen[0]) if len(chosen) == 1 else None
 
+    def uniform(self, body: Term) -> Shape | None:
+        """The simple shape that *body* is both hit by and seen as, where nothing else is."""
+        shapes = [self._shape(node) for node in self.references.get(body, ())]
+        forms = {(each.kind, each.sizes) if each is not None else None for each in shapes}
+        return shapes[0] if len(forms) == 1 else None
+
     def form(self, body: Term) -> frozenset[tuple[object, ...]]:
         """What the shapes of *body* look like, wherever they are."""
         return frozenset(self._form(node) for node in self.references.get(body, ()))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Mapping
+from urllib.parse import unquote
 
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.geometry import Geometries
@@ -33,30 +35,75 @@ class Twins:
         """From each node of the left to that of the right, where there is one on each side."""
         inertias = self.assemblies.inertias
         for stating in (inertias.quantities.masses, inertias.tensors):
-            bodies = ((node, self.assemblies.body(node)) for node in stating)
-            yield from self._paired((node, body) for node, body in bodies if body is not None)
+            yield from _paired(self._of_bodies(stating))
         ranges = self.scan.instances(kin("JointPositionLimit"))
         joints = self.scan.single(kin("of-joint")).items()
-        yield from self._paired((limit, joint) for limit, joint in joints if limit in ranges)
-        actuated = self.scan.single(kin("actuates"))
-        limits = self.scan.single(kin("of-actuator")).items()
+        yield from _paired((limit, joint) for limit, joint in joints if limit in ranges)
         for kind in LIMITS:
-            of_kind = self.scan.instances(kind)
-            yield from self._paired(
-                (limit, actuated[actuator])
-                for limit, actuator in limits
-                if limit in of_kind and actuator in actuated
-            )
+            yield from _paired(self._of_joints(kind))
 
-    def _paired(self, stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
-        """The twins among nodes that each state something of one body or joint."""
-        of: dict[Term, list[Term]] = {}
-        for node, entity in stating:
-            of.setdefault(entity, []).append(node)
-        for entity in sorted(of):
-            other = _twin(entity, of)
-            if other is not None and len(of[entity]) == len(of[other]) == 1:
-                yield of[entity][0], fact("twin"), of[other][0]
+    def odd_ones(self) -> Iterator[Triple]:
+        """Each mass or bound that differs from all of its kind on the other sides, which agree.
+
+        At least three of them do, such as those of the other legs of a walking robot.
+        """
+        masses = self.assemblies.inertias.quantities.masses
+        yield from _odd(self._of_bodies(masses), masses)
+        bounds = self.scan.numbers(kin("upper"))
+        for kind in LIMITS:
+            yield from _odd(self._of_joints(kind), bounds)
+
+    def _of_bodies(self, stating: Iterable[Term]) -> Iterator[tuple[Term, Term]]:
+        """Nodes that state something of a body, each with the body."""
+        bodies = ((node, self.assemblies.body(node)) for node in stating)
+        return ((node, body) for node, body in bodies if body is not None)
+
+    def _of_joints(self, kind: Term) -> Iterator[tuple[Term, Term]]:
+        """The limits of *kind* on what drives a joint, each with the joint."""
+        of_kind = self.scan.instances(kind)
+        actuated = self.scan.single(kin("actuates"))
+        for limit, actuator in self.scan.single(kin("of-actuator")).items():
+            if limit in of_kind and actuator in actuated:
+                yield limit, actuated[actuator]
+
+
+def _grouped(stating: Iterable[tuple[Term, Term]]) -> Mapping[Term, list[Term]]:
+    """The nodes that state something of each body or joint."""
+    of: dict[Term, list[Term]] = {}
+    for node, entity in stating:
+        of.setdefault(entity, []).append(node)
+    return of
+
+
+def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
+    """The twins among nodes that each state something of one body or joint."""
+    of = _grouped(stating)
+    for entity in sorted(of):
+        other = _twin(entity, of)
+        if other is not None and len(of[entity]) == len(of[other]) == 1:
+            yield of[entity][0], fact("twin"), of[other][0]
+
+
+def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> Iterator[Triple]:
+    """The one of each group of siblings whose value differs while those of all others agree."""
+    siblings: dict[tuple[str, str], list[Term]] = {}
+    for entity, nodes in sorted(_grouped(stating).items()):
+        space, name = _split(entity)
+        if len(nodes) == 1 and nodes[0] in values and sideless(name) != unquote(name):
+            siblings.setdefault((space, sideless(name)), []).append(nodes[0])
+    for group in siblings.values():
+        if len(group) <= SEVERAL:
+            continue
+        by_value = sorted(group, key=lambda node: values[node])
+        for odd, others in ((by_value[0], by_value[1:]), (by_value[-1], by_value[:-1])):
+            least, most = values[others[0]], values[others[-1]]
+            if _near(least, most) and not _near(values[odd], least):
+                yield odd, fact("unlike-siblings"), others[0]
+
+
+def _near(one: float, other: float) -> bool:
+    """Whether two values differ by no more than one percent."""
+    return math.isclose(one, other, rel_tol=0.01)
 
 
 def _twin(left: Term, known: Container[Term]) -> Term | None:

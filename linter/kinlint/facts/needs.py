@@ -76,6 +76,9 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     **dict.fromkeys(("body-mass", "gyration", "transfer", "shift"), INERTIAS),
     **dict.fromkeys(("decimal-slip", "sign-slip"), TENSORS + UNITS),
     "solid": (*INERTIAS, *SHAPES),
+    **dict.fromkeys(
+        ("water-mass", "water-ixx", "water-iyy", "water-izz"), (*SHAPES, kin("MassProperty"))
+    ),
     "mass": (*MASSES, *TENSORS),
     **dict.fromkeys(
         ("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS, kin("MassProperty"))
@@ -89,7 +92,7 @@ NEEDS: dict[str, tuple[Term, ...]] = {
         ("idle", "working"), (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
     ),
     "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, chain("Joint")),
-    "twin": (*INERTIAS, *RANGES, *BOUNDS),
+    **dict.fromkeys(("twin", "unlike-siblings"), (*INERTIAS, *RANGES, *BOUNDS)),
     **dict.fromkeys(("comprises", "moves", "joints", "between", "resembles"), REFERENCES),
     "leads-back-to": (kin("leader"), kin("follower"), *REFERENCES),
     **dict.fromkeys(("component", "undecided"), (chain("joints"), *WELDS)),
@@ -102,7 +105,9 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     "orthogonality": (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end")),
     "spread": (*TURNS, *VECTORS),
     **dict.fromkeys(("Agreement", "distance", "angle", "magnitude", "closed-by"), RELATIONS),
-    **dict.fromkeys(("step", "in-cycle", "supplied-by"), (kin("reads"), kin("writes"))),
+    **dict.fromkeys(
+        ("step", "in-cycle", "supplied-by", "reordered"), (kin("reads"), kin("writes"))
+    ),
 }
 """The properties that those named are computed from, beside what is said of elements of files.
 

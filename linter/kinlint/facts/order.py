@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from heapq import heapify, heappop, heappush
 from itertools import count
 
 from kinlint.facts.names import algorithm, kin
-from kinlint.facts.scan import Scan
+from kinlint.facts.scan import REST, Scan, Table
 from kinlint.facts.statement import MEMBER, derived, fact, fact_node, integer
 from kinlint.facts.strong import strong_components
 from kinlint.terms import Term, Triple
@@ -25,6 +26,54 @@ def steps(scan: Scan) -> Iterator[Triple]:
             yield step, fact("index"), integer(index)
             yield step, fact("operator"), operator
             yield from derived(step, [schedule])
+
+
+def reordered(scan: Scan) -> Iterator[Triple]:
+    """The cells of each schedule that get another operator where all are to run after their feeds.
+
+    Operators that do not wait for others stay in the order that they have. There is no such order
+    where operators feed each other in a circle; it leaves a choice where an operator is triggered
+    twice, or where several of a schedule write the same.
+    """
+    reads, writes = (scan.table(kin(name)) for name in ("reads", "writes"))
+    numbers = count(1)
+    for schedule, heads in sorted(scan.table(algorithm("trigger-chain")).items()):
+        operators = scan.items(heads[0]) if len(heads) == 1 else None
+        if operators is None or len(set(operators)) < len(operators):
+            continue
+        written = [datum for each in operators for datum in writes.of(each)]
+        if len(set(written)) < len(written):
+            continue
+        cell = heads[0]
+        for old, new in zip(operators, _in_order(operators, reads, writes), strict=False):
+            if old != new:
+                move = fact_node("move", next(numbers))
+                yield schedule, fact("reordered"), move
+                yield move, fact("cell"), cell
+                yield move, fact("due"), new
+            cell = scan.single(REST)[cell]
+
+
+def _in_order(operators: Sequence[Term], reads: Table, writes: Table) -> list[Term]:
+    """*operators* after those that feed them, else as they come; empty if some feed each other."""
+    producer = {datum: at for at, each in enumerate(operators) for datum in writes.of(each)}
+    after: dict[int, list[int]] = {}
+    waiting = [0] * len(operators)
+    for at, operator in enumerate(operators):
+        for source in {producer[datum] for datum in reads.of(operator) if datum in producer} - {at}:
+            after.setdefault(source, []).append(at)
+            waiting[at] += 1
+    ready = [at for at, many in enumerate(waiting) if not many]
+    heapify(ready)
+    found: list[Term] = []
+    while ready:
+        at = heappop(ready)
+        found.append(operators[at])
+        for other in after.get(at, ()):
+            waiting[other] -= 1
+            if not waiting[other]:
+                heappush(ready, other)
+    return found if len(found) == len(operators) else []
 
 
 def circles(scan: Scan) -> Iterator[Triple]:

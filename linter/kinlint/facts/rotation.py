@@ -26,6 +26,9 @@ from kinlint.terms import Term, Triple, literal_value
 LOOSEST = 0.05
 """What misses orthonormality by more is no rotation that anything could be computed with."""
 
+LOCKED = 1e-6
+"""Where the sine between the first and the last axis of Euler's is less, they are one."""
+
 QUATERNION = tuple(kin(name) for name in ("qx", "qy", "qz", "qw"))
 ABOUT = {"x": (0, 1, 2), "y": (1, 2, 0), "z": (2, 0, 1)}
 
@@ -64,6 +67,54 @@ def from_euler(sequence: str, angles: Sequence[float], *, intrinsic: bool) -> Ma
     return product(product(three, two), one)
 
 
+def quaternion(m: Matrix) -> tuple[float, float, float, float]:
+    """One of the two unit quaternions x, y, z, w of a rotation.
+
+    Source: Shepperd, Quaternion from rotation matrix, 1978, which never divides by what is small.
+    """
+    (a, b, c), (d, e, f), (g, h, i) = m
+    rows = (
+        (1 + a - e - i, b + d, c + g, h - f),
+        (b + d, 1 - a + e - i, f + h, c - g),
+        (c + g, f + h, 1 - a - e + i, d - b),
+        (h - f, c - g, d - b, 1 + a + e + i),
+    )
+    x, y, z, w = max(rows, key=lambda row: math.hypot(*row))
+    norm = math.hypot(x, y, z, w)
+    return x / norm, y / norm, z / norm, w / norm
+
+
+def euler(sequence: str, m: Matrix, near: Sequence[float], *, intrinsic: bool) -> tuple[float, ...]:
+    """The angles in rad of a rotation in the order of *sequence*, those nearest to *near*.
+
+    There are none where the first and the last turn about one axis: all that is known is their sum.
+    """
+    if not intrinsic:
+        return euler(sequence[::-1], m, near[::-1], intrinsic=True)[::-1]
+    i, j, k = (ABOUT[axis][0] for axis in sequence)
+    last = 3 - i - j
+    sense = 1.0 if ABOUT[sequence[0]][1] == j else -1.0
+    if i == k:
+        sine = math.hypot(m[i][j], m[i][last])
+        middle, mirrored = math.atan2(sine, m[i][i]), -math.atan2(sine, m[i][i])
+        one = math.atan2(m[j][i], -sense * m[last][i])
+        three = math.atan2(m[i][j], sense * m[i][last])
+    else:
+        sine = math.hypot(m[i][i], m[i][j])
+        middle = math.atan2(sense * m[i][k], sine)
+        mirrored = math.pi - middle
+        one = math.atan2(-sense * m[j][k], m[k][k])
+        three = math.atan2(-sense * m[i][j], m[i][i])
+    if sine < LOCKED:
+        return ()
+    ways = ((one, middle, three), (one + math.pi, mirrored, three + math.pi))
+    wound = [
+        tuple(by + math.tau * round((at - by) / math.tau) for by, at in zip(way, near, strict=True))
+        for way in ways
+    ]
+    return min(wound, key=lambda way: math.dist(way, near))
+
+
 class Rotations:
     """The matrices that coordinates of a model state, as they are written."""
 
@@ -84,13 +135,21 @@ class Rotations:
     @cached_property
     def spread(self) -> Mapping[Term, float]:
         """The largest angle in rad between two representations of rotation on one node."""
-        ways = [_rigid(way) for way in (self._by_cosines, self._by_quaternion, self._by_euler)]
         found: dict[Term, float] = {}
-        for one, other in combinations(ways, 2):
+        for one, other in combinations(self.ways.values(), 2):
             for node in one.keys() & other.keys():
                 apart = angle(product(transpose(one[node]), other[node]))
                 found[node] = max(found.get(node, 0.0), apart)
         return found
+
+    @cached_property
+    def ways(self) -> Mapping[str, Mapping[Term, Matrix]]:
+        """The proper rotation of each node by each representation that it has."""
+        return {
+            "cosines": _rigid(self._by_cosines),
+            "quaternion": _rigid(self._by_quaternion),
+            "euler": _rigid(self._by_euler),
+        }
 
     @cached_property
     def _by_cosines(self) -> Mapping[Term, Matrix]:

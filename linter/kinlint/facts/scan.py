@@ -140,14 +140,17 @@ class Scan:
 
     def items(self, head: Term, most: int = sys.maxsize) -> tuple[Term, ...] | None:
         """The items of the list at *head*, at most *most*; None for what is no proper list."""
-        found: list[Term] = []
-        seen: set[Term] = set()
+        cells = self.cells(head, most)
+        return None if cells is None else tuple(self._first[cell] for cell in cells)
+
+    def cells(self, head: Term, most: int = sys.maxsize) -> tuple[Term, ...] | None:
+        """The nodes that say the items of the list at *head*, as `items` has them."""
+        found: dict[Term, None] = {}
         while head != NIL and len(found) < most:
-            item, rest = self._first.get(head), self._rest.get(head)
-            if item is None or rest is None or head in seen:
+            rest = self._rest.get(head)
+            if rest is None or head not in self._first or head in found:
                 return None
-            seen.add(head)
-            found.append(item)
+            found[head] = None
             head = rest
         return tuple(found)
 
