@@ -107,6 +107,55 @@ def test_a_file_that_cannot_be_written(kinlint, arm, monkeypatch):
     assert "arm.urdf: not fixed: Permission denied" in out + err
 
 
+def test_a_file_that_is_read_only_stays_as_it_is(kinlint, arm):
+    """Whoever runs kinlint, and though the directory lets it be replaced."""
+    arm.chmod(0o444)
+    code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
+
+    assert (code, arm.read_bytes()) == (2, ARM.encode())
+    assert "arm.urdf: not fixed: the file is read-only" in out + err
+    assert "1 fixed" not in out
+
+
+LIMIT = """{{
+  "@context": ["https://w3id.org/kinlint/composable.json", {{"ex": "https://example.org/{name}#"}}],
+  "@id": "ex:limit", "@type": "JointPositionLimit", "quantity-kind": "Angle", "unit": "RAD", {said}
+}}
+"""
+
+
+def test_files_that_are_fixed_together_are_written_together(kinlint, here):
+    """If one cannot be written, the others stay as well; what is fixed apart is written."""
+    files = {
+        "low.jsonld": LIMIT.format(name="arm", said='"lower": 2.6'),
+        "high.jsonld": LIMIT.format(name="arm", said='"upper": -2.6'),
+        "other.jsonld": LIMIT.format(name="leg", said='"lower": 2.6, "upper": -2.6'),
+    }
+    for name, text in files.items():
+        (here / name).write_text(text)
+    (here / "low.jsonld").chmod(0o444)
+    code, out, err = kinlint(*files, "--fix", *ONLY)
+
+    assert code == 2
+    assert "high.jsonld: not fixed: it changes together with low.jsonld" in out + err
+    assert {name for name, text in files.items() if (here / name).read_text() != text} == {
+        "other.jsonld"
+    }
+    (here / "low.jsonld").chmod(0o644)
+    assert kinlint(*files, "--fix", *ONLY)[0] == 0
+    assert '"upper": 2.6' in (here / "high.jsonld").read_text()
+
+
+def test_a_file_that_cannot_be_read_keeps_no_other_from_being_fixed(kinlint, here):
+    """Though all files that are composable make one model."""
+    (here / "torn.jsonld").write_text("{ // no JSON\n}")
+    low = here / "low.jsonld"
+    low.write_text(LIMIT.format(name="arm", said='"lower": 2.60, "upper": -2'))
+
+    assert kinlint("torn.jsonld", "low.jsonld", "--fix", *ONLY)[0] == 2
+    assert '"lower": -2, "upper": 2.60' in low.read_text()
+
+
 def test_links_and_modes_stay(kinlint, arm, here):
     """The linked file is mended, the link stays one."""
     arm.chmod(0o600)

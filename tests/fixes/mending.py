@@ -65,5 +65,10 @@ def offered(rules, text, name="arm.urdf"):
 
 def mend(rules, text, name="arm.urdf", least=Applicability.SAFE):
     """*text* after `--fix`, and the report of what is left."""
-    outcome = mended([SourceText(name, text)], (), Settings(), rules, least)
-    return outcome.texts[0].text, outcome.report
+    made = outcome(rules, text, name, least)
+    return made.texts[0].text, made.report
+
+
+def outcome(rules, text, name="arm.urdf", least=Applicability.UNSAFE):
+    """What comes of *text* by all fixes that may be trusted at *least* so far."""
+    return mended([SourceText(name, text)], (), Settings(), rules, least)

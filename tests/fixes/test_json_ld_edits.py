@@ -119,6 +119,34 @@ def test_a_new_number_has_the_digits_that_it_needs(spelling: str, text: str) -> 
     assert after == before.replace("7.5", text)
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ('"x": "1.570", "y": "-2"', '"x": "-2", "y": "1.570"'),
+        ('"x": "1.570", "y": -2E0', '"x": "-2E0", "y": 1.570'),
+        (
+            f'"x": 1.570, "y": {{"@type": "{DOUBLE[1:-1]}", "@value": "-2.50"}}',
+            f'"x": -2.50, "y": {{"@type": "{DOUBLE[1:-1]}", "@value": "1.570"}}',
+        ),
+        ('"x": 1, "y": -26e-1', '"x": -26e-1, "y": 1'),
+    ],
+)
+def test_values_that_change_places_keep_their_spelling(before: str, after: str) -> None:
+    text = model(f'    {{ "@id": "ex:a", "@type": "VectorXYZ", {before} }}')
+    old = [triple for triple in domain(document(text)) if triple[2][0] == '"']
+    values = [float(value[1:].partition('"')[0]) for _, _, value in old]
+    swapped = [
+        (*each[:2], number(f"{value!r}")) for each, value in zip(old, values[::-1], strict=True)
+    ]
+    assert after in rewritten(text, old, swapped)
+
+
+def test_a_new_number_in_quotes_is_as_short_as_others() -> None:
+    before = model('    { "@id": "ex:a", "@type": "VectorXYZ", "x": "7.5" }')
+    old = next(triple for triple in domain(document(before)) if triple[2][0] == '"')
+    assert rewritten(before, [old], [(*old[:2], number("5.0E-1"))]) == before.replace("7.5", "0.5")
+
+
 def test_what_json_has_no_number_for_is_written_in_quotes() -> None:
     before = model('    { "@id": "ex:a", "@type": "VectorXYZ", "x": 7.5 }')
     old = next(triple for triple in domain(document(before)) if triple[2][0] == '"')

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
 from kinlint.files.pathglob import absolute
 from kinlint.files.replacement import replacement
+from kinlint.fixes.reach import WRITING
 from kinlint.fixes.rounds import Mended, mended
 from kinlint.formats.decoding import decode, encode
 from kinlint.model import Applicability, Finding
@@ -21,7 +22,7 @@ from kinlint.reporters.diff import unified
 from kinlint.reporters.style import When, style_of
 from kinlint.text import SourceText
 
-__all__ = ["least", "mended", "pass_on", "show", "written"]
+__all__ = ["least", "mended", "pass_on", "show", "unending", "written"]
 
 Change = tuple[SourceText, SourceText]
 BOM = "\ufeff"
@@ -40,23 +41,55 @@ def written(outcome: Mended, inputs: Iterable[Input]) -> Report:
     stays as it is, and the report has it as an error.
     """
     paths = {one.name: one.path for one in inputs}
-    failed = []
-    for before, after in outcome.changed:
-        try:
-            _write(before, after, paths.get(before.name, absolute(before.name)))
-        except (OSError, SourceError, Unsayable) as error:
-            cause = error.strerror if isinstance(error, OSError) else getattr(error, "cause", "")
-            failed.append(SourceError(before.name, f"not fixed: {cause or error}"))
+    there = {
+        before.name: paths.get(before.name, absolute(before.name)) for before, _ in outcome.changed
+    }
+    failed: dict[str, str] = {}
+    for writing in (False, True):
+        for before, after in outcome.changed:
+            path = there[before.name]
+            if path is None or before.name in failed:
+                continue
+            try:
+                data = _checked(before, after, path)
+                if writing:
+                    with replacement(path) as stream:
+                        stream.write(data)
+            except (OSError, SourceError, Unsayable) as error:
+                failed[before.name] = _cause(error)
+                failed |= _partners(before.name, outcome.report.fixed, failed)
+    errors = [SourceError(name, f"not fixed: {cause}") for name, cause in failed.items()]
     report = outcome.report
-    lost = {error.name for error in failed}
-    kept = tuple(one for one in report.fixed if lost.isdisjoint(_files(one)))
-    return replace(report, errors=(*report.errors, *failed), fixed=kept)
+    kept = tuple(one for one in report.fixed if failed.keys().isdisjoint(_files(one)))
+    return replace(report, errors=(*report.errors, *errors), fixed=kept)
 
 
-def _files(finding: Finding) -> Iterable[str]:
-    """Where *finding* lies, and where its fixes change something."""
+def unending(codes: Sequence[str]) -> str:
+    """What to say of rules, by their *codes*, that nobody can satisfy."""
+    names = " and ".join(filter(None, (", ".join(codes[:-1]), codes[-1])))
+    return f"fixes of {names} undo each other or find no end, and not all of them were made"
+
+
+def _cause(error: Exception) -> str:
+    told = error.strerror if isinstance(error, OSError) else getattr(error, "cause", "")
+    return str(told or error)
+
+
+def _partners(name: str, fixed: Iterable[Finding], failed: Mapping[str, str]) -> dict[str, str]:
+    """The files, beside those that *failed*, that are fixed together with that of *name*."""
+    together = [set(files) for one in fixed if len(files := set(_files(one, edited=True))) > 1]
+    found, left = {name}, True
+    while left:
+        left = any(found & files and not files <= found for files in together)
+        found |= {each for files in together if found & files for each in files}
+    cause = f"it changes together with {name}, which cannot be written"
+    return {each: cause for each in sorted(found) if each not in failed}
+
+
+def _files(finding: Finding, *, edited: bool = False) -> Iterable[str]:
+    """Where the fixes of *finding* change something, and, unless only *edited*, where it lies."""
     changed = (edit.location.source.name for fix in finding.fixes for edit in fix.edits)
-    return (finding.location.source.name, *changed)
+    return changed if edited else (finding.location.source.name, *changed)
 
 
 def show(changed: Iterable[Change], color: When) -> None:
@@ -82,13 +115,15 @@ def pass_on(
             sys.stdout.buffer.write(text.original or encode(text))
 
 
-def _write(before: SourceText, after: SourceText, path: Path | None) -> None:
-    """Write *after* to the file at *path*, provided that *before* is what it holds."""
-    if path is None:
-        return
+def _checked(before: SourceText, after: SourceText, path: Path) -> bytes:
+    """The bytes of *after* for the file at *path*, provided that *before* is what it holds.
+
+    Raises an error if they may not be written there.
+    """
     data = encode(after)
     now = decode(before.name, path.read_bytes())
     if (now.text, now.bom) != (before.text, before.bom):
         raise SourceError(before.name, "the file has changed since it was read")
-    with replacement(path) as stream:
-        stream.write(data)
+    if not path.stat().st_mode & WRITING:
+        raise SourceError(before.name, "the file is read-only")
+    return data

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -58,6 +59,8 @@ class Run:
         mended = fixing.mended(
             sources, failed, self.settings, self.book, least, self.phases, streamed
         )
+        if mended.restless and not options.silent:
+            sys.stderr.write(f"kinlint: warning: {fixing.unending(mended.restless)}\n")
         if options.diff:
             fixing.show(mended.changed, options.color)
             return mended.report

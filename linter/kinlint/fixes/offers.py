@@ -26,13 +26,17 @@ Refusal = tuple[Finding, Repair, str]
 
 @dataclass(frozen=True)
 class Offers:
-    """What can be mended: verdicts on candidates, and `refused` repairs with the reasons."""
+    """What can be mended: verdicts on candidates, and `refused` repairs with the reasons.
+
+    `latest` are the texts that were tried last, with what was found in them.
+    """
 
     examination: Examination
     policies: Policies
     groups: Sequence[Group]
     verdicts: Mapping[Candidate, Verdict]
     refused: Sequence[Refusal]
+    latest: tuple[Texts, Examination] | None = None
 
     def fix(self, candidate: Candidate) -> Fix | None:
         """*candidate* as far as it may be trusted; None if it may not be."""
@@ -97,8 +101,13 @@ def offers(
             ]
     groups = _groups(found, examination, texts) if found else []
 
+    latest = None
+
     def again(tried: Texts) -> Examination:
-        return examine(tried.given, (), settings, rulebook, repairing=True, overlay=tried.changed)
+        nonlocal latest
+        found = examine(tried.given, (), settings, rulebook, repairing=True, overlay=tried.changed)
+        latest = tried, found
+        return found
 
     verdicts = tried(groups, texts, examination, again) if groups else {}
     refused = [*workshop.unsaid]
@@ -107,7 +116,7 @@ def offers(
         for each, verdict in verdicts.items()
         if verdict.applicability is None
     ]
-    return Offers(examination, policies, groups, verdicts, refused)
+    return Offers(examination, policies, groups, verdicts, refused, latest)
 
 
 def _groups(candidates: Iterable[Candidate], examination: Examination, texts: Texts) -> list[Group]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeAlias
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -19,6 +20,8 @@ from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.text import SourceText
 
+State: TypeAlias = frozenset[tuple[Path, str]]
+"""The texts that differ from what they were at first, by their paths."""
 ROUNDS = 10
 """How often mending may bring about something else to mend."""
 
@@ -27,12 +30,14 @@ ROUNDS = 10
 class Mended:
     """What is left to find in `texts`, and what `changed`, each with what it was before.
 
-    These may also be texts that others include.
+    These may also be texts that others include. `restless` are the rules, by their codes, whose
+    fixes undo each other or find no end.
     """
 
     report: Report
     texts: Sequence[SourceText]
     changed: Sequence[tuple[SourceText, SourceText]]
+    restless: Sequence[str] = ()
 
 
 def linted(
@@ -43,17 +48,7 @@ def linted(
     phases: Phases | None = None,
 ) -> Offers:
     """What `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
-    return _linted(Texts(sources), errors, settings, rulebook, phases)
-
-
-def _linted(
-    texts: Texts,
-    errors: Iterable[SourceError],
-    settings: Settings,
-    rulebook: Rulebook,
-    phases: Phases | None,
-) -> Offers:
-    spent = phases or Phases()
+    spent, texts = phases or Phases(), Texts(sources)
     examination = _examined(texts, errors, settings, rulebook, spent)
     with spent.phase("fixing"):
         return offers(examination, texts, settings, rulebook)
@@ -71,32 +66,66 @@ def mended(  # noqa: PLR0913, PLR0917
     """*sources* after all fixes that may be trusted at *least* so far, and what is left to find.
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
-    is mended, too, but not what those do that are *streamed*.
+    is mended, too, but not what those do that are *streamed*. Fixes that lead back to texts as they
+    were before are not made.
     """
     texts, fixed = Texts(sources, streamed), list[Finding]()
-    included: dict[Path, SourceText] = {}
+    originals: dict[Path, SourceText] = {}
+    reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
+    restless: Sequence[Finding] = ()
+    spent = phases or Phases()
+    examination = _examined(texts, errors, settings, rulebook, spent)
     for _ in range(ROUNDS):
-        examination = _examined(texts, errors, settings, rulebook, phases)
-        found = offers(examination, texts, settings, rulebook, least)
+        with spent.phase("fixing"):
+            found = offers(examination, texts, settings, rulebook, least)
         chosen = list(_chosen(found, least))
         if not chosen:
+            restless = ()
             break
         for each in chosen:
-            included = {**each.sources, **included}
+            originals = {**each.sources, **originals}
         texts = texts.rewritten(chosen)
         fixed += [
             replace(each.finding, fixes=(fix,)) for each in chosen if (fix := found.fix(each))
         ]
-    left = _linted(texts, errors, settings, rulebook, phases)
+        state = _state(texts, originals)
+        if state in reached:
+            texts, kept = reached[state]
+            fixed, restless = fixed[:kept], fixed[kept:]
+            examination = _examined(texts, errors, settings, rulebook, spent)
+            break
+        reached[state] = texts, len(fixed)
+        restless = fixed[-len(chosen) :]
+        examination = _known(found, texts, errors) or _examined(
+            texts, errors, settings, rulebook, spent
+        )
+    with spent.phase("fixing"):
+        left = offers(examination, texts, settings, rulebook)
+    if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
+        restless = ()
     given = set(map(texts.path, sources))
     pairs = [*zip(sources, texts.given, strict=True)]
-    pairs += [
-        (source, texts.changed[path]) for path, source in included.items() if path not in given
-    ]
+    pairs += [(originals[path], text) for path, text in texts.changed.items() if path not in given]
     return Mended(
         replace(left.report, fixed=tuple(fixed)),
         texts.given,
         [(before, after) for before, after in pairs if before.text != after.text],
+        sorted({one.rule.code for one in restless}),
+    )
+
+
+def _known(found: Offers, texts: Texts, errors: Collection[SourceError]) -> Examination | None:
+    """What was found in *texts* when they were tried, which is all unless there were *errors*."""
+    if errors or found.latest is None or not found.latest[0].same(texts):
+        return None
+    return found.latest[1]
+
+
+def _state(texts: Texts, originals: Mapping[Path, SourceText]) -> State:
+    return frozenset(
+        (path, source.text)
+        for path, source in texts.changed.items()
+        if source.text != originals[path].text
     )
 
 

@@ -40,6 +40,10 @@ class Texts:
     changed: Mapping[Path, SourceText] = field(default_factory=dict)
     _paths: dict[str, Path] = field(default_factory=dict, repr=False)
 
+    def same(self, other: Texts) -> bool:
+        """Whether all that is given and changed reads as in *other*."""
+        return list(self.given) == list(other.given) and self.changed == other.changed
+
     def path(self, source: SourceText) -> Path:
         """The file that holds *source*, with all links followed."""
         if source.name not in self._paths:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -90,6 +90,7 @@ def tried(
     Groups are linted together. A batch that does not hold is tried again in halves.
     """
     counts = _counts(before.report.findings)
+    lost = frozenset(error.name for error in before.report.errors)
     verdicts: dict[Candidate, Verdict] = {}
     for _ in range(STEPS):
         trial = [(group, group.batches.pop(0)) for group in groups if group.batches]
@@ -98,7 +99,7 @@ def tried(
         given = replace(texts, given=[text for group, _ in trial for text in group.sources])
         after = examine(given.rewritten(each for _, batch in trial for each in batch))
         for group, batch in trial:
-            verdict = _verdict(group, batch, texts, after, counts)
+            verdict = _verdict(group, batch, texts, after, counts, lost)
             if verdict.applicability and _claim(batch) <= verdict.applicability:
                 group.held.append(batch)
                 verdicts.update((each, Verdict(each.repair.applicability)) for each in batch)
@@ -143,15 +144,19 @@ def _parts(batch: Sequence[Candidate], verdict: Verdict) -> list[list[Candidate]
     return [list(first), [each for each in batch if each not in first]]
 
 
-def _verdict(
+def _verdict(  # noqa: PLR0913, PLR0917
     group: Group,
     batch: Sequence[Candidate],
     texts: Texts,
     after: Examination,
     counts: Counter[Kind],
+    lost: Collection[str],
 ) -> Verdict:
-    """Whether *batch* does what it promises, SAFE if so, and UNSAFE if it leads to findings."""
-    unread = {error.name for error in after.report.errors}
+    """Whether *batch* does what it promises, SAFE if so, and UNSAFE if it leads to findings.
+
+    Texts that were *lost* before need not be readable.
+    """
+    unread = {error.name for error in after.report.errors}.difference(lost)
     if any(source.name in unread for source in group.sources):
         return Verdict(None, "the text could not be read then")
     if not _all_say(group, batch, texts, after):

@@ -18,6 +18,7 @@ Item: TypeAlias = dict[str, Any]
 _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?")
 _INTEGER = re.compile(r"-?(?:0|[1-9][0-9]{0,20})")
 _REAL = {f"{XSD}double", f"{XSD}float", f"{XSD}decimal"}
+_FLOATING = {f"{XSD}double", f"{XSD}float"}
 _INTEGERS = {
     XSD + name
     for name in (
@@ -42,7 +43,8 @@ def literal_items(term: Term, spellings: Collection[str], old: Any = None) -> li
         return [{"@value": json.loads(text), "@type": "@json"}]
     if datatype == f"{XSD}string":
         return [{"@value": text}, {"@value": text, "@type": datatype}]
-    strings = [{"@value": text, "@type": datatype}]
+    plain = (spelled(text, spellings) if datatype in _FLOATING else None) or text
+    strings = [{"@value": plain, "@type": datatype}]
     natives = _natives(text, datatype, spellings)
     return [*strings, *natives] if isinstance(old, str) else [*natives, *strings]
 
@@ -70,8 +72,9 @@ def spelled(text: str, spellings: Collection[str]) -> str | None:
         value = float(text)
     except ValueError:
         return None
-    if text in spellings and _NUMBER.fullmatch(text):
-        return text
+    kept = sorted(each for each in spellings if _NUMBER.fullmatch(each) and float(each) == value)
+    if kept:
+        return text if text in kept else kept[0]
     shortest = repr(value)
     return shortest if _NUMBER.fullmatch(shortest) else None
 

@@ -166,10 +166,10 @@ class Values:
         return item.get("@id") == self._name(term) and "@value" not in item
 
     def _kept_spellings(self) -> set[str]:
-        """Numbers as they are written where a value goes: one that moves keeps its spelling."""
+        """What is written where values go, without quotes: a number that moves keeps it."""
         if self._spellings is None:
             spans = (
                 span for triple in self._goal.removed for span in self._goal.places.spans(triple)
             )
-            self._spellings = {self._source[span] for span in spans}
+            self._spellings = {self._source[span].strip('"') for span in spans}
         return self._spellings
