@@ -133,14 +133,44 @@ def _templates(
 def _ordered(triples: Sequence[Triple], update: str) -> tuple[Triple, ...]:
     """*triples* by where the text of *update* first has their properties: parsing loses it.
 
-    Blank nodes, which it calls at random, are numbered.
+    What is said of a blank node, which parsing calls at random, follows what leads to it.
     """
-    text = update.upper().find("INSERT")
-    places = {p: update.find(re.split(r"[#/]", p.strip("<>"))[-1], text) for _, p, _ in triples}
-    ordered = sorted(triples, key=lambda triple: places[triple[1]])
-    blanks = dict.fromkeys(term for triple in ordered for term in triple if is_blank(term))
-    names = {label: blank(str(number)) for number, label in enumerate(blanks)}
+    words = update[update.upper().find("INSERT") :]
+    places = {p: _place(re.split(r"[#/]", p.strip("<>"))[-1], words) for _, p, _ in triples}
+    about: dict[Term, list[Triple]] = {}
+    for triple in triples:
+        about.setdefault(triple[0], []).append(triple)
+
+    def shape(term: Term) -> str:
+        """What is said of a blank node, and of those within; other terms as they are."""
+        if not is_blank(term):
+            return term
+        said = sorted((places[p], p, shape(value)) for _, p, value in about.get(term, ()))
+        return f"[{said}]"
+
+    def key(triple: Triple) -> tuple[int, str, str, str]:
+        return places[triple[1]], triple[1], shape(triple[2]), shape(triple[0])
+
+    inner = {value for _, _, value in triples if is_blank(value)}
+    todo = sorted((each for each in triples if each[0] not in inner), key=key, reverse=True)
+    ordered: list[Triple] = []
+    while todo:
+        triple = todo.pop()
+        ordered.append(triple)
+        todo += sorted(about.get(triple[2], ()) if is_blank(triple[2]) else (), key=key)[::-1]
+    ordered = list(dict.fromkeys(ordered))
+    names = {label: blank(str(n)) for n, label in enumerate(dict.fromkeys(_blanks(ordered)))}
     return tuple((names.get(s, s), p, names.get(o, o)) for s, p, o in ordered)
+
+
+def _place(name: str, text: str) -> int:
+    """Where *text* first has *name* as a whole word; -1 if nowhere."""
+    found = re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text)
+    return found.start() if found else -1
+
+
+def _blanks(triples: Iterable[Triple]) -> Iterator[Term]:
+    return (term for triple in triples for term in triple if is_blank(term))
 
 
 def _tokens(triples: Iterable[tuple[Node, Node, Node]]) -> Iterator[Triple]:
