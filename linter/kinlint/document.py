@@ -18,6 +18,9 @@ TREES = frozenset({"urdf", "xacro", "srdf", "sdf"})
 LIFTED_AS = {"xacro": "urdf"}
 """What a format is once it is expanded."""
 
+FROM = iri(f"{SRC}from")
+"""What leads from a node that was lifted to the elements that it was made of."""
+
 ABOUT, NAME = frozenset({iri(f"{SRC}node"), iri(f"{SRC}subject")}), iri(f"{SRC}name")
 
 

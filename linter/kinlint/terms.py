@@ -15,6 +15,8 @@ Triple: TypeAlias = tuple[Term, Term, Term]
 XSD = "http://www.w3.org/2001/XMLSchema#"
 RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
 RDF_TYPE: Term = f"<{RDF}type>"
+NUMERIC = frozenset(f"{XSD}{name}" for name in ("double", "float", "decimal", "integer"))
+"""The datatypes that SPARQL calculates with."""
 
 _ESCAPES = str.maketrans(
     {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t", "\b": "\\b", "\f": "\\f"}

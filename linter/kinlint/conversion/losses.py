@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.conversion.coverage import Coverage, coverage
-from kinlint.document import LIFTED_AS, Document
+from kinlint.document import FROM, LIFTED_AS, Document
 from kinlint.terms import (
     RDF,
     RDF_TYPE,
@@ -22,7 +22,7 @@ from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, SRC
 
 Path = tuple[str, ...]
 
-FROM, ORDER = iri(f"{SRC}from"), iri(f"{SRC}order")
+ORDER = iri(f"{SRC}order")
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 FAULTS = {
     f"<{SRC}MalformedValue>": "malformed values",

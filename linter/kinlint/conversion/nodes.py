@@ -9,8 +9,9 @@ from decimal import Decimal
 from typing import Any, TypeAlias
 
 from kinlint.conversion.published import published
-from kinlint.document import Document
+from kinlint.document import FROM, Document
 from kinlint.terms import (
+    NUMERIC,
     RDF,
     RDF_TYPE,
     XSD,
@@ -23,11 +24,10 @@ from kinlint.terms import (
     literal_datatype,
     literal_value,
 )
-from kinlint.vocabulary import METAMODELS, SRC
+from kinlint.vocabulary import METAMODELS
 
 Node: TypeAlias = dict[str, Any]
 
-FROM = iri(f"{SRC}from")
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 GEOMETRY = f"{METAMODELS}geometry/structural-entities#"
 SIMPLICES = iri(f"{GEOMETRY}simplices")
@@ -41,7 +41,6 @@ OWNERS = frozenset(
     }
 )
 """What nodes belong to, by the beginning of their names."""
-NUMERIC = frozenset(f"{XSD}{name}" for name in ("double", "decimal", "integer", "float"))
 _DIGITS = re.compile(r"(\d+)")
 
 

@@ -7,9 +7,9 @@ from itertools import islice
 
 from kinlint.engine.store import Store
 from kinlint.terms import (
+    NUMERIC,
     RDF,
     RDF_TYPE,
-    XSD,
     Term,
     Triple,
     iri,
@@ -39,7 +39,6 @@ NODE = "<urn:kinlint:fact:"
 KIND_OF = 3
 """The rank of what a node is, after that of numbers, units and lists."""
 
-NUMERIC = frozenset(f"{XSD}{name}" for name in ("double", "float", "decimal", "integer"))
 MOST_READ = 200
 MOST_ITEMS = 3
 MOST = 12

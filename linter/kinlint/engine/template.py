@@ -6,10 +6,9 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
+from kinlint.document import FROM
 from kinlint.terms import RDF_TYPE, Term, iri
-from kinlint.vocabulary import SRC
 
-FROM = iri(f"{SRC}from")
 _WORD = re.compile(r'"[^"]*"\S*|[();,]|[^\s();,]+')
 _VARIABLE = re.compile(r"\?\w+")
 _OPENING = re.compile(r"\b(BIND) *\(|\b(OPTIONAL) *\{")

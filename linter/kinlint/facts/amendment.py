@@ -8,11 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import count
 
+from kinlint.document import FROM
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.geometry import BOX, CYLINDER, GEOMETRY, SPHERE, Geometries, Shape
 from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
 from kinlint.facts.linear import Matrix, eigenvalues
-from kinlint.facts.names import FROM, attribute, body, kin, sdf, urdf
+from kinlint.facts.names import attribute, body, kin, sdf, urdf
 from kinlint.facts.names import inertia as inertial
 from kinlint.facts.placement import ROTATION_FORMAT, TEXT, TEXT_TURNS, XYZ, Placements
 from kinlint.facts.scan import Scan

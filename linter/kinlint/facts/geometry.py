@@ -8,8 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from kinlint.document import FROM
 from kinlint.facts.linear import ZERO, Vector, length, subtract
-from kinlint.facts.names import FROM, attribute, kin, sdf, urdf
+from kinlint.facts.names import attribute, kin, sdf, urdf
 from kinlint.facts.scan import Scan
 from kinlint.facts.units import LENGTH, Units
 from kinlint.terms import Term, iri

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from itertools import chain
 
+from kinlint.document import FROM
 from kinlint.facts.companion import Companions
 from kinlint.facts.linear import ZERO, Matrix, Vector, dot, eigenvalues, length, scale
-from kinlint.facts.names import FROM, body
+from kinlint.facts.names import body
 from kinlint.facts.names import inertia as inertial
 from kinlint.facts.quantity import Quantities
 from kinlint.facts.scan import Scan

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.terms import Term, iri
-from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE, SDF, SRC, SRDF, URDF
+from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE, SDF, SRDF, URDF
 
 GEOMETRY = f"{METAMODELS}geometry/"
 DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
@@ -79,7 +79,6 @@ def attribute(name: str) -> Term:
     return iri(ATTRIBUTE + name)
 
 
-FROM = iri(f"{SRC}from")
 OF = rel("of")
 WITH_RESPECT_TO = rel("with-respect-to")
 COORDINATE_OF = kin("coordinate-of")

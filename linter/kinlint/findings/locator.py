@@ -9,7 +9,7 @@ from operator import itemgetter
 from urllib.parse import unquote
 
 from kinlint.display import Display
-from kinlint.document import TREES, Document, document_of
+from kinlint.document import FROM, TREES, Document, document_of
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
@@ -31,7 +31,6 @@ from kinlint.text import Location, Span
 from kinlint.vocabulary import QUDT, SRC
 
 ANGLES = ("alpha", "beta", "gamma")
-FROM = iri(f"{SRC}from")
 OWN = iri(f"{SRC}ownNamespace")
 TEXT = iri(f"{SRC}text")
 UNIT = iri(f"{QUDT}unit")

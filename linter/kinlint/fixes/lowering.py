@@ -6,13 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kinlint.document import Document
+from kinlint.document import FROM, Document
 from kinlint.edits import Delta, Unsayable
 from kinlint.engine.store import Store
-from kinlint.terms import Term, Triple, iri, is_literal
-from kinlint.vocabulary import SRC
-
-FROM = iri(f"{SRC}from")
+from kinlint.terms import Term, Triple, is_literal
 
 
 class Replacement(NamedTuple):

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
-from kinlint.document import Document, document_of
+from kinlint.document import FROM, Document, document_of
 from kinlint.edits import Delta, Unsayable
 from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
-from kinlint.fixes.lowering import FROM, lowered
+from kinlint.fixes.lowering import lowered
 from kinlint.terms import (
+    NUMERIC,
     XSD,
     Term,
     Triple,
@@ -24,7 +25,6 @@ from kinlint.terms import (
 )
 
 DOUBLE = f"{XSD}double"
-NUMERIC = frozenset({DOUBLE, *(f"{XSD}{name}" for name in ("float", "decimal", "integer"))})
 
 
 @dataclass

@@ -49,21 +49,11 @@ class OtherRelease:
     def _inner(self, outer: Context, origin: Origin) -> tuple[Context, Context]:
         """Steps 3 and 7 to 11 of the expansion algorithm: what an object adds to its contexts."""
         processor: Any = self._processor
-        options = processor.options
         try:
-            scoped = processor.get_context_value(outer, origin.prop, "@context")
-            if scoped is not None:
-                outer = processor._process_context(  # noqa: SLF001
-                    outer, scoped, options, propagate=True, override_protected=True
-                )
-            outer = processor._revert_to_previous_context(outer)  # noqa: SLF001
-            if scoped is not None:
-                outer = processor._process_context(  # noqa: SLF001
-                    outer, scoped, options, override_protected=True
-                )
+            outer = processor.entering(outer, origin.prop)
             processor.trail.append(origin)
             keys, _, types = processor._prepare_nested_context(  # noqa: SLF001
-                outer, origin.element, options
+                outer, origin.element, processor.options
             )
             processor.trail.pop()
         except FAULTS:

@@ -75,6 +75,21 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             return []
         return expanded if isinstance(expanded, list) else [expanded]
 
+    def entering(self, outer: Context, key: str | None) -> Context:
+        """The context of an object that is a value of *key*, before its own and those of its types.
+
+        Steps 3 and 7 to 8 of the expansion algorithm (JSON-LD 1.1 API, 5.1).
+        """
+        scoped = self.get_context_value(outer, key, "@context")
+        if scoped is not None:
+            outer = self._process_context(
+                outer, scoped, self.options, propagate=True, override_protected=True
+            )
+        outer = self._revert_to_previous_context(outer)
+        if scoped is not None:
+            outer = self._process_context(outer, scoped, self.options, override_protected=True)
+        return outer
+
     def _on_dropped(self, expanded: str | None) -> None:
         # A term that a context maps to null is dropped on purpose and arrives as None.
         if isinstance(expanded, Iri):

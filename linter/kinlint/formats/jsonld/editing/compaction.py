@@ -32,22 +32,8 @@ class Compaction:
         self.needed: dict[str, str] = {}
 
     def within(self, outer: Context, key: str | None, skeleton: Mapping[str, Any]) -> Scope:
-        """The contexts at a new object with the types of *skeleton*, the value of *key*.
-
-        Steps 3 and 7 to 11 of the expansion algorithm (JSON-LD 1.1 API, 5.1).
-        """
-        processor, options = self._processor, self._processor.options
-        scoped = processor.get_context_value(outer, key, "@context")
-        if scoped is not None:
-            outer = processor._process_context(  # noqa: SLF001
-                outer, scoped, options, propagate=True, override_protected=True
-            )
-        outer = processor._revert_to_previous_context(outer)  # noqa: SLF001
-        if scoped is not None:
-            outer = processor._process_context(  # noqa: SLF001
-                outer, scoped, options, override_protected=True
-            )
-        return self.scope(outer, skeleton)
+        """The contexts at a new object with the types of *skeleton*, the value of *key*."""
+        return self.scope(self._processor.entering(outer, key), skeleton)
 
     def scope(self, outer: Context, skeleton: Mapping[str, Any]) -> Scope:
         """The contexts at an object with the contexts and types of *skeleton*."""

@@ -8,12 +8,11 @@ from math import isfinite
 from kinlint.edits import Unsayable
 from kinlint.formats.xml.mending import CONTROL, HIGHEST
 from kinlint.formats.xml.values import HEXADECIMAL, NUMBER, SPECIAL
-from kinlint.terms import XSD, Term, is_literal, literal_datatype, literal_value
+from kinlint.terms import NUMERIC, XSD, Term, is_literal, literal_datatype, literal_value
 from kinlint.text import SourceText
 
 CANONICAL = re.compile(r"-?\d\.\d+E-?\d+", re.ASCII)
 INEXACT = frozenset({f"{XSD}double", f"{XSD}float"})
-NUMERIC = INEXACT | {f"{XSD}decimal", f"{XSD}integer"}
 TRUTHS = {"true": 1.0, "false": 0.0}
 REFERENCE = re.compile(r"&(?:(amp|lt|gt|quot|apos)|#(\d{1,7})|#x([0-9a-fA-F]{1,6}));")
 BREAKS = {"\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}
