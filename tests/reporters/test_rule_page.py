@@ -5,7 +5,7 @@ from dataclasses import replace
 from reported import INERTIA, RULES
 
 from kinlint.model import Applicability, Example, Repair
-from kinlint.reporters import rule_page
+from kinlint.reporters import rule_page, rule_pages
 from kinlint.reporters.example import marked
 from kinlint.reporters.style import Style
 from kinlint.text import Span
@@ -87,7 +87,7 @@ Fix: Swap the limits in urdf and sdf (safe, so --fix makes it).
         "formats": ["urdf", "sdf"],
         "update": REPAIR.update,
     }
-    assert "| error | AP3 | safe | inertia is" in "".join(rule_page.catalogue([MENDED]))
+    assert "| error | AP3 | safe | inertia is" in "".join(rule_pages.catalogue([MENDED]))
 
 
 def test_the_page_is_drawn_where_there_are_colours() -> None:
@@ -120,7 +120,7 @@ def test_the_object_has_examples_without_marks_and_where_they_were() -> None:
 
 
 def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -> None:
-    page = "".join(rule_page.catalogue(reversed(RULES)))
+    page = "".join(rule_pages.catalogue(reversed(RULES)))
     table = (
         "| Code | Name | Severity | Anti-patterns | Fix | What it finds |\n"
         "|---|---|---|---|---|---|\n"
@@ -138,6 +138,28 @@ def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -
     file = "inertia/inertia-seen-by-foreign-frame.ttl"
     assert f"\n\nRule file: [{file}]({file})\n" in section
     assert "\n\n\n" not in page
+
+
+def test_a_page_for_each_family_stands_beside_its_rules() -> None:
+    pages = rule_pages.pages(RULES)
+
+    assert sorted(pages) == ["README.md", "inertia/README.md"]
+    link = "[inertia-seen-by-foreign-frame](inertia/README.md#ine007-inertia-seen-by-foreign-frame)"
+    assert link in pages["README.md"]
+    assert "\n## INE007" not in pages["README.md"]
+    page = pages["inertia/README.md"]
+    assert page.startswith("# inertia (INE)\n\nMade from the rule files beside this page")
+    assert "| INE007 | [inertia-seen-by-foreign-frame](#ine007-" in page
+    assert "\n## INE007 inertia-seen-by-foreign-frame\n\n**" in page
+    file = "inertia-seen-by-foreign-frame.ttl"
+    assert f"\n\nRule file: [{file}]({file})\n" in page
+
+
+def test_rules_that_lie_in_no_family_are_explained_in_the_index() -> None:
+    page = rule_pages.pages([rule for rule in RULES if not rule.path])["README.md"]
+
+    assert "\n### other (UNI)\n" in page
+    assert "\n## UNI" in page
 
 
 def test_a_rule_that_says_little_has_a_page() -> None:

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.parser import Parser, one_of
@@ -13,9 +14,11 @@ from kinlint.cli.settings import cache_directory
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
+from kinlint.files.replacement import replacement
 from kinlint.model import Rule
 from kinlint.reporters.registry import put
-from kinlint.reporters.rule_page import catalogue, markdown, rule_object, text
+from kinlint.reporters.rule_page import markdown, rule_object, text
+from kinlint.reporters.rule_pages import catalogue, pages
 from kinlint.reporters.style import style_of
 
 FORMATS = ("text", "markdown", "json")
@@ -28,6 +31,11 @@ def parser() -> Parser:
     made.add_argument("--all", action="store_true", help="every rule")
     made.add_argument(
         "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
+    )
+    made.add_argument(
+        "--output-directory",
+        metavar="DIR",
+        help="write all as Markdown: an index, and a page for each family",
     )
     made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
     made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
@@ -47,6 +55,10 @@ def run(arguments: Sequence[str]) -> int:
     wanted = options.names or ["ALL"]
     codes = frozenset[str]().union(*(known.find(each)[1] for each in wanted))
     rules = [rule for rule in book.rules if rule.code in codes]
+    if options.output_directory is not None:
+        if options.output_format == "json":
+            raise UsageError("--output-directory writes Markdown: leave --output-format json out")
+        return _write(rules, absolute(options.output_directory))
     single = len(wanted) == 1 and wanted[0] in known.exact
     if options.all and options.output_format == "markdown":
         put(catalogue(rules), sys.stdout)
@@ -56,6 +68,19 @@ def run(arguments: Sequence[str]) -> int:
         put(iter([written, "\n"]), sys.stdout)
     else:
         put(_pages(rules, options.output_format, options.color), sys.stdout)
+    return 0
+
+
+def _write(rules: Sequence[Rule], directory: Path) -> int:
+    """Write the pages of *rules* below *directory*."""
+    for name, page in pages(rules).items():
+        path = directory / name
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with replacement(path) as stream:
+                stream.write(page.encode())
+        except OSError as error:
+            raise UsageError(f"{path}: {error.strerror}") from error
     return 0
 
 

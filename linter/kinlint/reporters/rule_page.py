@@ -2,63 +2,22 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from kinlint import resources
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.example import Marked, marked
-from kinlint.reporters.repair import furthest, heading, repair_object
+from kinlint.reporters.repair import heading, repair_object
 from kinlint.reporters.style import Style
-from kinlint.reporters.symptoms import SYMPTOMS, symptom_table
+from kinlint.reporters.symptoms import SYMPTOMS
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {"jsonld": "json", "turtle": "turtle", "urdf": "xml", "sdf": "xml", "mjcf": "xml"}
 TEXT_WIDTH = 80
-INTRODUCTION = """\
-# The rules of kinlint
-
-One Turtle file is one rule. It is a SHACL shape, and says in the same place what it finds and how
-bad that is, why it matters, which anti-patterns (AP1 to AP6) it witnesses, and what a bad and a
-good model look like. Carets below show what is flagged in the bad one.
-
-This page is made from those files: `kinlint rule --all --output-format markdown`. One rule is
-explained by `kinlint rule CODE`.
-
-Some rules bring repairs, as SPARQL Updates. The index tells how far the best of them may be
-trusted: `safe` ones `kinlint --fix` makes, `unsafe` ones only with `--unsafe-fixes`.
-
-A rule needs no kinlint to run. Any SHACL engine that knows SPARQL constraints will do, with the
-ontology and the units beside the model, such as pySHACL from the top of this repository:
-
-```sh
-pyshacl -im -s rules/units/missing-unit.ttl -i owlrl \\
-    model.ttl shapes/ontology/*.ttl shapes/units/*.ttl
-```
-
-It tells which node is at fault, though not where in the file; and rules about what JSON-LD loses
-find nothing there, since it is lost before.
-
-A rule is ignored
-
-- for one run: `--ignore CODE`
-- for a project: `ignore = ["CODE"]` under `[tool.kinlint]` in `pyproject.toml`
-- for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "CODE"`
-
-where CODE may be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`), too.
-"""
-SYMPTOM_INTRODUCTION = """
-## Symptoms
-
-What the anti-patterns look like in a model, and which rules find them in each format. What is
-*inherent* in a format, no author can avoid: `kinlint --profile` tells it.
-
-"""
 
 
 def text(rule: Rule, style: Style) -> Iterator[str]:
@@ -106,30 +65,18 @@ def help_markdown(rule: Rule) -> str:
     return _joined(*_explained(rule), "To ignore it:", ways, *_links(rule))
 
 
-def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
-    """All *rules* on one page of Markdown: how to read and run them, an index, and a section each.
+def section(rule: Rule, directory: str = "") -> str:
+    """The section of *rule* in a page about several, in the *directory* of its family or above."""
+    file = Path(rule.path)
+    shown = file.name if directory else "/".join(file.parts[-2:])
+    source = f"Rule file: [{shown}]({quote(shown)})" if shown else ""
+    parts = *_explained(rule), *_links(rule), source
+    return f"## {title_of(rule)}\n\n**{rule.title}**\n\n{_joined(*parts)}"
 
-    Links lead to files below the directory of the rules.
-    """
-    ordered = sorted(rules, key=lambda rule: rule.code)
-    yield INTRODUCTION
-    yield "\n## Index\n"
-    families: dict[str, list[Rule]] = {}
-    for rule in ordered:
-        families.setdefault(Path(rule.path).parent.name, []).append(rule)
-    for family, members in families.items():
-        codes = ", ".join(sorted({rule.family for rule in members}))
-        yield f"\n### {family or 'other'} ({codes})\n\n{_index(members)}"
-    yield SYMPTOM_INTRODUCTION
-    yield "\n".join(symptom_table(ordered)) + "\n"
-    robots = resources.data("rules") / "real-robots.md"
-    if robots.is_file():
-        yield "\n" + robots.read_text("utf-8")
-    for rule in ordered:
-        file = "/".join(Path(rule.path).parts[-2:])
-        source = f"Rule file: [{file}]({quote(file)})" if file else ""
-        parts = *_explained(rule), *_links(rule), source
-        yield f"\n## {_heading(rule)}\n\n**{rule.title}**\n\n{_joined(*parts)}"
+
+def title_of(rule: Rule) -> str:
+    """The heading of the section of *rule*."""
+    return f"{rule.code} {rule.name}"
 
 
 def _explained(rule: Rule) -> Iterator[str]:
@@ -200,28 +147,6 @@ def _severity(rule: Rule) -> str:
         whom = f" with --target {' or '.join(each.targets)}" if each.targets else ""
         parts.append(each.severity.label + where + whom)
     return "; ".join(parts)
-
-
-def _index(rules: Iterable[Rule]) -> str:
-    """A Markdown table of *rules*, with links to their sections."""
-    titles = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "What it finds")
-    rows = [f"| {' | '.join(titles)} |", "|---" * len(titles) + "|"]
-    for rule in rules:
-        anchor = re.sub(r"[^\w -]", "", _heading(rule).lower()).replace(" ", "-")
-        cells = (
-            rule.code,
-            f"[{rule.name}](#{anchor})",
-            rule.severity.label,
-            ", ".join(rule.antipatterns),
-            furthest(rule),
-            rule.title.replace("|", "\\|"),
-        )
-        rows.append(f"| {' | '.join(cells)} |")
-    return "\n".join(rows) + "\n"
-
-
-def _heading(rule: Rule) -> str:
-    return f"{rule.code} {rule.name}"
 
 
 def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
