@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,7 +22,7 @@ LIFTED_AS = {"xacro": "urdf"}
 FROM = iri(f"{SRC}from")
 """What leads from a node that was lifted to the elements that it was made of."""
 
-ABOUT, NAME = frozenset({iri(f"{SRC}node"), iri(f"{SRC}subject")}), iri(f"{SRC}name")
+ABOUT, NAME = (iri(f"{SRC}node"), iri(f"{SRC}subject")), iri(f"{SRC}name")
 
 
 class NodeSpans(NamedTuple):
@@ -87,5 +88,19 @@ class Document:
     @cached_property
     def about(self) -> Mapping[Term, Term]:
         """The domain node, or the graph, that each statement of the source layer speaks of."""
-        named = {s: o for s, p, o in self.statements if p == NAME and is_iri(o)}
-        return {**named, **{s: o for s, p, o in self.statements if p in ABOUT}}
+        named = {s: o for s, _, o in self.saying(NAME) if is_iri(o)}
+        return {**named, **{s: o for s, _, o in self.saying(*ABOUT)}}
+
+    def saying(self, *properties: Term) -> Sequence[Triple]:
+        """The statements that have one of *properties*, in their order."""
+        found = [each for name in properties if (each := self._by_property.get(name))]
+        if len(found) < 2:  # noqa: PLR2004  nothing to be put in order
+            return found[0] if found else ()
+        return [each for each in self.statements if each[1] in properties]
+
+    @cached_property
+    def _by_property(self) -> Mapping[Term, Sequence[Triple]]:
+        found: dict[Term, list[Triple]] = defaultdict(list)
+        for each in self.statements:
+            found[each[1]].append(each)
+        return dict(found)

@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
-from kinlint.catalogue.applicability import (
-    applicability,
-    applicable,
-    applies,
-    axioms_for,
-    demand,
-    formats,
-    possible,
-)
+from kinlint.catalogue.applicability import applies, axioms_for, demand, possible
+from kinlint.catalogue.inquiry import Inquiry
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import TREES, Document
 from kinlint.engine.check import check
@@ -37,8 +30,9 @@ from kinlint.model import Finding
 from kinlint.phases import Phases
 from kinlint.references import STATED, references
 from kinlint.report import Report
+from kinlint.structure import Structure
 from kinlint.suppression import silence
-from kinlint.terms import RDF_TYPE
+from kinlint.terms import RDF_TYPE, Term
 from kinlint.text import SourceText
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
@@ -96,29 +90,17 @@ def examine(  # noqa: PLR0913
     failed = list(errors)
     with spent.phase("reading"):
         options = replace(ReadOptions.of(settings), overlay=overlay)
-        given = [source for source in sources if not source.companion]
-        beside = [source for source in sources if source.companion]
-        documents = list(_documents(given, options, failed))
-        joined = _joined([*documents, *_documents(beside, options, [])], settings)
-        documents = joined[: len(documents)]
-    policies = Policies(settings, rulebook.rules, formats(documents))
-    enabled = policies.enabled(document.source.name for document in documents)
-    asked = [
-        rule
-        for rule in rulebook.rules
-        if rule.code in enabled and not (settings.partial and rule.whole_model)
-    ]
-    owners = applicability(asked, documents)
-    constraints = applicable(rulebook.constraints, owners)
-    repairs = [one for rule in asked if rule.iri in owners for one in rule.repairs if repairing]
+        documents, joined = gathered(sources, failed, settings, partial(read, options=options))
+    inquiry = Inquiry.of(documents, settings, rulebook, repairing=repairing)
+    repairs = inquiry.repairs
     store = Store()
     with spent.phase("loading"):
         store.load(joined)
         store.load_vocabulary(rulebook.vocabulary)
     with spent.phase("lifting"):
         axioms = rulebook.axioms
-        constraints = possible(constraints, joined, store, STATED | made(axioms))
-        wanted = demand(constraints, repairs)
+        constraints = possible(inquiry.constraints, joined, store, STATED | made(axioms))
+        wanted = wanted_for(demand(constraints, repairs), settings)
         lift(store, wanted, None if wanted is None else behind(axioms, wanted))
     with spent.phase("closure"):
         close(store, axioms_for(joined, axioms, wanted))
@@ -128,25 +110,74 @@ def examine(  # noqa: PLR0913
         store.state((*facts(store, wanted), *named, *helpful))
     with spent.phase("checking"):
         results = check_all(joined, store, constraints, settings, rulebook)
-        results = list(applies(results, joined, owners))
+        results = list(applies(results, joined, inquiry.owners))
     with spent.phase("locating"):
         account = Account(results, joined, store, rulebook)
-        judged = policies.judged(_meant(account.brief(), documents, joined))
-        silenced = silence.apply(judged, documents, policies, complete=not failed)
-        told = grouped(silenced, account.detailed, _reused(joined))
-        told.sort(key=lambda finding: finding.sort_key)
-    report = Report(
+        report = concluded(account, documents, joined, inquiry, failed)
+    structures = drawn(store, joined, report) if settings.drawn else ()
+    seconds = sum(spent.seconds.values()) - before
+    report = replace(report, structures=structures, seconds=seconds)
+    return Examination(report, joined, store, account, options)
+
+
+def gathered(
+    sources: Iterable[SourceText],
+    failed: list[SourceError],
+    settings: Settings,
+    reading: Callable[[SourceText], Document],
+) -> tuple[list[Document], list[Document]]:
+    """What *sources* say to *reading*, without companions and with them, SRDF joined to its URDF.
+
+    The errors of those that cannot be read go to *failed*, unless they are companions.
+    """
+    texts = list(sources)
+    documents = list(_documents([each for each in texts if not each.companion], reading, failed))
+    beside = _documents([each for each in texts if each.companion], reading, [])
+    joined = _joined([*documents, *beside], settings)
+    return joined[: len(documents)], joined
+
+
+def concluded(
+    account: Account,
+    documents: Sequence[Document],
+    joined: Sequence[Document],
+    inquiry: Inquiry,
+    failed: Sequence[SourceError],
+) -> Report:
+    """What *account* says of *documents*, which *joined* has with their companions."""
+    policies = inquiry.policies
+    judged = policies.judged(_meant(account.brief(), documents, joined))
+    silenced = silence.apply(judged, documents, policies, complete=not failed)
+    told = grouped(silenced, account.detailed, _reused(joined))
+    told.sort(key=lambda finding: finding.sort_key)
+    unapplied = (each for each in documents if not speaks(each, inquiry.rulebook))
+    return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
         suppressed=tuple(finding for finding in told if finding.suppressed is not None),
         files=tuple(document.source.name for document in documents),
-        unapplied=tuple(each.source.name for each in documents if not speaks(each, rulebook)),
+        unapplied=tuple(document.source.name for document in unapplied),
         errors=tuple(failed),
-        rules=tuple(asked),
+        rules=tuple(inquiry.asked),
         triples=sum(len(document.statements) for document in documents),
-        applied=len(asked) if documents else 0,
-        seconds=sum(spent.seconds.values()) - before,
+        applied=len(inquiry.asked) if documents else 0,
     )
-    return Examination(report, joined, store, account, options)
+
+
+def wanted_for(terms: frozenset[Term] | None, settings: Settings) -> frozenset[Term] | None:
+    """*terms*, and if robots are to be drawn, those that say what they look like."""
+    if terms is None or not settings.drawn:
+        return terms
+    from kinlint.kinematics.demand import ASKED  # noqa: PLC0415  few outputs draw
+
+    return terms | ASKED
+
+
+def drawn(store: Store, documents: Sequence[Document], report: Report) -> tuple[Structure, ...]:
+    """The robots in *store*, with what *report* has found in each."""
+    from kinlint.kinematics.extraction import structures  # noqa: PLC0415  few outputs draw
+
+    told = sorted((*report.findings, *report.suppressed), key=lambda each: each.sort_key)
+    return structures(store, documents, told)
 
 
 def _meant(
@@ -184,12 +215,14 @@ def _joined(documents: Sequence[Document], settings: Settings) -> list[Document]
 
 
 def _documents(
-    sources: Iterable[SourceText], options: ReadOptions, failed: list[SourceError]
+    sources: Iterable[SourceText],
+    reading: Callable[[SourceText], Document],
+    failed: list[SourceError],
 ) -> Iterator[Document]:
     """What *sources* say; the errors of those that cannot be read go to *failed*."""
     for source in sources:
         try:
-            yield read(source, options)
+            yield reading(source)
         except SourceError as error:
             failed.append(error)
 

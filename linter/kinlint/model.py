@@ -16,8 +16,8 @@ from kinlint.vocabulary import DOCUMENT_IRI
 class Severity(IntEnum):
     """How bad a finding is; ordered, so that thresholds compare.
 
-    ERROR: refused or silently misread by a consumer, or physically impossible.
-    WARNING: consumers disagree, or very likely a slip. INFO: an assumption worth knowing.
+    ERROR: refused or misread by a consumer, or physically impossible. WARNING: consumers disagree,
+    or very likely a slip. INFO: an assumption worth knowing.
     """
 
     INFO = 1
@@ -241,8 +241,9 @@ class Premise:
 class Finding:
     """A defect at a place.
 
-    `message` is `template` with its `arguments` filled in. `iri` is the entity concerned, an
-    absolute IRI or a blank node label; `path` and `value` are terms where the rule names them.
+    `message` is `template` with its `arguments` filled in; `meant` is what they stand for, however
+    the file or its neighbours abbreviate that. `iri` is the entity concerned, an absolute IRI or a
+    blank node label; `path` and `value` are terms where the rule names them.
     `group` is what it has in common with others that are told with it (`Rule.group_by`).
     `members` are those told as this one, if they are several. `fixes` are alternatives, the
     preferred first.
@@ -258,6 +259,7 @@ class Finding:
     value: Term | None = None
     template: str = ""
     arguments: tuple[str, ...] = ()
+    meant: tuple[str, ...] = ()
     related: tuple[Related, ...] = ()
     because: tuple[Premise, ...] = ()
     suppressed: str | None = field(default=None)
@@ -286,17 +288,12 @@ class Finding:
 
         Of a group: rule and what it has in common, whoever is in it.
         """
-        alone = self.iri, self.path or "", *self.arguments
+        alone = self.iri, self.path or "", *(self.meant or self.arguments)
         what = [self.rule.code, *(self.group if self.rule.group_by else alone)]
         return hashlib.sha256("\x1f".join(what).encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:
         """Findings are reported by file, place and code."""
-        return (
-            self.location.source.name,
-            self.location.span.start,
-            self.location.span.end,
-            self.rule.code,
-            self.message,
-        )
+        source, span = self.location.source, self.location.span
+        return source.name, span.start, span.end, self.rule.code, self.message

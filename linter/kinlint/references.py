@@ -44,21 +44,21 @@ def references(
         near = absolute(document.source.name).parent
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
-        for element, written in _written(document):
-            fault = known.fault(written, near)
+        for element, _, written in named_files(document):
+            fault = known.fault(literal_value(written), near)
             if fault is not None:
                 yield from _stated(element, fault)
 
 
-def _written(document: Document) -> Iterator[tuple[Term, str]]:
-    """The elements of *document* that name a file, and how they write it."""
+def named_files(document: Document) -> Iterator[Triple]:
+    """The statements of *document* whose value names the file of a mesh or a texture."""
     expected: dict[Term, Term] = {}
     for subject, predicate, value in document.statements:
         if predicate in NAMED_BY:
             expected[value] = NAMED_BY[predicate]
         elif expected.get(subject) == predicate:
             if is_literal(value):
-                yield subject, literal_value(value)
+                yield subject, predicate, value
             else:
                 expected[value] = TEXT
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 
@@ -45,10 +46,10 @@ class SourceText:
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
         """The offset at which each line begins; LF, CRLF and CR end a line."""
-        text, starts, at = self.text, [0], 0
+        text = self.text
+        lengths = [len(line) + 1 for line in text.split("\n")]
+        starts = list(accumulate(lengths[:-1], initial=0))
         lone_return = "\r" in text.replace("\r\n", "")
-        while (at := text.find("\n", at) + 1) > 0:
-            starts.append(at)
         if lone_return:
             returns = (
                 i + 1 for i, c in enumerate(text) if c == "\r" and text[i + 1 : i + 2] != "\n"

@@ -15,7 +15,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.turtle import reader
-from kinlint.terms import RDF, is_blank
+from kinlint.terms import RDF, XSD, is_blank
 from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
 
@@ -103,6 +103,30 @@ def test_n_quads_are_flattened_and_placed() -> None:
     assert losses(model) == [("NamedGraph", "<https://e.org/g>")]
     assert details(model, "<https://e.org/g>")["name"] == ["https://e.org/g"]
     assert is_blank(domain(model)[1][0])
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "number"),
+    [
+        ("a.ttl", "<https://e.org/#a> <https://e.org/#p> 1.5, -1e999 .", "-1e999"),
+        (
+            "a.nt",
+            (
+                f'<https://e.org/#a> <https://e.org/#p> "1e999"^^<{XSD}double> .\n'
+                f'<https://e.org/#a> <https://e.org/#p> "INF"^^<{XSD}double> .\n'
+            ),
+            f'"1e999"^^<{XSD}double>',
+        ),
+    ],
+)
+def test_a_number_that_no_double_holds_is_stated_as_lost(name: str, text: str, number: str) -> None:
+    """As in JSON-LD; what reads it as infinity says nothing. Infinity itself may be meant."""
+    model = found(text, name)
+    assert losses(model, "LostValue") == [("LostValue", number)]
+    said = details(model, number)
+    assert said["node"] == ["https://e.org/#a"]
+    assert said["written"][0] in number
+    assert len(domain(model)) == 1
 
 
 def test_what_the_grammar_does_not_cover_is_still_read(monkeypatch: pytest.MonkeyPatch) -> None:

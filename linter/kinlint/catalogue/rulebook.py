@@ -11,7 +11,7 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from kinlint import __version__, resources
 from kinlint.engine.axioms import Axiom
@@ -25,6 +25,8 @@ PREFIXES = "prefixes.ttl"
 SHIPPED = Path(__file__).parent / "compiled"
 """Where a wheel carries the compiled built-in catalogue; a checkout has none."""
 
+STORED = ("catalogue-*.json", "catalogue-*.tmp")
+"""How compiled catalogues in a cache are called, and those that are being written."""
 KEPT = 8
 """How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
 OWN = (f"<{SRC}", f"<{FACT}")
@@ -36,7 +38,8 @@ class Rulebook:
     """Everything that judges.
 
     `vocabulary` are the Turtle files that are loaded with the data, `shapes` all files that
-    hold constraints, with the prefixes that their queries use.
+    hold constraints, with the prefixes that their queries use. `digest` stands for all that was
+    compiled; it is empty where nothing does.
     """
 
     rules: tuple[Rule, ...]
@@ -44,6 +47,7 @@ class Rulebook:
     axioms: tuple[Axiom, ...]
     vocabulary: tuple[Path, ...]
     shapes: tuple[Path, ...]
+    digest: str = ""
 
     @cached_property
     def terms(self) -> frozenset[Term]:
@@ -79,14 +83,9 @@ def load(
     *cache* is a directory for compiled catalogues; None compiles anew. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
-    shipped = _turtle(resources.data("rules"))
-    given = tuple(_rule_files(rules))
-    files = (*_others(shipped, given), *given)
-    extra = tuple(_existing(shapes))
-    ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
-    vocabulary = (*ontology, *_others(given, shipped), *extra)
-    inputs = (ours / PREFIXES, *ontology, *files, *extra)
-    name = f"catalogue-{_digest(inputs)}.json"
+    files, extra, vocabulary, inputs = _parts(rules, shapes)
+    digest = _digest(inputs)
+    name = f"catalogue-{digest}.json"
     stored = cache / name if cache is not None else None
     compiled = _read(SHIPPED / name) or (_read(stored) if stored is not None else None)
     if compiled is None:
@@ -100,7 +99,34 @@ def load(
         axioms=tuple(Axiom.from_json(values) for values in compiled["axioms"]),
         vocabulary=vocabulary,
         shapes=(ours / PREFIXES, *files, *extra),
+        digest=digest,
     )
+
+
+class _Parts(NamedTuple):
+    """The files of a catalogue: rules, plain shapes, vocabulary, and all that decide what it is."""
+
+    files: tuple[Path, ...]
+    extra: tuple[Path, ...]
+    vocabulary: tuple[Path, ...]
+    inputs: tuple[Path, ...]
+
+
+def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
+    ours = resources.data("shapes")
+    shipped = _turtle(resources.data("rules"))
+    given = tuple(_rule_files(rules))
+    files = (*_others(shipped, given), *given)
+    extra = tuple(_existing(shapes))
+    ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
+    vocabulary = (*ontology, *_others(given, shipped), *extra)
+    return _Parts(files, extra, vocabulary, (ours / PREFIXES, *ontology, *files, *extra))
+
+
+def built_in() -> tuple[str, int]:
+    """What tells the built-in catalogue from others, and how many rules it has."""
+    parts = _parts((), ())
+    return _digest(parts.inputs), len(parts.files)
 
 
 def _compile(
@@ -236,10 +262,10 @@ def _write(stored: Path, compiled: dict[str, Any]) -> None:
 
     with suppress(OSError):
         stored.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=stored.parent, suffix=".tmp")
+        handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
         with os.fdopen(handle, "w", encoding="utf-8") as stream:
             json.dump(compiled, stream)
         Path(temporary).replace(stored)
-        kept = sorted(stored.parent.glob("catalogue-*.json"), key=lambda each: each.stat().st_mtime)
+        kept = sorted(stored.parent.glob(STORED[0]), key=lambda each: each.stat().st_mtime)
         for stale in kept[:-KEPT]:
             stale.unlink()

@@ -8,6 +8,7 @@ from typing import Protocol
 from kinlint.engine.constraint import FOCUS, Constraint
 from kinlint.engine.presence import Lookup, Presence
 from kinlint.engine.result import Result
+from kinlint.engine.store import rank
 from kinlint.terms import Term, is_blank, is_iri, literal_value
 
 
@@ -33,16 +34,22 @@ def check(
     for constraint in constraints:
         if constraint.deferred is not None or not presence.may_violate(constraint):
             continue
-        text = constraint.select
-        if by_name and focus is not None:
+        if not by_name:
+            found = rows(store, constraint)
+            yield from (result(constraint, each) for each in found if focus in (None, each["root"]))
+        elif focus is not None:
             text = constraint.single.replace(FOCUS, focus)
-        for row in store.rows(text):
-            root = row.pop("root")
-            if focus is None or by_name or root == focus:
-                yield _result(constraint, row)
+            found = sorted(store.rows(text), key=rank, reverse=True)
+            yield from (result(constraint, each) for each in found)
 
 
-def _result(constraint: Constraint, row: Mapping[str, Term]) -> Result:
+def rows(store: Queryable, constraint: Constraint) -> list[dict[str, Term]]:
+    """All violations of *constraint* as its query has them, sorted."""
+    return sorted(store.rows(constraint.select), key=rank, reverse=True)
+
+
+def result(constraint: Constraint, row: Mapping[str, Term]) -> Result:
+    """The violation of *constraint* that its query has a *row* for."""
     path = row.get("path")
     return Result(
         constraint=constraint,
@@ -50,5 +57,5 @@ def _result(constraint: Constraint, row: Mapping[str, Term]) -> Result:
         path=path if path is not None and is_iri(path) else constraint.path,
         value=row.get("value"),
         message=literal_value(row["message"]) if "message" in row else None,
-        bindings=row,
+        bindings={name: term for name, term in row.items() if name != "root"},
     )

@@ -25,8 +25,8 @@ ANY_CLASS: Term = "a"
 FORMAT_LAYER = tuple(f"<{each}" for each in (URDF, SDF, SRDF, ATTRIBUTE, EXTENSION))
 
 _CLASS = re.compile(rf"(?:\ba|{re.escape(RDF_TYPE)}) \?(?!k_)\w")
-_HEAD = re.compile(r"SELECT [^{}]*WHERE")
-_ANY = re.compile(
+HEAD = re.compile(r"SELECT [^{}]*WHERE")
+ANY = re.compile(
     r"""(?:[?$]\w+|[]>;"')]|_:\w+) [?$]\w+ (?:[?$<"'[(\d]|[+-]\d|_:|true|false)|! ?(?:\( ?)?[<^]"""
 )
 """Signs of a variable or negated property; without one there is neither."""
@@ -60,7 +60,7 @@ def _matches_anything(constraint: Constraint) -> bool:
     What is said of an element stands in its file. A property that is one of a list is named.
     """
     select = constraint.select
-    if not _ANY.search(_HEAD.sub(" ", select)):
+    if not ANY.search(HEAD.sub(" ", select)):
         return False
     parts = walk(parse(tokens(select, {})))
     blocks = (part.tokens for part in parts if isinstance(part, Triples))

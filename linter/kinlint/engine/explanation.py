@@ -18,7 +18,7 @@ from kinlint.engine.origin import (
 )
 from kinlint.engine.result import Result
 from kinlint.engine.spelling import normal
-from kinlint.engine.store import Store
+from kinlint.engine.store import Store, rank
 from kinlint.terms import RDF_TYPE, Term, Triple
 
 DEEPEST = 24
@@ -144,10 +144,10 @@ class _Search:
 def _solutions(
     store: Store, patterns: Sequence[Pattern], known: dict[Term, Term]
 ) -> Iterator[dict[Term, Term]]:
-    """The ways to match all *patterns* that agree with *known*, which is part of each."""
+    """The ways to match all *patterns* that agree with *known*, which is part of each, sorted."""
     used = {term for pattern in patterns for term in pattern if is_variable(term)}
     text = f"SELECT * WHERE {{ {' '.join(' '.join(pattern) + ' .' for pattern in patterns)} }}"
     # Substituted, not written into the text: that could name neither blank nodes nor odd IRIs.
     given = {term[1:]: known[term] for term in used if term in known}
-    for row in store.rows(text, given):
+    for row in sorted(store.rows(text, given), key=rank):
         yield known | {f"?{name}": term for name, term in row.items()}

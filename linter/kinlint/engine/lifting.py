@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -74,14 +74,28 @@ class Lifting:
 
     def update(self, wanted: Collection[Term] | None = None) -> str:
         """What stores all that it makes, or what of it has a property or class of the *wanted*."""
-        made = self.made if wanted is None else needed(self.made, wanted)
-        template = "".join([f"{s} {p} {o} .\n" for s, p, o, _ in made])
-        used = set(_VARIABLE.findall(template))
-        where = self.where if wanted is None else trimmed(self.where, used)
+        made, where = self.part(wanted)
+        template = _text(made)
         return (
             f"{self.prologue} INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
             f"USING {ASSERTED_GRAPH} {where}"
         )
+
+    def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], str]:
+        """What of its triples has a property or class of the *wanted*, and where from."""
+        if wanted is None:
+            return self.made, self.where
+        made = needed(self.made, wanted)
+        return made, trimmed(self.where, set(_VARIABLE.findall(_text(made))))
+
+    @property
+    def prefixes(self) -> dict[str, str]:
+        """The namespaces of its prefixes."""
+        return dict(_PREFIX.findall(self.prologue))
+
+
+def _text(made: Iterable[Made]) -> str:
+    return "".join([f"{s} {p} {o} .\n" for s, p, o, _ in made])
 
 
 @lru_cache(maxsize=1)

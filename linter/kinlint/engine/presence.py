@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Protocol
 
 from kinlint.engine.compiler.names import SUBCLASS
@@ -32,6 +32,15 @@ class Presence:
         self.store = store
         self.coming = coming
         self._known: dict[tuple[Term, Term | None], bool] = {}
+        self._below: dict[Term, tuple[Term, ...]] = {}
+
+    def forget(self, changed: Iterable[tuple[Term, Term]]) -> None:
+        """Ask again for what has one of the pairs *changed* of predicate and object."""
+        for predicate, value in changed:
+            self._known.pop((predicate, value), None)
+            self._known.pop((predicate, None), None)
+            if predicate == SUBCLASS:
+                self._below.clear()
 
     def may_violate(self, constraint: Constraint) -> bool:
         """Whether something may be a target of *constraint*, and each premise matches something.
@@ -56,8 +65,13 @@ class Presence:
             return True
         return any(self.matches(step, value if is_iri(value) else None) for step in steps)
 
-    def _narrower(self, kind: Term) -> Iterator[Term]:
+    def _narrower(self, kind: Term) -> tuple[Term, ...]:
         """*kind* and all its subclasses."""
+        if kind not in self._below:
+            self._below[kind] = tuple(self._subclasses(kind))
+        return self._below[kind]
+
+    def _subclasses(self, kind: Term) -> Iterator[Term]:
         seen, waiting = {kind}, [kind]
         while waiting:
             yield (each := waiting.pop())

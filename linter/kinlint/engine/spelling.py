@@ -21,6 +21,7 @@ class Spelling:
     def __init__(self, document: Document) -> None:
         self.document = document
         self._known: dict[tuple[Term, Term], dict[Term, Term]] = {}
+        self._by_property: dict[Term, Mapping[Term, Sequence[Term]]] = {}
 
     def of(self, triple: Triple) -> Triple | None:
         """The triple that the document has a place for and that says the same, if there is one."""
@@ -36,17 +37,19 @@ class Spelling:
         """What is written of a property of a node, by what a store makes of it."""
         key = (subject, predicate)
         if key not in self._known:
-            written = self._literals.get(key, ())
+            written = self._literals(predicate).get(subject, ())
             self._known[key] = {normal(each): each for each in reversed(written)}
         return self._known[key]
 
-    @cached_property
-    def _literals(self) -> dict[tuple[Term, Term], list[Term]]:
-        index: dict[tuple[Term, Term], list[Term]] = {}
-        for subject, predicate, value in self.document.map.triples:
-            if not _is_exact(value):
-                index.setdefault((subject, predicate), []).append(value)
-        return index
+    def _literals(self, predicate: Term) -> Mapping[Term, Sequence[Term]]:
+        """The literals of a property that the document has places for, by subject."""
+        if predicate not in self._by_property:
+            index: dict[Term, list[Term]] = {}
+            for triple in self.document.saying(predicate):
+                if not _is_exact(triple[2]) and triple in self.document.map.triples:
+                    index.setdefault(triple[0], []).append(triple[2])
+            self._by_property[predicate] = index
+        return self._by_property[predicate]
 
 
 class Spellings:
@@ -71,6 +74,8 @@ class Spellings:
         if own is not None:
             return (own,)
         if is_blank(subject):
+            if len(self.documents) == 1:
+                return tuple(self.documents.values())
             home = self._homes.get(subject)
             return () if home is None else (home,)
         return [each for each in self.documents.values() if each.format not in TREES]
@@ -82,7 +87,7 @@ class Spellings:
             node: document
             for document in self.documents.values()
             for node, _, _ in document.statements
-            if is_blank(node)
+            if node[0] == "_"
         }
 
 
@@ -99,3 +104,9 @@ def normal(value: Term) -> Term:
     scratch = ox.Store()
     scratch.extend(ox.parse(f"<any:> <any:> {value} .", ox.RdfFormat.N_TRIPLES, lenient=True))
     return str(next(iter(scratch)).object)
+
+
+def component(property_: Term) -> tuple[str, int]:
+    """Sorts properties of the numbers of one attribute by these, the last one first."""
+    stem, _, number = property_[:-1].rpartition("-")
+    return (stem, -int(number)) if number.isdecimal() else (property_, 0)

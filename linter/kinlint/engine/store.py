@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.spelling import Spellings
+from kinlint.engine.spelling import Spellings, component
 from kinlint.errors import RuleInvalid
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal
 from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT, LIFTED_GRAPH
@@ -45,6 +45,16 @@ def statement(triple: Triple) -> ox.Quad:
     except (SyntaxError, StopIteration) as error:
         raise ValueError(str(error)) from error
     return quad
+
+
+def rank(solution: Mapping[str, Term]) -> tuple[tuple[str, Term], ...]:
+    """What solutions of one query are sorted by: stores have no order that lasts."""
+    return tuple(sorted(solution.items()))
+
+
+def _address(term: Term) -> tuple[str, Term]:
+    """Sorts what is named by where it is, such as an element before those within."""
+    return term[:-1], term
 
 
 class Store:
@@ -130,6 +140,11 @@ class Store:
         self.load(documents)
         self.load_vocabulary(vocabulary)
 
+    def restate(self, documents: Iterable[Document]) -> None:
+        """Take *documents* for those of the same graphs, of which all that they say is loaded."""
+        self.documents.update((document.graph, document) for document in documents)
+        self._spellings = Spellings(self.documents)
+
     def query(
         self,
         text: str,
@@ -206,25 +221,25 @@ class Store:
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
-        """The values of *predicate*, whoever says so."""
+        """The values of *predicate*, whoever says so, sorted."""
         given = statement((subject, predicate, "<any:>"))
-        for quad in self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None):
-            yield token(quad.object)
+        quads = self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None)
+        yield from sorted((token(quad.object) for quad in quads), key=_address)
 
     def said(self, subject: Term) -> Iterator[tuple[Term, Term]]:
-        """What documents and vocabulary say of *subject*, by property."""
-        node = statement((subject, RDF_TYPE, "<any:>")).subject
-        graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
-        for quad in self.oxigraph.quads_for_pattern(node, None, None, graph):
-            yield token(quad.predicate), token(quad.object)
+        """What documents and vocabulary say of *subject*, sorted by property."""
+        yield from self._said(subject, ASSERTED_GRAPH)
 
     def described(self, subject: Term) -> Iterator[tuple[Term, Term]]:
         """What documents and vocabulary say of *subject*, and what was lifted, by property."""
-        node = statement((subject, RDF_TYPE, "<any:>")).subject
         for name in (ASSERTED_GRAPH, LIFTED_GRAPH):
-            graph = ox.NamedNode(iri_value(name))
-            for quad in self.oxigraph.quads_for_pattern(node, None, None, graph):
-                yield token(quad.predicate), token(quad.object)
+            yield from self._said(subject, name)
+
+    def _said(self, subject: Term, name: Term) -> list[tuple[Term, Term]]:
+        node = statement((subject, RDF_TYPE, "<any:>")).subject
+        quads = self.oxigraph.quads_for_pattern(node, None, None, ox.NamedNode(iri_value(name)))
+        said = ((token(quad.predicate), token(quad.object)) for quad in quads)
+        return sorted(said, key=lambda pair: (pair[0], *_address(pair[1])))
 
     def holds(self, triple: Triple) -> bool:
         """Whether *triple* is asserted or inferred."""
@@ -268,7 +283,7 @@ class Store:
         except ValueError:
             return []
         found = self.oxigraph.quads_for_pattern(quad.subject, None, quad.object, None)
-        return [str(each.predicate) for each in found]
+        return sorted((str(each.predicate) for each in found), key=component)
 
     def spelled(self, subject: Term, predicate: Term | None, value: Term) -> Triple | None:
         """The triple as the first document that says it spells it, or None if none does."""

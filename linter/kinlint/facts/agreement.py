@@ -196,7 +196,7 @@ class Agreements:
             for node in scan.instances(coord("LinearDistanceCoordinate"))
             if node in values and (unit := units.measuring(node, LENGTH)) is not None
         }
-        return {MASS: self.relations.quantities.masses, qudt("value"): distances}
+        return {MASS: self.inertias.quantities.masses, qudt("value"): distances}
 
 
 def _scalar(table: Mapping[Term, float], first: Term, second: Term) -> Comparison:

@@ -3,45 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
-from typing import TypeAlias
+from typing import NamedTuple
 
 from kinlint.engine.store import Store
-from kinlint.facts.agreement import Agreements
-from kinlint.facts.amendment import Amendments
-from kinlint.facts.assembly import Assemblies
-from kinlint.facts.attitude import Attitudes
-from kinlint.facts.basis import Bases
 from kinlint.facts.circle import circles as dependencies
 from kinlint.facts.component import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.cycle import cycles
-from kinlint.facts.drift import Drifts
 from kinlint.facts.entailed import entailed_types
-from kinlint.facts.geometry import Geometries
-from kinlint.facts.identifier import Identifiers
 from kinlint.facts.idleness import Idleness
-from kinlint.facts.inertia import Inertias
-from kinlint.facts.likeness import Twins, repeated
+from kinlint.facts.likeness import repeated
 from kinlint.facts.order import circles, reordered, steps
-from kinlint.facts.planning import Planning
 from kinlint.facts.proportion import astray, proportions
-from kinlint.facts.quantity import Quantities
+from kinlint.facts.quantity import stated
 from kinlint.facts.recomputation import Recomputations
 from kinlint.facts.reference import References
-from kinlint.facts.relation import Relations
 from kinlint.facts.resemblance import resemblances
-from kinlint.facts.rotation import Rotations
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact
 from kinlint.facts.supply import Supply
 from kinlint.facts.transfer import transfers
-from kinlint.facts.tree import Trees
-from kinlint.facts.units import Units
+from kinlint.facts.workings import Workings
 from kinlint.terms import Term, Triple
 
-Kind: TypeAlias = tuple[tuple[str, ...], Callable[[], Iterator[Triple]]]
-"""The properties that facts of one kind have, and what finds them."""
+
+class Kind(NamedTuple):
+    """Facts of one kind: their properties, what finds them, and the parts of scans that it takes.
+
+    What a part of `Workings` is made of takes part with it.
+    """
+
+    names: tuple[str, ...]
+    found: Callable[[Workings], Iterator[Triple]]
+    parts: tuple[str, ...]
+
 
 QUANTITIES = ("x", "y", "z", "alpha", "beta", "gamma", "mass", "value", "lower", "upper", "offset")
 RESIDUALS = ("determinant", "orthonormality", "orthogonality", "norm", "spread")
@@ -67,100 +62,104 @@ def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Tripl
     """
     if not store.documents:
         return
-    for names, found in _kinds(Scan(store)):
-        if wanted is None or any(fact(name) in wanted for name in names):
-            yield from found()
+    workings = Workings(Scan(store))
+    for kind in asked(wanted):
+        yield from kind.found(workings)
+
+
+def asked(wanted: frozenset[Term] | None) -> Iterator[Kind]:
+    """The kinds of facts that have a property among the *wanted*; None is all."""
+    for kind in KINDS:
+        if wanted is None or any(fact(name) in wanted for name in kind.names):
+            yield kind
 
 
 def hints(store: Store, wanted: Iterable[Term]) -> Iterator[Triple]:
     """What repairs need to know of *store*, and no rule: of that, what is *wanted*."""
-    scan = Scan(store)
-    identifiers = Identifiers(scan)
-    kinds: tuple[tuple[str, Callable[[], Iterator[Triple]]], ...] = (
-        ("slip-for", identifiers.resemblances),
-        ("free-name", identifiers.free_names),
-        ("reordered", partial(reordered, scan)),
-        ("recomputed", partial(_recomputed, scan)),
-    )
-    asked = frozenset(wanted)
-    for name, found in kinds:
-        if fact(name) in asked:
-            yield from found()
+    workings = Workings(Scan(store))
+    for kind in helpful(wanted):
+        yield from kind.found(workings)
 
 
-def _recomputed(scan: Scan) -> Iterator[Triple]:
-    """What coordinates that contradict others could say instead."""
-    units = Units(scan)
-    quantities = Quantities(scan, units)
-    relations = Relations(scan, quantities, Rotations(scan, quantities))
-    inertias = Inertias(scan, units, quantities)
-    agreements = Agreements(relations, Attitudes(relations.turns), inertias)
-    yield from Recomputations(agreements).facts()
+def helpful(wanted: Iterable[Term]) -> Iterator[Kind]:
+    """The kinds of hints that have a property among the *wanted*."""
+    terms = frozenset(wanted)
+    return (kind for kind in HINTS if any(fact(name) in terms for name in kind.names))
 
 
-def _kinds(scan: Scan) -> Iterator[Kind]:
-    """The kinds of facts: the properties of each, and what computes it once it is asked for."""
-    units = Units(scan)
-    quantities = Quantities(scan, units)
-    rotations = Rotations(scan, quantities)
-    inertias = Inertias(scan, units, quantities)
-    yield QUANTITIES, quantities.facts
-    yield RESIDUALS, rotations.facts
-    yield RESIDUALS, Bases(scan, quantities).facts
-    yield MOMENTS, inertias.facts
-    yield from _bodies(scan, units, inertias)
-    yield RELATED, partial(_related, scan, quantities, rotations, inertias)
-    yield ("component", "undecided"), partial(components, scan)
-    yield STEPS, partial(steps, scan)
-    yield STEPS, partial(circles, scan)
-    yield ("supplied-by",), partial(_supplied, scan)
-    yield ("entailed-type",), partial(entailed_types, scan)
-    yield ("excluded-type", "contradicted"), partial(contradictions, scan)
-    yield ("resembles",), partial(resemblances, scan)
-
-
-def _bodies(scan: Scan, units: Units, inertias: Inertias) -> Iterator[Kind]:
-    """What is known of links, joints and what drives them."""
-    trees = Trees(scan)
-    assemblies = Assemblies(scan, inertias, trees)
-    geometries = Geometries(scan, units)
-    yield TREES, trees.facts
-    yield WELDS, assemblies.facts
-    yield PROPORTIONS, partial(proportions, inertias, assemblies, geometries)
-    yield ("astray",), partial(astray, assemblies, geometries, scan)
-    yield ("transfer",), partial(transfers, inertias, assemblies, scan)
-    amendments = Amendments(scan, inertias, assemblies, geometries)
-    yield ("decimal-slip",), amendments.decimal_slips
-    yield ("sign-slip",), amendments.sign_slips
-    yield ("solid",), amendments.solids
-    yield ("shift",), amendments.shifts
-    yield WATER, amendments.filled
-    yield ("shared-with", "shapes"), partial(repeated, inertias, assemblies, geometries)
-    yield ("idle", "working"), Idleness(scan).facts
-    twins = Twins(scan, assemblies)
-    yield ("twin",), twins.facts
-    yield ("unlike-siblings",), twins.odd_ones
-    yield ("drift", "quantity"), Drifts(scan, assemblies).facts
-    yield PLANNING, Planning(scan, trees).facts
-    yield ("leads-back-to",), partial(dependencies, scan)
-    yield ("resembles",), partial(_resembling, scan)
-
-
-def _supplied(scan: Scan) -> Iterator[Triple]:
-    """Where the data of operators come from."""
-    return Supply(scan).facts()
-
-
-def _resembling(scan: Scan) -> Iterator[Triple]:
-    """What the names that elements refer to resemble."""
-    return References(scan).facts()
-
-
-def _related(
-    scan: Scan, quantities: Quantities, rotations: Rotations, inertias: Inertias
-) -> Iterator[Triple]:
+def _related(workings: Workings) -> Iterator[Triple]:
     """How coordinates of one relation agree, and whether cycles of relations close."""
-    relations = Relations(scan, quantities, rotations)
-    attitudes = Attitudes(relations.turns)
-    yield from Agreements(relations, attitudes, inertias).facts()
-    yield from cycles(relations, attitudes)
+    yield from workings.agreements.facts()
+    yield from cycles(workings.relations, workings.attitudes)
+
+
+def _alone(found: Callable[[Scan], Iterator[Triple]], *names: str) -> Kind:
+    """Facts that are found by nothing but what a scan reads."""
+    return Kind(names, lambda workings: found(workings.scan.part(names[0])), names[:1])
+
+
+KINDS = (
+    Kind(
+        QUANTITIES,
+        lambda own: stated(own.vectors, own.angles, own.masses, own.values),
+        ("vectors", "angles", "masses", "values"),
+    ),
+    Kind(RESIDUALS, lambda own: own.rotations.facts(), ("rotations",)),
+    Kind(RESIDUALS, lambda own: own.bases.facts(), ("bases",)),
+    Kind(MOMENTS, lambda own: own.inertias.facts(), ("inertias",)),
+    Kind(TREES, lambda own: own.trees.facts(), ("trees",)),
+    Kind(WELDS, lambda own: own.assemblies.facts(), ("assemblies",)),
+    Kind(
+        PROPORTIONS,
+        lambda own: proportions(own.inertias, own.assemblies, own.geometries),
+        ("assemblies", "geometries"),
+    ),
+    Kind(
+        ("astray",),
+        lambda own: astray(own.assemblies, own.geometries, own.scan.part("astray")),
+        ("assemblies", "geometries", "astray"),
+    ),
+    Kind(
+        ("transfer",),
+        lambda own: transfers(own.inertias, own.assemblies, own.scan.part("transfer")),
+        ("assemblies", "transfer"),
+    ),
+    Kind(("decimal-slip",), lambda own: own.amendments.decimal_slips(), ("amendments",)),
+    Kind(("sign-slip",), lambda own: own.amendments.sign_slips(), ("amendments",)),
+    Kind(("solid",), lambda own: own.amendments.solids(), ("amendments",)),
+    Kind(("shift",), lambda own: own.amendments.shifts(), ("amendments",)),
+    Kind(WATER, lambda own: own.amendments.filled(), ("amendments",)),
+    Kind(
+        ("shared-with", "shapes"),
+        lambda own: repeated(own.inertias, own.assemblies, own.geometries),
+        ("assemblies", "geometries"),
+    ),
+    _alone(lambda scan: Idleness(scan).facts(), "idle", "working"),
+    Kind(("twin",), lambda own: own.twins.facts(), ("twins",)),
+    Kind(("unlike-siblings",), lambda own: own.twins.odd_ones(), ("twins",)),
+    Kind(("drift", "quantity"), lambda own: own.drifts.facts(), ("drifts",)),
+    Kind(PLANNING, lambda own: own.planning.facts(), ("planning",)),
+    _alone(dependencies, "leads-back-to"),
+    Kind(
+        ("resembles",),
+        lambda own: References(own.scan.part("referred-to")).facts(),
+        ("referred-to",),
+    ),
+    Kind(RELATED, _related, ("agreements",)),
+    _alone(components, "component", "undecided"),
+    Kind(STEPS, lambda own: steps(own.scan.part("steps")), ("steps",)),
+    Kind(STEPS, lambda own: circles(own.scan.part("data-cycles")), ("data-cycles",)),
+    _alone(lambda scan: Supply(scan).facts(), "supplied-by"),
+    _alone(entailed_types, "entailed-type"),
+    _alone(contradictions, "excluded-type", "contradicted"),
+    _alone(resemblances, "resembles"),
+)
+"""All kinds of facts that rules may ask for."""
+
+HINTS = (
+    Kind(("slip-for",), lambda own: own.identifiers.resemblances(), ("identifiers",)),
+    Kind(("free-name",), lambda own: own.identifiers.free_names(), ("identifiers",)),
+    _alone(reordered, "reordered"),
+    Kind(("recomputed",), lambda own: Recomputations(own.agreements).facts(), ("agreements",)),
+)
+"""All kinds of facts that only repairs ask for."""

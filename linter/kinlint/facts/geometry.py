@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from kinlint.document import FROM
 from kinlint.facts.linear import ZERO, Vector, length, subtract
 from kinlint.facts.names import attribute, kin, sdf, urdf
-from kinlint.facts.scan import Scan
+from kinlint.facts.scan import Scan, Table
 from kinlint.facts.units import LENGTH, Units
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import SRC
@@ -123,8 +123,7 @@ class Geometries:
     def sole(self, body: Term) -> Shape | None:
         """The one shape that *body* is hit by, or else is seen as, if it is simple."""
         nodes = self.references.get(body, ())
-        solid = self.scan.instances(COLLISION)
-        chosen = [node for node in nodes if node in solid] or nodes
+        chosen = [node for node in nodes if node in self._solid] or nodes
         return self._shape(chosen[0]) if len(chosen) == 1 else None
 
     def uniform(self, body: Term) -> Shape | None:
@@ -138,23 +137,36 @@ class Geometries:
         return frozenset(self._form(node) for node in self.references.get(body, ()))
 
     def _form(self, node: Term) -> tuple[object, ...]:
-        meshes = tuple(sorted(self.scan.table(MESH).of(node)))
+        meshes = tuple(sorted(self._meshes.of(node)))
         shape = self._shape(node)
         return meshes or ((shape.kind, *shape.sizes) if shape is not None else (node,))
 
     def _shape(self, node: Term) -> Shape | None:
         """The shape of *node*, where it has one simple form and its size is known."""
-        kind = next((each for each in KINDS if node in self.scan.instances(each)), None)
+        kind = self._kinds.get(node)
         unit = self.units.measuring(node, LENGTH)
-        if kind is None or unit is None or node in self.scan.table(MESH):
+        if kind is None or unit is None or node in self._meshes:
             return None
         size = self._size(node, kind)
         if size is None or min(size) <= 0.0:
             return None
         metres = tuple(unit.si(each) for each in size)
         volume, extent = _measures(kind, metres)
-        collides = node in self.scan.instances(COLLISION)
+        collides = node in self._solid
         return Shape(volume, extent, node, collides, kind, metres)
+
+    @cached_property
+    def _kinds(self) -> Mapping[Term, Term]:
+        """The simple form of each shape: of several, the first of `KINDS`."""
+        return {node: kind for kind in reversed(KINDS) for node in self.scan.instances(kind)}
+
+    @cached_property
+    def _meshes(self) -> Table:
+        return self.scan.table(MESH)
+
+    @cached_property
+    def _solid(self) -> frozenset[Term]:
+        return self.scan.instances(COLLISION)
 
     def _size(self, node: Term, kind: Term) -> tuple[float, ...] | None:
         """Three edges, a radius, or a radius and a length."""
@@ -171,17 +183,33 @@ class Geometries:
 
     def _middle(self, node: Term) -> Vector | None:
         """Where the shape is on its link, as far as the element that it was made from says."""
-        source = min(self.scan.table(FROM).of(node), key=len, default=None)
+        source = min(self._sources.of(node), key=len, default=None)
         if source is None:
             return None
         owner = GEOMETRY.sub(">", source)
-        for place, component in ((urdf("origin"), ORIGIN), (sdf("pose"), POSE)):
-            for element in self.scan.table(place).of(owner)[:1]:
-                if element in self.scan.table(RELATIVE_TO):
+        for place, components in self._places:
+            for element in place.of(owner)[:1]:
+                if element in self._elsewhere:
                     return None
-                x, y, z = (self.scan.numbers(each).get(element, 0.0) for each in component)
+                x, y, z = (each.get(element, 0.0) for each in components)
                 return x, y, z
         return ZERO
+
+    @cached_property
+    def _sources(self) -> Table:
+        return self.scan.table(FROM)
+
+    @cached_property
+    def _elsewhere(self) -> Table:
+        return self.scan.table(RELATIVE_TO)
+
+    @cached_property
+    def _places(self) -> Sequence[tuple[Table, Sequence[Mapping[Term, float]]]]:
+        """The elements that place something, with their components, by format."""
+        return [
+            (self.scan.table(place), [self.scan.numbers(each) for each in components])
+            for place, components in ((urdf("origin"), ORIGIN), (sdf("pose"), POSE))
+        ]
 
 
 def _measures(kind: Term, size: tuple[float, ...]) -> tuple[float, float]:

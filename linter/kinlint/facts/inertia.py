@@ -46,6 +46,11 @@ class Inertias:
                 found[node] = ((x, xy, xz), (xy, y, yz), (xz, yz, z))
         return found
 
+    @cached_property
+    def principal(self) -> Mapping[Term, Vector]:
+        """The principal moments of each of `tensors`, in ascending order."""
+        return {node: eigenvalues(tensor) for node, tensor in self.tensors.items()}
+
     def _garbled(self, node: Term) -> bool:
         """Whether a product of inertia is stated that is not one number."""
         return any(
@@ -92,7 +97,7 @@ class Inertias:
         masses = companions.with_mass(self.quantities.masses)
         moments = companions.with_moment(self.first_moments)
         for node, tensor in self.tensors.items():
-            yield from _moments(node, tensor, "moment")
+            yield from _moments(node, tensor, self.principal[node], "moment")
             heavy, shifted = masses.of(node), moments.of(node)
             if heavy is None or not self._comparable(node, heavy):
                 continue
@@ -103,7 +108,8 @@ class Inertias:
             sources = {heavy} - {node}
             if shifted is not None and mass > 0.0 and self._comparable(node, shifted):
                 centre = scale(1.0 / mass, self.first_moments[shifted])
-                yield from _moments(node, about_centre(tensor, mass, centre), "central-moment")
+                central = about_centre(tensor, mass, centre)
+                yield from _moments(node, central, eigenvalues(central), "central-moment")
                 yield from numbers(node, [("centre-distance", length(centre))])
                 sources |= {shifted} - {node}
             yield from derived(node, sorted(sources))
@@ -130,7 +136,7 @@ def about_centre(tensor: Matrix, mass: float, centre: Vector) -> Matrix:
     return (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2])
 
 
-def _moments(node: Term, tensor: Matrix, kind: str) -> Iterator[Triple]:
+def _moments(node: Term, tensor: Matrix, principal: Vector, kind: str) -> Iterator[Triple]:
     if all(map(math.isfinite, chain.from_iterable(tensor))):
         names = (f"{size}-{kind}" for size in ("least", "middle", "greatest"))
-        yield from numbers(node, zip(names, eigenvalues(tensor), strict=True))
+        yield from numbers(node, zip(names, principal, strict=True))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.geometry import UNKNOWN, Geometries
 from kinlint.facts.inertia import Inertias
-from kinlint.facts.linear import IDENTITY, eigenvalues
+from kinlint.facts.linear import IDENTITY
 from kinlint.facts.placement import Placements
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import numbers
@@ -36,7 +36,7 @@ def proportions(
         if body is None or mass <= 0.0:
             continue
         size = geometries.of(body)
-        greatest = eigenvalues(tensor)[2]
+        greatest = inertias.principal[node][2]
         if greatest > 0.0 and tensor != IDENTITY:
             yield from numbers(node, [("gyration", math.sqrt(greatest / mass))])
         if size.extent is not None:

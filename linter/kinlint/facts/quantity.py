@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kinlint.facts.linear import Vector
@@ -86,16 +86,27 @@ class Quantities:
                     found[node] = unit.si(number) if unit else number
         return found
 
-    def facts(self) -> Iterator[Triple]:
-        """All of these, and the plain values of quantities, limits and couplings."""
-        for tables in (self.components, self.angles):
-            for name, table in tables.items():
-                for node, number in table.items():
-                    yield from numbers(node, [(name, number)])
-        for node, number in self.masses.items():
-            if self.units.has(node):
-                yield from numbers(node, [("mass", number)])
-        for predicate, name in VALUES:
-            for node, number in self.scan.numbers(predicate).items():
-                if (unit := self.units.only(node)) is not None:
-                    yield from numbers(node, [(name, unit.si(number))])
+    @cached_property
+    def values(self) -> Sequence[tuple[Term, str, float]]:
+        """The plain values of quantities, limits and couplings, each with its node and name."""
+        return [
+            (node, name, unit.si(number))
+            for predicate, name in VALUES
+            for node, number in self.scan.numbers(predicate).items()
+            if (unit := self.units.only(node)) is not None
+        ]
+
+
+def stated(
+    vectors: Quantities, angles: Quantities, masses: Quantities, values: Quantities
+) -> Iterator[Triple]:
+    """All quantities, each of what is named after them."""
+    for tables in (vectors.components, angles.angles):
+        for name, table in tables.items():
+            for node, number in table.items():
+                yield from numbers(node, [(name, number)])
+    for node, number in masses.masses.items():
+        if masses.units.has(node):
+            yield from numbers(node, [("mass", number)])
+    for node, name, number in values.values:
+        yield from numbers(node, [(name, number)])

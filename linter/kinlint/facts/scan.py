@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TypeAlias
 
@@ -22,6 +22,7 @@ from kinlint.terms import (
     is_iri,
     is_literal,
 )
+from kinlint.vocabulary import INFERRED_GRAPH
 
 Place: TypeAlias = tuple[int, int, Term]
 
@@ -42,6 +43,12 @@ def numeric(term: Term) -> float | None:
     except ValueError:
         return None
     return number if math.isfinite(number) and "_" not in text else None
+
+
+def number_of(values: Iterable[Term]) -> float | None:
+    """The number that all *values* stand for; None if that is not exactly one."""
+    distinct = {numeric(each) for each in values}
+    return distinct.pop() if len(distinct) == 1 else None
 
 
 class Table:
@@ -87,13 +94,18 @@ class Scan:
         self._numbers: dict[Term, dict[Term, float]] = {}
         self._instances: dict[Term, frozenset[Term]] = {}
 
+    def part(self, _name: str, *_below: str) -> Scan:
+        """What reads the model for a part of the work, which uses those parts *below*."""
+        return self
+
     def table(self, predicate: Term) -> Table:
         """All values of *predicate*, by subject."""
         if predicate not in self._tables:
             node = ox.NamedNode(iri_value(predicate))
             self._tables[predicate] = table = Table()
-            for quad in self.store.oxigraph.quads_for_pattern(None, node, None, None):
-                table.add(str(quad.subject), token(quad.object))
+            quads = self.store.oxigraph.quads_for_pattern(None, node, None, None)
+            for subject, value in sorted((str(quad.subject), token(quad.object)) for quad in quads):
+                table.add(subject, value)
         return self._tables[predicate]
 
     def about(self, node: Term) -> Mapping[Term, list[Term]]:
@@ -103,6 +115,8 @@ class Scan:
             subject = statement((node, RDF_TYPE, NIL)).subject
             for quad in self.store.oxigraph.quads_for_pattern(subject, None, None, None):
                 found.setdefault(token(quad.predicate), []).append(token(quad.object))
+            for values in found.values():
+                values.sort()
         return found
 
     def single(self, predicate: Term) -> Mapping[Term, Term]:
@@ -115,8 +129,7 @@ class Scan:
             table = self.table(predicate)
             found = {subject: numeric(value) for subject, value in table.one.items()}
             for subject, values in table.several.items():
-                distinct = {numeric(each) for each in values}
-                found[subject] = distinct.pop() if len(distinct) == 1 else None
+                found[subject] = number_of(values)
             self._numbers[predicate] = {
                 subject: number for subject, number in found.items() if number is not None
             }
@@ -170,6 +183,22 @@ class Scan:
             )
             self._instances[kind] = frozenset(token(quad.subject) for quad in quads)
         return self._instances[kind]
+
+    def inferred(self, kind: Term) -> frozenset[Term]:
+        """The nodes that are of class *kind* only because something else follows."""
+        quads = self.store.oxigraph.quads_for_pattern(
+            None,
+            ox.NamedNode(iri_value(RDF_TYPE)),
+            ox.NamedNode(iri_value(kind)),
+            ox.NamedNode(iri_value(INFERRED_GRAPH)),
+        )
+        return frozenset(token(quad.subject) for quad in quads)
+
+    def all_values(self, node: Term) -> frozenset[Term]:
+        """The values of all that is said of *node*."""
+        subject = statement((node, RDF_TYPE, NIL)).subject
+        quads = self.store.oxigraph.quads_for_pattern(subject, None, None, None)
+        return frozenset(token(quad.object) for quad in quads)
 
     def place(self, node: Term) -> Place:
         """Sorts nodes by where they are described first; nodes described nowhere come last."""

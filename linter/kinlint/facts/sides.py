@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from urllib.parse import quote, unquote
 
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|[^A-Za-z]+")
@@ -21,8 +22,11 @@ PAIRS = (
 OTHER = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 LEFT = frozenset(left for left, _ in PAIRS)
 SIDES = frozenset((*OTHER, "front", "rear", "back", "hind"))
+MANY = 4096
+"""So many names are remembered: somebody who edits a robot has it looked at again and again."""
 
 
+@lru_cache(maxsize=MANY)
 def twin(name: str) -> str | None:
     """The name on the right of what *name* calls left; None for what names no side, or several."""
     words = WORD.findall(unquote(name))
@@ -41,6 +45,7 @@ def _alike(model: str, word: str) -> str:
     return word.capitalize() if model[0].isupper() else word
 
 
+@lru_cache(maxsize=MANY)
 def sideless(name: str) -> str:
     """*name* without its words for sides, which both of two twins share."""
     words = WORD.findall(unquote(name))

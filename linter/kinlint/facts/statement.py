@@ -25,7 +25,7 @@ def fact_node(kind: str, number: int) -> Term:
 
 def double(value: float) -> Term:
     """The literal of a finite number."""
-    return literal(repr(float(value)), f"{XSD}double")
+    return f'"{float(value)!r}"^^<{XSD}double>'
 
 
 def integer(value: int) -> Term:

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import pyoxigraph as ox
-
-from kinlint.engine.store import token
 from kinlint.facts.names import COORDINATE_OF, kin
 from kinlint.facts.scan import FIRST, NUMERIC, Scan
 from kinlint.facts.statement import fact
-from kinlint.terms import Term, Triple, is_blank, is_literal
+from kinlint.terms import Term, Triple, is_literal
 
 
 class Supply:
@@ -48,8 +45,6 @@ class Supply:
         """Whether *node* is written by an operator, or has a number or a list as some value."""
         if node in self._written:
             return True
-        subject = ox.BlankNode(node[2:]) if is_blank(node) else ox.NamedNode(node[1:-1])
-        quads = self.scan.store.oxigraph.quads_for_pattern(subject, None, None, None)
         lists = self.scan.table(FIRST)
-        values = (token(quad.object) for quad in quads)
+        values = self.scan.all_values(node)
         return any(each.rpartition('"')[2] in NUMERIC or each in lists for each in values)

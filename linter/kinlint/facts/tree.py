@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from urllib.parse import quote
 
 from kinlint.facts.names import attribute, urdf
@@ -161,12 +161,13 @@ class Trees:
             return
         named = [self.said(link, "name") for link in self.scan.table(urdf("link")).of(robot)]
         known = [name for name in named if name]
+        near = cache(lambda name: nearest(name, known))
         for element in sorted(missing)[:MOST]:
             name = self.said(element, "link")
             if name is not None:
                 yield element, fact("unresolved"), literal(name)
-                if (near := nearest(name, known)) is not None:
-                    yield element, fact("near-name"), literal(near)
+                if (other := near(name)) is not None:
+                    yield element, fact("near-name"), literal(other)
 
     def _circles(self, robot: Term, edges: Iterable[Edge]) -> Iterator[Term]:
         """One joint of each circle: there, the way from child to parent comes to no root.

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
+from typing import TypeAlias
 
 from kinlint.catalogue.rule_file import SEVERITIES
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.display import Display
 from kinlint.document import Document
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.explanation import because
+from kinlint.engine.explanation import Step, because
 from kinlint.engine.origin import is_fact, items
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.grouping import COUNT, PLACEHOLDER
+from kinlint.findings.identity import identity
 from kinlint.findings.locator import Locator
 from kinlint.model import Finding, Premise, Related, Rule, Severity
 from kinlint.terms import (
@@ -29,11 +32,10 @@ from kinlint.terms import (
     is_literal,
 )
 from kinlint.text import Location
-from kinlint.vocabulary import FACT
+from kinlint.vocabulary import DOCUMENT_IRI, FACT
 
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
-ELEMENT = "urn:kinlint:document:"
-"""How addresses in files of elements begin, where one line of text may make several things."""
+Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
 
 CONSTRAINT = "ConstraintComponent"
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot", "message"})
@@ -48,7 +50,10 @@ def findings(
 
 
 class Account:
-    """What results of an engine come to: first in brief, and for those that are told in detail."""
+    """What results of an engine come to: first in brief, and for those that are told in detail.
+
+    *proofs* tells what a result rests on; by default it is found out when it is told.
+    """
 
     def __init__(
         self,
@@ -56,8 +61,10 @@ class Account:
         documents: Sequence[Document],
         store: Store,
         rulebook: Rulebook,
+        proofs: Proofs | None = None,
     ) -> None:
         self.rulebook = rulebook
+        self._proofs = proofs or partial(because, store, rulebook.axioms)
         self._locator = Locator(documents, store)
         self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
         for result in results:
@@ -89,15 +96,8 @@ class Account:
         return replace(
             finding,
             related=tuple(_related(result, location, self._locator, display)),
-            because=tuple(_because(result, self._locator, self.rulebook, display)),
+            because=tuple(_because(result, self._locator, self._proofs, display)),
         )
-
-
-def identity(finding: Finding) -> tuple[object, ...]:
-    """What findings that say the same of one place have in common."""
-    where = (finding.location.source.name, finding.location.span)
-    about = None if finding.iri.startswith(ELEMENT) else finding.focus
-    return finding.rule.code, where, finding.message, about
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
@@ -122,6 +122,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         value=result.value,
         template=template,
         arguments=tuple(shown.values()),
+        meant=tuple(_meant(terms.get(name), word) for name, word in shown.items()),
         group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
     )
 
@@ -134,6 +135,16 @@ def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
 
 def _word(term: Term | None, display: Display) -> str:
     return display.term(term) if term else ""
+
+
+def _meant(term: Term | None, word: str) -> str:
+    """What *word*, written for *term*, stands for; the name of a file of elements is left out."""
+    if term is None or not is_iri(term):
+        return word
+    file, mark, way = iri_value(term).partition("#")
+    if not file.startswith(DOCUMENT_IRI):
+        return iri_value(term)
+    return f"{DOCUMENT_IRI}{mark}{way}" if mark else word
 
 
 def _severity(constraint: Constraint, rule: Rule) -> Severity:
@@ -166,13 +177,13 @@ def _related(
 
 
 def _because(
-    result: Result, locator: Locator, rulebook: Rulebook, display: Display
+    result: Result, locator: Locator, proofs: Proofs, display: Display
 ) -> Iterator[Premise]:
     """The proof of a result in which something inferred or computed took part; else nothing."""
     constraint = result.constraint
     if not locator.may_be_inferred(constraint) and not any(map(is_fact, constraint.premises)):
         return
-    steps = because(locator.store, rulebook.axioms, result.constraint, result)
+    steps = proofs(result.constraint, result)
     if not any(step.axiom for step in steps) and not any(map(is_fact, constraint.premises)):
         return
     for step in steps:

@@ -22,7 +22,7 @@ class AnonymousNodes:
         ways: dict[Term, tuple[Term, str]] = {}
         siblings: dict[tuple[Term, Term], int] = {}
         for subject, predicate, value in self._document.statements:
-            if is_blank(value) and value not in ways:
+            if value[0] == "_" and value not in ways:
                 number = siblings[subject, predicate] = siblings.get((subject, predicate), 0) + 1
                 ways[value] = (subject, f"{predicate}{number}")
         return ways

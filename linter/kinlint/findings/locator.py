@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from operator import itemgetter
 from urllib.parse import unquote
 
 from kinlint.display import Display
-from kinlint.document import FROM, TREES, Document, document_of
+from kinlint.document import FROM, TREES, Document, NodeSpans, document_of
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
@@ -65,10 +65,19 @@ class Locator:
 
     def node(self, node: Term) -> Location | None:
         """Where *node* is described; what was lifted, where the element is that it is from."""
+        found = self._spans(node)
+        return found[0].location(found[1].best) if found is not None else None
+
+    def whole(self, node: Term) -> Location | None:
+        """All of the description of *node* that `node` points to."""
+        found = self._spans(node)
+        return found[0].location(found[1].whole) if found is not None else None
+
+    def _spans(self, node: Term) -> tuple[Document, NodeSpans] | None:
         for each in (node, *self.origins(node)):
             document = self._described(each)
             if document is not None:
-                return document.location(document.map.nodes[each].best)
+                return document, document.map.nodes[each]
         return None
 
     def _described(self, node: Term) -> Document | None:
@@ -76,6 +85,10 @@ class Locator:
         owner = self.store.documents.get(document_of(node))
         if owner is not None and node in owner.map.nodes:
             return owner
+        if len(self.documents) == 1:
+            (only,) = self.documents
+            known = only.format not in TREES or is_blank(node)
+            return only if known and node in only.map.nodes else None
         found = self.homes.get(node) or self._anonymous_homes.get(node)
         return found[0] if found else None
 
@@ -96,17 +109,18 @@ class Locator:
             return ()
         return tuple(self.store.values(node, FROM))
 
-    def _written(self, element: Term, predicate: Term, value: Term) -> tuple[Location, Term] | None:
-        """Where *element*, or one right below it, has what *value* was made of, and as what.
+    def _written(
+        self, elements: Iterable[Term], predicate: Term, value: Term
+    ) -> tuple[Location, Term] | None:
+        """Where one of *elements*, or one right below, has what *value* was made of, and as what.
 
         Of several places with the same number it is the one that *predicate* is called after.
         """
-        address = f"{element[:-1]}/"
-        below = [each for _, each in self.store.said(element) if each.startswith(address)]
+        asked = [each for element in elements for each in (element, *self._below(element))]
         for spelled in (value,) if is_literal(value) else _names(value):
             places = [
                 (_likeness(predicate, each, triple[1]), document.location(span), triple[1])
-                for each in (element, *below)
+                for each in asked
                 for document, triple in self.store.written(each, None, spelled)
                 if (span := document.map.triples.get(triple)) is not None
             ]
@@ -114,6 +128,11 @@ class Locator:
                 _, place, written = max(places, key=itemgetter(0))
                 return place, written
         return None
+
+    def _below(self, element: Term) -> Iterator[Term]:
+        """The elements right below *element*."""
+        address = f"{element[:-1]}/"
+        return (each for _, each in self.store.said(element) if each.startswith(address))
 
     def triple(
         self, subject: Term, predicate: Term | None, value: Term
@@ -126,9 +145,7 @@ class Locator:
             if (span := document.map.triples.get(triple)) is not None:
                 return document.location(span), triple[1]
         if predicate is not None:
-            for element in self.origins(subject):
-                if (found := self._written(element, predicate, value)) is not None:
-                    return found
+            return self._written(self.origins(subject), predicate, value)
         return None
 
     def premise(self, triple: Triple) -> Location | None:
@@ -248,7 +265,7 @@ class Locator:
         if document is None:
             return Display()
         if document.graph not in self._displays:
-            own = tuple(literal_value(o) for _, p, o in document.statements if p == OWN)
+            own = tuple(literal_value(o) for _, _, o in document.saying(OWN))
             self._displays[document.graph] = Display(document.prefixes, own, document.map.nodes)
         return self._displays[document.graph]
 

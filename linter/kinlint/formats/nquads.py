@@ -6,10 +6,11 @@ import re
 from typing import Literal
 
 from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats import doubles
 from kinlint.formats.naming import BlankNodes, document_iri
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
-from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.terms import Term, Triple
 from kinlint.text import SourceText, Span
 
@@ -43,14 +44,17 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
     for number, triple in enumerate(stated):
         line = lines[number] if exact else None
         value = Span(*line.span(3)) if line else Span(0, len(source.line(1)))
-        spans.setdefault(triple, value)
+        if doubles.lost(triple[2]):
+            layer.lost(triple[0], triple[2], value, doubles.TOO_LARGE)
+        else:
+            spans.setdefault(triple, value)
         if triple[0] not in nodes:
             subject = Span(*line.span(1)) if line else value
             nodes[triple[0]] = NodeSpans(Span(*line.span()) if line else value, subject)
         if line and line[4] and not line[4].startswith("_:"):
             layer.graph(line[4], Span(*line.span(4)))
     layer.described(nodes)
-    layer.uses_terms(spans)
+    layer.uses_terms(terms(spans))
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**nodes, **layer.nodes})

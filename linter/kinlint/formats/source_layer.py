@@ -7,7 +7,17 @@ from dataclasses import dataclass, field
 
 from kinlint.document import NodeSpans
 from kinlint.formats.naming import BlankNodes
-from kinlint.terms import RDF_TYPE, XSD, Term, Triple, iri, iri_value, is_iri, literal
+from kinlint.terms import (
+    RDF_TYPE,
+    XSD,
+    Term,
+    Triple,
+    iri,
+    iri_value,
+    is_iri,
+    literal,
+    literal_value,
+)
 from kinlint.text import Span
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
@@ -18,6 +28,10 @@ URN_PARTS = 3
 def src(name: str) -> Term:
     """The token of a name in the source vocabulary."""
     return iri(SRC + name)
+
+
+DESCRIBED = src("describedIn")
+"""What leads from a node to the document that describes it."""
 
 
 @dataclass
@@ -42,30 +56,26 @@ class SourceLayer:
             self.triples[self.document, prop, value] = place
 
     def described(self, nodes: Mapping[Term, NodeSpans]) -> None:
-        """The nodes that the document describes, and the namespaces of those with IRIs.
-
-        The sentinel base is no namespace of anybody.
-        """
-        own: dict[str, Span] = {}
-        described = src("describedIn")
+        """The nodes that the document describes, and the namespaces of those with IRIs."""
         for node, spans in nodes.items():
-            self.triples[node, described, self.document] = spans.best
-            if is_iri(node):
-                name = iri_value(node)
-                own.setdefault(name[: _namespace_end(name)], spans.best)
-        for namespace, span in own.items():
-            if namespace and not namespace.startswith(DOCUMENT_BASE):
-                self.triples[self.document, src("ownNamespace"), literal(namespace)] = span
+            self.triples[node, DESCRIBED, self.document] = spans.best
+        self.owns(namespaces(nodes))
 
-    def uses_terms(self, stated: Mapping[Triple, Span]) -> None:
-        """The properties and classes in *stated*, each where it comes first."""
-        terms: dict[Term, Span] = {}
-        for (_, prop, value), span in stated.items():
-            terms.setdefault(value if prop == RDF_TYPE else prop, span)
+    def owns(self, found: Mapping[str, Span]) -> None:
+        """The namespaces in which the document describes nodes."""
+        for namespace, span in found.items():
+            self.triples[self.document, src("ownNamespace"), literal(namespace)] = span
+
+    def uses_terms(self, found: Mapping[Term, Span]) -> None:
+        """The properties and classes that the document uses."""
         used = src("usesTerm")
-        for term, span in terms.items():
-            if is_iri(term):
-                self.triples[self.document, used, term] = span
+        for term, span in found.items():
+            self.triples[self.document, used, term] = span
+
+    def lost(self, node: Term, value: Term, span: Span, reason: str) -> None:
+        """The literal *value* at *span*, said of *node*, is none, for this *reason*."""
+        texts = ("written", literal(literal_value(value))), ("reason", literal(reason))
+        self.about("LostValue", span, ("node", node), *texts)
 
     def graph(self, name: Term, span: Span) -> None:
         """The document puts statements into the graph *name*; said once for each."""
@@ -88,6 +98,29 @@ class SourceLayer:
             if value is not None:
                 self.triples[node, src(name), value] = span
         return node
+
+
+def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
+    """The namespaces of those of *nodes* that have IRIs, each where it comes first.
+
+    The sentinel base is no namespace of anybody.
+    """
+    found: dict[str, Span] = {}
+    for node, spans in nodes.items():
+        if is_iri(node):
+            name = iri_value(node)
+            namespace = name[: _namespace_end(name)]
+            if namespace not in found and namespace and not namespace.startswith(DOCUMENT_BASE):
+                found[namespace] = spans.best
+    return found
+
+
+def terms(stated: Mapping[Triple, Span]) -> dict[Term, Span]:
+    """The properties and classes in *stated*, each where it comes first."""
+    found: dict[Term, Span] = {}
+    for (_, prop, value), span in stated.items():
+        found.setdefault(value if prop == RDF_TYPE else prop, span)
+    return {term: span for term, span in found.items() if is_iri(term)}
 
 
 def _namespace_end(name: str) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from expanding import XMLNS, document, names, places, project, robot, said
+from expanding import XMLNS, document, names, places, project, robot, said, shown
 
 from kinlint.files.packages import Packages
 from kinlint.formats.options import ReadOptions
@@ -297,3 +297,20 @@ def test_a_file_is_read_once_in_a_run(tmp_path: Path) -> None:
     assert one.sources[1] is two.sources[1]
     assert one.sources[1].name == parts.source.name
     assert names(one)["part"] == names(two)["part"] == 1
+
+
+def test_an_included_file_is_placed_where_it_is_named(tmp_path: Path) -> None:
+    """By the main file, by an included one, and by a wildcard, whose files are sorted."""
+    main = robot('<xacro:include filename="one.xacro"/>', '<link name="base"/>')
+    one = robot('<xacro:include filename="part_*.xacro"/>')
+    path = project(tmp_path, main=main, one=one, part_a=robot(), part_b=robot())
+    found = document(path)
+    includes = [each for each in found.statements if each[1] == f"<{SRC}includes>"]
+    assert [shown(found, each) for each in includes] == [
+        "main.xacro:2:26 one.xacro",
+        "one.xacro:2:26 part_*.xacro",
+        "one.xacro:2:26 part_*.xacro",
+    ]
+    assert [each[2].rpartition("/")[2] for each in includes] == [
+        "one.xacro>", "part_a.xacro>", "part_b.xacro>",
+    ]  # fmt: skip

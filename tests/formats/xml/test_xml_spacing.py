@@ -2,6 +2,7 @@
 
 import pytest
 
+from kinlint.formats import registry
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.reader import read
 from kinlint.text import SourceText
@@ -70,3 +71,13 @@ def test_only_numbers_that_the_format_knows_are_spoken_of(text):
 
 def test_other_formats_take_any_space():
     assert unread('<robot name="arm"><group name="1 "/></robot>', "srdf") == []
+
+
+def test_xacro_writes_blanks_for_tabs_and_line_ends():
+    """As any reader of XML takes them; space behind a single number stays what it is."""
+    xmlns = 'name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    text = TEXT.format("0\t0\n1", "1 ").replace('name="arm"', xmlns)
+    document = registry.read(SourceText("arm.xacro", text), ReadOptions())
+    stated = [s for s, _, o in document.statements if o == f"<{SRC}UnreadSpace>"]
+
+    assert [text[slice(*document.map.nodes[node].best)] for node in stated] == ["1 "]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from json.decoder import JSONDecodeError, scanstring  # type: ignore[attr-defined]
 from math import isinf
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 from kinlint.errors import SourceError
 from kinlint.formats.json_text.values import Array, Integer, Key, Member, Object, Parsed, Real, Text
@@ -35,6 +35,27 @@ def parse(source: SourceText) -> Parsed:
     Raises SourceError with line and column when it is none.
     """
     return _Parser(source).document()
+
+
+class Element(NamedTuple):
+    """An element of an array, where it stands, and the objects in it with repeated keys.
+
+    `closing` tells that it is none, but the bracket that ends the array.
+    """
+
+    value: Any
+    span: Span
+    repeats: list[Object]
+    closing: bool = False
+
+
+def element(source: SourceText, at: int, *, first: bool, depth: int) -> Element:
+    """What stands next in an array that is within *depth* arrays and objects, itself included.
+
+    The offset is behind its opening bracket if it is the *first*, or else behind an element.
+    Raises SourceError as `parse` does.
+    """
+    return _Parser(source).element(at, first=first, depth=depth)
 
 
 class _Parser:
@@ -78,8 +99,8 @@ class _Parser:
             self.fail(f"the file is cut off: expected {wanted}", at)
         self.fail(f"not JSON: expected {wanted}, found {self.shown(at)}", at)
 
-    def container(self, at: int) -> tuple[Any, int]:
-        """The array or object at an offset, with all it contains."""
+    def container(self, at: int, depth: int = 0) -> tuple[Any, int]:
+        """The array or object at an offset, with all it contains, within *depth* others."""
         text = self.text
         stack: list[tuple[Array | Object, Key | None]] = []
         current: Array | Object = Object(at) if text[at] == "{" else Array(at)
@@ -114,7 +135,7 @@ class _Parser:
             first = False
             opening = text[at : at + 1]
             if opening in ("{", "["):
-                if len(stack) >= MAX_DEPTH - 1:
+                if depth + len(stack) >= MAX_DEPTH - 1:
                     self.fail(f"nested more than {MAX_DEPTH} levels deep", at)
                 stack.append((current, key))
                 current = Object(at) if opening == "{" else Array(at)
@@ -123,6 +144,20 @@ class _Parser:
                 value, end = self.scalar(at)
                 self.add(current, key, value, at, end)
                 at = end
+
+    def element(self, at: int, *, first: bool, depth: int) -> Element:
+        """The next element of an array, or its closing bracket."""
+        at = self.space(at) if first else at
+        follows = None if first else _NEXT_ELEMENT.match(self.text, at)
+        if self.text.startswith("]", at) if first else follows is None:
+            end = self.close(Array(at), at)
+            return Element(None, Span(end - 1, end), [], closing=True)
+        at = follows.end() if follows else at
+        if self.text[at : at + 1] in ("{", "["):
+            value, end = self.container(at, depth)
+        else:
+            value, end = self.scalar(at)
+        return Element(value, Span(at, end), self.repeats)
 
     def close(self, current: Array | Object, at: int) -> int:
         at = self.space(at)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from decimal import Decimal
 from functools import lru_cache
-from math import isinf
 from typing import Any
 
+from kinlint.formats.doubles import beyond
 from kinlint.formats.jsonld.pyld import canonicalize
 from kinlint.terms import RDF, XSD, Term, literal
 
@@ -17,7 +17,6 @@ _TEXT = f"{XSD}string"
 _DOUBLE = f"{XSD}double"
 _WITH_EXPONENT = 10**21
 _LANGUAGE = re.compile(r"[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*")
-_DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
 _MALFORMED = re.compile(r'[\x00-\x20<>"{}|^`\\]|#[^#]*#')
 
 
@@ -54,7 +53,7 @@ def too_large(item: dict[str, Any]) -> bool:
     value = item["@value"]
     if item.get("@type") != _DOUBLE or not isinstance(value, str):
         return False
-    return _DECIMAL.fullmatch(value) is not None and isinf(float(value))
+    return beyond(value)
 
 
 def malformed(iri: str) -> bool:

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
+from kinlint.formats.doubles import TOO_LARGE
 from kinlint.formats.jsonld.literals import malformed, too_large
-from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach
+from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach, Resolution
 from kinlint.formats.jsonld.schemes import REGISTERED
 from kinlint.formats.jsonld.watch import Slot
 from kinlint.terms import XSD, Term, iri, literal
@@ -78,9 +79,11 @@ class LossWatch:
     def __init__(self) -> None:
         self.losses: list[Loss] = []
         self.types: list[LostType] = []
-        self._values: list[tuple[str, Loss]] = []
-        self._identifiers: set[str] = set()
-        self._nests: dict[Term, list[Nested]] = {}
+        self.values: list[tuple[str, Loss]] = []
+        self.identifiers: set[str] = set()
+        self.within: dict[Term, list[Nested]] = {}
+        # By their addresses, which hold as long as they are kept.
+        self._sound: dict[int, Resolution] = {}
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
         """*written* stands for a node, a property, a datatype or a value."""
@@ -99,12 +102,12 @@ class LossWatch:
     def nested(self, node: Term, slot: Slot, span: Span, depth: int, outermost: Term) -> None:
         """*node* is described within *depth* other nodes; remarks to kinlint are no nodes."""
         if slot.prop is None or not slot.prop.startswith(f"<{KL}"):
-            self._nests.setdefault(outermost, []).append(Nested(span, node, depth, slot))
+            self.within.setdefault(outermost, []).append(Nested(span, node, depth, slot))
 
     def nests(self) -> list[Loss]:
         """The first of the nodes within others in each outermost node, and how many there are."""
         losses = []
-        for outermost, all_nested in self._nests.items():
+        for outermost, all_nested in self.within.items():
             first = min(all_nested)
             depth, count = max(each.depth for each in all_nested), len(all_nested)
             details = (
@@ -127,6 +130,8 @@ class LossWatch:
             self._absolute(written, node)
 
     def _absolute(self, written: Iri, node: Term | None, slot: Slot | None = None) -> None:
+        if id(written.resolution) in self._sound:
+            return
         resolution, (scheme, _, rest) = written.resolution, written.partition(":")
         # A term can be defined by a compact IRI whose prefix is not.
         defined_by_it = resolution.reach is Reach.TERM and scheme != "_"
@@ -138,6 +143,8 @@ class LossWatch:
         elif malformed(written):
             details = (*said(written=written.token), *(_where(slot) if slot else ()))
             self.losses.append(Loss("MalformedIri", written.span, node, details))
+        else:
+            self._sound[id(resolution)] = resolution
 
     def graph(self, written: Iri) -> None:
         """*written* names a graph."""
@@ -153,7 +160,7 @@ class LossWatch:
             details = said(written=str(item["@value"]), reason=reason)
             self.losses.append(Loss("LostValue", span, node, details))
         elif too_large(item):
-            details = said(written=item["@value"], reason="it is too large for a double")
+            details = said(written=item["@value"], reason=TOO_LARGE)
             self.losses.append(Loss("LostValue", span, node, details))
 
     def _reference(self, written: Iri, role: str, node: Term | None, slot: Slot | None) -> None:
@@ -162,15 +169,15 @@ class LossWatch:
             details = (*details, Detail("property", slot.prop))
         loss = Loss("RelativeReference", written.span, node, details)
         if role == "value":
-            self._values.append((written, loss))
+            self.values.append((written, loss))
         else:
             if role == "identifier":
-                self._identifiers.add(written)
+                self.identifiers.add(written)
             self.losses.append(loss)
 
     def references(self) -> list[Loss]:
         """Relative values, save those that name a node described by a relative `@id`."""
-        return [loss for written, loss in self._values if written not in self._identifiers]
+        return [loss for written, loss in self.values if written not in self.identifiers]
 
 
 def _where(slot: Slot) -> tuple[Detail, ...]:

@@ -7,7 +7,6 @@ import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
 
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
@@ -18,11 +17,11 @@ from kinlint.formats.jsonld.losses import LossWatch
 from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.jsonld.pyld import JsonLdError
-from kinlint.formats.jsonld.report import LossReport
+from kinlint.formats.jsonld.report import Comparison, LossReport, state_losses, state_uses
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.naming import BlankNodes, document_iri
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.text import SourceText, Span
 
 FORMAT = "jsonld"
@@ -50,23 +49,23 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossWatch()
     triples = Triples(blanks, watch)
     processor.on_node = lambda node: triples.add([node], parsed.span)
-    triples.add(_expanded(processor, parsed, source), parsed.span)
+    _state(triples, processor, parsed, source)
 
     layer = SourceLayer(graph, blanks)
     layer.file(FORMAT, source.name, Span(0, len(source.text)))
     layer.described(triples.nodes)
-    layer.uses_terms(triples.spans)
-    report = LossReport(processor.record, watch, triples, options)
-    report.state_uses(layer)
-    for loss in report.losses(parsed.repeats, processor.repeated):
-        details = [(detail.name, detail.value) for detail in loss.details]
-        layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
+    layer.uses_terms(terms(triples.spans))
+    record = processor.record
+    uses = ((token.span, str(token)) for token in record.uses.values())
+    state_uses(layer, uses, options.contexts.release)
+    report = LossReport(record, watch, triples, Comparison(options))
+    state_losses(layer, report.losses(parsed.repeats, processor.repeated))
 
     spans = triples.spans
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**triples.nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), places, processor.record.prefixes, FORMAT)
+    return Document(source, graph, tuple(spans), places, record.prefixes, FORMAT)
 
 
 def _check_contexts(parsed: Parsed, source: SourceText) -> None:
@@ -81,9 +80,10 @@ def _check_contexts(parsed: Parsed, source: SourceText) -> None:
             raise SourceError(source.name, cause, place.line, place.column)
 
 
-def _expanded(processor: Processor, parsed: Parsed, source: SourceText) -> list[Any]:
+def _state(triples: Triples, processor: Processor, parsed: Parsed, source: SourceText) -> None:
+    """States what the file says; some of what PyLD lets pass cannot be stated."""
     try:
-        return processor.expand_document(parsed)
+        triples.add(processor.expand_document(parsed), parsed.span)
     except FAULTS as fault:
         place = source.position(_blamed(fault, processor, parsed))
         raise SourceError(source.name, _cause(fault), place.line, place.column) from fault

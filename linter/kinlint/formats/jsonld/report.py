@@ -2,67 +2,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.formats.json_text.values import Key, Object
 from kinlint.formats.jsonld.drift import OtherRelease
 from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
 from kinlint.formats.jsonld.marks import Iri, Origin, Resolution
-from kinlint.formats.jsonld.record import Record, Stray
+from kinlint.formats.jsonld.record import Record, Shadow, Stray
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.terms import Term, iri, literal, literal_value
+from kinlint.text import Span
 from kinlint.vocabulary import METAMODELS
 
 LOOKED_UP = 1_000
 """How many lost words are compared with the terms of their contexts."""
 
 
-class LossReport:
-    """All losses of one file; *origins* tell which object of the text describes which node."""
+class Comparison:
+    """What the lost words of a file might have meant: here, and under other releases."""
 
-    def __init__(
-        self, record: Record, watch: LossWatch, triples: Triples, options: ReadOptions
-    ) -> None:
-        self._record = record
-        self._watch = watch
-        self._triples = triples
+    def __init__(self, options: ReadOptions) -> None:
         self._options = options
         self._releases: list[OtherRelease] | None = None
         self._near: dict[tuple[int, str], str | None] = {}
 
-    def losses(self, repeats: list[Object], origins: dict[int, Origin]) -> list[Loss]:
-        """The losses in the order of the text."""
-        found = [*self._watch.losses, *self._watch.references(), *self._watch.nests()]
-        found += [
-            *self._types(),
-            *self._dropped(),
-            *self._strays(),
-            *self._contexts(),
-            *self._shadows(),
-        ]
-        for repeated in repeats:
-            origin = origins.get(id(repeated))
-            found += _duplicates(repeated, self._triples.named(origin) if origin else None)
-        return sorted(found, key=_place)
+    @property
+    def looked_up(self) -> int:
+        """How many words have been compared with the terms of their contexts."""
+        return len(self._near)
 
-    def state_uses(self, layer: SourceLayer) -> None:
-        """Which context documents the file names, and which release of them was read."""
-        for _, token in sorted(self._record.uses.items()):
-            ours = token.startswith(METAMODELS)
-            release = literal(self._options.contexts.release) if ours else None
-            details = (("context", literal(token)), ("release", release))
-            layer.uses(layer.about("ContextUse", token.span, *details), token.span)
-
-    def _others(self) -> list[OtherRelease]:
+    def others(self, *, named: bool) -> list[OtherRelease]:
+        """The other releases, if a context is *named* that they might have."""
         if self._releases is None:
             current = self._options.contexts.release
-            names = self._options.releases if self._record.uses else ()
+            names = self._options.releases if named else ()
             self._releases = [OtherRelease(r, self._options) for r in names if r != current]
         return self._releases
 
-    def _dropped(self) -> list[Loss]:
+    def resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
+        """The term that *written* resembles, as long as few words have been looked up."""
+        key = id(resolution.terms), str(written)
+        if key not in self._near and len(self._near) < LOOKED_UP:
+            self._near[key] = resolution.nearest(written)
+        if near := self._near.get(key):
+            yield Detail("resembles", literal(near))
+
+
+class LossReport:
+    """All losses of one file, or of a part of one that *compared* knows more of."""
+
+    def __init__(
+        self, record: Record, watch: LossWatch, triples: Triples, compared: Comparison
+    ) -> None:
+        self._record = record
+        self._watch = watch
+        self._triples = triples
+        self._compared = compared
+
+    def losses(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
+        """The losses in the order of the text; *origins* are of the objects that are *repeats*."""
+        found = [*self._watch.losses, *self._watch.references(), *self._watch.nests()]
+        found += [
+            *self.types(),
+            *self.dropped(),
+            *self.strays(),
+            *self.contexts(),
+            *shadowed((each, token.span) for each, token in self._record.shadow_uses.items()),
+            *self.duplicates(repeats, origins),
+        ]
+        return sorted(found, key=place)
+
+    def _others(self) -> list[OtherRelease]:
+        return self._compared.others(named=bool(self._record.uses))
+
+    def dropped(self) -> list[Loss]:
+        """The keys without a meaning."""
         losses = []
         for drop in self._record.drops.values():
             blind = drop.resolution.blind
@@ -70,7 +86,7 @@ class LossReport:
             node = self._triples.named(drop.origin)
             loss = Loss(kind, drop.key.span, node, said(key=drop.key))
             if not blind:
-                loss = loss.with_details(self._resembles(drop.resolution, drop.key))
+                loss = loss.with_details(self._compared.resembles(drop.resolution, drop.key))
                 loss = loss.with_details(
                     Detail("mappedInRelease", literal(other.release))
                     for other in self._others()
@@ -80,19 +96,12 @@ class LossReport:
         return losses
 
     def _resembled_type(self, written: Iri) -> Iterator[Detail]:
-        for term in self._resembles(written.resolution, written.token):
+        for term in self._compared.resembles(written.resolution, written.token):
             meaning = written.resolution.terms[literal_value(term.value)]
             yield Detail("resembles", iri(meaning["@id"]))
 
-    def _resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
-        """The term that *written* resembles, as long as few words have been looked up."""
-        key = id(resolution.terms), str(written)
-        if key not in self._near and len(self._near) < LOOKED_UP:
-            self._near[key] = resolution.nearest(written)
-        if near := self._near.get(key):
-            yield Detail("resembles", literal(near))
-
-    def _strays(self) -> list[Loss]:
+    def strays(self) -> list[Loss]:
+        """The values without effect, and the datatypes without a prefix."""
         losses = [
             Loss(
                 stray.kind,
@@ -107,7 +116,8 @@ class LossReport:
             losses.append(Loss("UndefinedPrefix", datatype.span, None, details))
         return losses
 
-    def _types(self) -> list[Loss]:
+    def types(self) -> list[Loss]:
+        """The types that are relative IRIs."""
         return [
             lost.loss.with_details(
                 Detail("mappedInRelease", literal(other.release))
@@ -117,7 +127,8 @@ class LossReport:
             for lost in self._watch.types
         ]
 
-    def _contexts(self) -> list[Loss]:
+    def contexts(self) -> list[Loss]:
+        """The contexts that are missing or broken."""
         losses = []
         for problem in self._record.problems.values():
             details = said(reason=problem.reason)
@@ -126,14 +137,44 @@ class LossReport:
             losses.append(Loss(problem.kind, problem.span, None, details))
         return losses
 
-    def _shadows(self) -> list[Loss]:
-        losses = []
-        for shadow, token in self._record.shadow_uses.items():
-            names = said(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
-            now, before = iri(shadow.iri), iri(shadow.shadowed_iri)
-            iris = (Detail("iri", now), Detail("shadowedIri", before))
-            losses.append(Loss("ShadowedTerm", token.span, None, (*names, *iris)))
+    def duplicates(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
+        """The keys that stand in an object before."""
+        losses: list[Loss] = []
+        for repeated in repeats:
+            origin = origins.get(id(repeated))
+            losses += _duplicates(repeated, self._triples.named(origin) if origin else None)
         return losses
+
+
+def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
+    """The terms that mean something else than in an earlier context, each where it comes first."""
+    losses = []
+    for shadow, span in uses:
+        names = said(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
+        now, before = iri(shadow.iri), iri(shadow.shadowed_iri)
+        iris = (Detail("iri", now), Detail("shadowedIri", before))
+        losses.append(Loss("ShadowedTerm", span, None, (*names, *iris)))
+    return losses
+
+
+def state_uses(layer: SourceLayer, uses: Iterable[tuple[Span, str]], release: str) -> None:
+    """Which context documents the file names where; those of ours are read under *release*."""
+    for span, name in sorted(uses):
+        version = literal(release) if name.startswith(METAMODELS) else None
+        details = (("context", literal(name)), ("release", version))
+        layer.uses(layer.about("ContextUse", span, *details), span)
+
+
+def state_losses(layer: SourceLayer, losses: Iterable[Loss]) -> None:
+    """What the file loses, in this order."""
+    for loss in losses:
+        details = [(detail.name, detail.value) for detail in loss.details]
+        layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
+
+
+def place(loss: Loss) -> tuple[int, int, str]:
+    """What losses are ordered by."""
+    return (*loss.span, loss.kind)
 
 
 def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
@@ -152,7 +193,3 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
 
 def _in(stray: Stray) -> dict[str, str]:
     return {} if stray.key is None else {"key": stray.key}
-
-
-def _place(loss: Loss) -> tuple[int, int, str]:
-    return (*loss.span, loss.kind)

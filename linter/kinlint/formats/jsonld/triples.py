@@ -135,6 +135,8 @@ class Triples:
     def _keyword(
         self, keyword: str, values: Any, node: dict[str, Any], subject: Term | None, whole: Span
     ) -> None:
+        if keyword == "@id":
+            return
         name = node.get("@id")
         place = name.span if isinstance(name, Iri) else whole
         if keyword == "@type":
@@ -199,7 +201,10 @@ class Triples:
         place = name.span if isinstance(name, Iri) else whole
         if len(item) == 1 and "@id" in item:
             self._see(name, "value", subject, slot)
-            return self._node(item, whole), place
+            named = self._term(name)
+            if isinstance(item, Expanded) and item.origin is not None and named is not None:
+                item.origin.subject = named
+            return named, place
         node, depth = self._node(item, whole), len(self._round)
         if self._watch is not None and node is not None and depth > 1:
             start = place if isinstance(name, Iri) else Span(whole.start, whole.start + 1)

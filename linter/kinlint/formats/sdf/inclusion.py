@@ -11,6 +11,7 @@ from urllib.parse import unquote, urlsplit
 from kinlint.files.contents import head
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
+from kinlint.files.surroundings import kind, listing
 
 MANIFESTS = ("model.config", "manifest.xml")
 DEFAULT = "model.sdf"
@@ -35,15 +36,15 @@ def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Miss
     if scheme not in LOCAL:
         return Missing("it is on the network")
     candidates = _candidates(uri, scheme, chain[-1].parent, packages)
-    found = next((each for each in candidates if each in chain or each.exists()), None)
+    found = next((each for each in candidates if each in chain or kind(each)), None)
     if found is None:
         return Missing("there is no such file or model")
-    if not found.is_dir():
+    if kind(found) != "directory":
         return found
     inner = _named_by_manifest(found)
     if inner is None:
         return Missing(f"the directory has no {MANIFESTS[0]}")
-    if inner.is_file():
+    if kind(inner) == "file":
         return inner
     return Missing(f"its {MANIFESTS[0]} names {inner.name}, which is not there")
 
@@ -76,8 +77,10 @@ def _named_by_manifest(directory: Path) -> Path | None:
         readable = {each: file for each, file in versions.items() if each <= NEWEST}
         if readable:
             return directory / readable[max(readable)]
-    default, *others = directory / DEFAULT, *sorted(directory.glob("*.sdf"))
-    return default if default.is_file() else others[0] if len(others) == 1 else None
+    if kind(default := directory / DEFAULT) == "file":
+        return default
+    others = [name for name in listing(directory) if name.endswith(".sdf")]
+    return directory / others[0] if len(others) == 1 else None
 
 
 def _version(attributes: str) -> tuple[int, ...]:

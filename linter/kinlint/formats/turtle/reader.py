@@ -6,10 +6,11 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats import doubles
 from kinlint.formats.naming import BlankNodes, document_iri
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
-from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.formats.turtle.grammar import Grammar, Statement
 from kinlint.formats.turtle.tokens import Unread
 from kinlint.terms import RDF, Term, Triple, is_blank
@@ -47,15 +48,17 @@ def _document(
     spans: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     lists = {f"<{RDF}first>", f"<{RDF}rest>"}
+    layer = SourceLayer(graph := document_iri(source.name), blanks)
+    layer.file(FORMAT, source.name, Span(0, len(source.text)))
     for subject, predicate, value, places in statements:
-        spans.setdefault((subject, predicate, value), places[2])
+        if doubles.lost(value):
+            layer.lost(subject, value, places[2], doubles.TOO_LARGE)
+        else:
+            spans.setdefault((subject, predicate, value), places[2])
         if predicate not in lists and subject not in nodes:
             nodes[subject] = grammar.nodes.get(subject) or NodeSpans(places[0], places[0])
-    graph = document_iri(source.name)
-    layer = SourceLayer(graph, blanks)
-    layer.file(FORMAT, source.name, Span(0, len(source.text)))
     layer.described(nodes)
-    layer.uses_terms(spans)
+    layer.uses_terms(terms(spans))
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})

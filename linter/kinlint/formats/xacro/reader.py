@@ -13,11 +13,12 @@ from kinlint.formats.naming import BlankNodes, document_iri
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xacro.definitions import state_definitions
+from kinlint.formats.xacro.expansion import Expansion
 from kinlint.formats.xacro.failure import MALFORMED, Fault
 from kinlint.formats.xacro.files import Pieces, place
 from kinlint.formats.xacro.mapping import Mapped, Places
 from kinlint.formats.xacro.parse import Parsed
-from kinlint.formats.xacro.session import Expansion, Session
+from kinlint.formats.xacro.session import Session
 from kinlint.formats.xacro.writer import write
 from kinlint.formats.xml.recognition import SEMANTIC, sniff
 from kinlint.terms import XSD, Term, Triple, literal
@@ -91,9 +92,9 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
         begin = pieces.begin(text)
         return Span(begin + span.start, begin + span.end)
 
-    for _, included in pieces.listed[1:] if expansion.fault is None else ():
+    for element, included in expansion.includes if expansion.fault is None else ():
         triple = graph, src("includes"), document_iri(included.name)
-        layer.triples[triple] = Span(0, min(1, len(source.text)))
+        layer.triples.setdefault(triple, at(element.origin.source, element.place("filename")))
     if expansion.fault is not None:
         _state_fault(layer, expansion.fault, at)
     for remark in expansion.remarks:

@@ -22,11 +22,13 @@ from kinlint.errors import SourceError
 from kinlint.files.contents import Unreadable
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
+from kinlint.files.surroundings import listing
 from kinlint.formats.xacro import yaml_table
 from kinlint.formats.xacro.bounds import Bounds, Refused, TooMuch
 from kinlint.formats.xacro.comments import inherit, removing
+from kinlint.formats.xacro.expansion import Expansion, Remark
 from kinlint.formats.xacro.expression import Members, evaluate
-from kinlint.formats.xacro.failure import Failure, Fault, fault
+from kinlint.formats.xacro.failure import Failure, fault
 from kinlint.formats.xacro.files import Pieces, table
 from kinlint.formats.xacro.origin import Origin
 from kinlint.formats.xacro.parse import Parsed, parse
@@ -34,38 +36,12 @@ from kinlint.formats.xacro.substitution import Substitution
 from kinlint.formats.xacro.symbols import dotted, symbols, tokenize
 from kinlint.formats.xacro.text import Texts
 from kinlint.formats.xacro.tree import Element, Text, Watch
-from kinlint.text import SourceText, Span
+from kinlint.text import SourceText
 
 INCLUDES = 40
 """How deep files may include files."""
 REDEFINED = "redefining global symbol: "
 _ONE_AT_A_TIME = Lock()
-
-
-@dataclass(frozen=True)
-class Remark:
-    """What xacro warns of: `message`, at `span` of `source`.
-
-    `symbol` is what was redefined of xacro's own names, if it is about that.
-    """
-
-    message: str
-    source: SourceText
-    span: Span
-    symbol: str = ""
-
-
-@dataclass
-class Expansion:
-    """What a file expands to: `parsed` is the robot, unless there is a `fault`.
-
-    `files` are the files as they were before, the main one first.
-    """
-
-    parsed: Parsed
-    files: Mapping[int, Parsed]
-    remarks: list[Remark] = field(default_factory=list)
-    fault: Fault | None = None
 
 
 @dataclass
@@ -83,6 +59,8 @@ class Session:
         self._open = [self.pieces.path]
         self._files: dict[int, Parsed] = {}
         self._remarks: list[Remark] = []
+        self._includes: list[tuple[Element, SourceText]] = []
+        self._including = self._watch.element
         self._substitution = Substitution(
             dict(self.arguments),
             lambda name: self.packages.find(name, self._directory()),
@@ -94,7 +72,7 @@ class Session:
 
     def expand(self) -> Expansion:
         """The robot that the file stands for."""
-        result = Expansion(Parsed(), self._files, self._remarks)
+        result = Expansion(Parsed(), self._files, self._includes, self._remarks)
         with _ONE_AT_A_TIME, _replaced(self._xacro, self._replacements()):
             try:
                 result.parsed = parse(self.pieces.main, self._watch)
@@ -177,22 +155,23 @@ class Session:
 
     def _included(self, name: str, scope: Any) -> Iterator[str]:
         """The paths of the files that an include names."""
+        element = self._watch.element
+        for path in self._named(name, scope):
+            self._including = element
+            yield str(path)
+
+    def _named(self, name: str, scope: Any) -> Iterator[Path]:
         given = str(self._texts.evaluate(name, scope))
         path = self._resolved(given)
         if not MAGIC.search(given):
-            yield str(path)
+            yield path
             return
         if MAGIC.search(str(path.parent)):
             raise Refused("wildcards for directories")
-        try:
-            names = sorted(
-                each.name for each in path.parent.iterdir() if fnmatch(each.name, path.name)
-            )
-        except OSError:
-            names = []
+        names = [each for each in listing(path.parent) if fnmatch(each, path.name)]
         if not names:
             self._add_remark(f"no file matches '{given}'")
-        yield from (str(path.parent / each) for each in names)
+        yield from (path.parent / each for each in names)
 
     def _parse(self, _: None, name: str) -> Any:
         """The tree of an included file, as what xacro takes for a document."""
@@ -211,6 +190,8 @@ class Session:
             raise Failure(str(error)) from None
         except SourceError as error:
             raise Failure(f"'{error.name}' cannot be read: {error.cause}") from None
+        if self._including is not None:
+            self._includes.append((self._including, source))
         if id(source) not in self._files:
             self._files[id(source)] = parse(source, self._watch)
         parsed = self._files[id(source)]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, MutableMapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from kinlint.files.surroundings import variable
 from kinlint.formats.xacro.bounds import Refused
 
 
@@ -48,7 +48,7 @@ class Substitution:
                 f"'$({inside})' takes {expected or 'no'} argument{'s' * (not expected)}"
             )
         if command == "optenv":
-            return os.environ.get(words[0], " ".join(words[1:]))
+            return _variable(words[0], " ".join(words[1:]))
         simple: Mapping[str, Callable[..., str]] = {
             "cwd": lambda: str(Path.cwd()),
             "dirname": lambda: str(self.directory()),
@@ -72,20 +72,25 @@ class Substitution:
         return str(found)
 
     def _env(self, name: str) -> str:
-        try:
-            return os.environ[name]
-        except KeyError:
-            raise Unknown("environment variable", name) from None
+        found = variable(name)
+        if found is None:
+            raise Unknown("environment variable", name)
+        return found
 
     def _eval(self, expression: str) -> str:
         if "__" in expression:
             raise Refused("'__' in $(eval …)")
         names: dict[str, Any] = {name: _typed(value) for name, value in self.arguments.items()}
         names |= {"true": True, "false": False, "find": self._find, "env": self._env}
-        names["optenv"] = lambda name, default="": os.environ.get(name, default)
+        names["optenv"] = _variable
         names["arg"] = lambda name: _typed(self.argument(name))
         names["dirname"] = lambda: str(self.directory())
         return str(self.evaluate(expression, names))
+
+
+def _variable(name: str, default: str = "") -> str:
+    found = variable(name)
+    return default if found is None else found
 
 
 def _typed(value: str) -> bool | float | str:

@@ -133,7 +133,9 @@ class _Writer:
         self._put("=", origin, Span(named.end, named.end))
         self._put(quote, origin, Span(spans.value.start - 1, spans.value.start))
         if not given and value == node.written.get(name):
-            self._copy(origin, spans.value)
+            # Whoever parses XML finds blanks there, and so does whoever reads what xacro writes.
+            as_read = origin.source[spans.value].translate(SPACES)
+            self._put(as_read, origin, spans.value, exact=True)
         else:
             quoted = {quote: QUOTED[quote], **BLANKS}
             self._evaluated(escape(value, quoted), _Said(value, origin, spans.value))
@@ -160,4 +162,5 @@ class _Writer:
 
 
 QUOTED = {'"': "&quot;", "'": "&apos;"}
+SPACES = dict.fromkeys(map(ord, "\t\r\n"), " ")
 BLANKS = {"\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}

@@ -1,0 +1,23 @@
+"""Numbers that no `xsd:double` can hold, which readers of RDF take for infinity without a word."""
+
+from __future__ import annotations
+
+import re
+from math import isinf
+
+from kinlint.terms import XSD, Term, literal_value
+
+TOO_LARGE = "it is too large for a double"
+"""What is said of such a number."""
+_DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
+_DOUBLE = f"^^<{XSD}double>"
+
+
+def beyond(written: str) -> bool:
+    """Whether *written* is a number, and larger than all doubles."""
+    return _DECIMAL.fullmatch(written) is not None and isinf(float(written))
+
+
+def lost(term: Term) -> bool:
+    """Whether *term* is a literal for such a number."""
+    return term.endswith(_DOUBLE) and beyond(literal_value(term))

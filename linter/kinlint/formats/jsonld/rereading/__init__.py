@@ -1,0 +1,1 @@
+"""Reads a JSON-LD file again of which a little has changed."""

@@ -1,0 +1,1 @@
+"""Examines a model again after a small change, and looks only at what the change touches."""

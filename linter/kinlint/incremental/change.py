@@ -1,0 +1,97 @@
+"""What changed in the graphs of a store, and the terms by which others may care."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+import pyoxigraph as ox
+
+from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.store import Store
+from kinlint.terms import RDF_TYPE, Term, Triple, iri_value
+
+Kind: TypeAlias = ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple
+TYPE = ox.NamedNode(iri_value(RDF_TYPE))
+
+
+def quads(triples: Iterable[Triple], name: Term) -> list[ox.Quad]:
+    """*triples* in the graph *name*, less those that no RDF store accepts."""
+    lines = [f"{s} {p} {o} {name} .\n" for s, p, o in triples]
+    return list(_parsed(lines)) if lines else []
+
+
+def _parsed(lines: list[str]) -> Iterator[ox.Quad]:
+    try:
+        text = "".join(lines).encode()
+        yield from list(ox.parse(text, ox.RdfFormat.N_QUADS, lenient=True))
+    except (SyntaxError, UnicodeEncodeError, MemoryError):
+        if len(lines) > 1:
+            half = len(lines) // 2
+            yield from _parsed(lines[:half])
+            yield from _parsed(lines[half:])
+
+
+@dataclass
+class Changes:
+    """All that changed in *store* since its model was last examined.
+
+    `properties` and `classes` are those of the triples that did, with what these classes are below.
+    `rewritten` tells that a file says something else, or in another order.
+    """
+
+    store: Store
+    removed: list[ox.Quad] = field(default_factory=list)
+    added: list[ox.Quad] = field(default_factory=list)
+    properties: set[Term] = field(default_factory=set)
+    classes: set[Term] = field(default_factory=set)
+    rewritten: bool = False
+    _above: dict[Kind, frozenset[Term]] = field(default_factory=dict)
+
+    def __bool__(self) -> bool:
+        return bool(self.removed or self.added)
+
+    def make(self, removed: Iterable[ox.Quad], added: Iterable[ox.Quad]) -> Changes:
+        """Remove and add to the store what it has and has not; answers what that changed."""
+        store = self.store.oxigraph
+        gone = [quad for quad in dict.fromkeys(removed) if quad in store]
+        for quad in gone:
+            store.remove(quad)
+        come = [quad for quad in dict.fromkeys(added) if quad not in store]
+        store.extend(come)
+        both = set(gone).intersection(come)
+        made = Changes(self.store)
+        made.removed = [quad for quad in gone if quad not in both]
+        made.added = [quad for quad in come if quad not in both]
+        made.note()
+        self.removed += made.removed
+        self.added += made.added
+        self.properties |= made.properties
+        self.classes |= made.classes
+        return made
+
+    def note(self) -> None:
+        """Note the properties, and the classes with all that those are subclasses of."""
+        changed = [*self.removed, *self.added]
+        self.properties = {str(quad.predicate) for quad in changed if quad.predicate != TYPE}
+        kinds = {quad.object for quad in changed if quad.predicate == TYPE}
+        self.classes = set().union(*map(self.above, kinds))
+
+    def above(self, kind: Kind) -> frozenset[Term]:
+        """The class *kind* and all that it is a subclass of."""
+        if kind not in self._above:
+            found, waiting = {kind}, [kind]
+            while waiting:
+                wider = set(self._wider(waiting.pop())) - found
+                found |= wider
+                waiting += wider
+            self._above[kind] = frozenset(map(str, found))
+        return self._above[kind]
+
+    def _wider(self, kind: Kind) -> list[Kind]:
+        if isinstance(kind, ox.Literal):
+            return []
+        property_ = ox.NamedNode(iri_value(SUBCLASS))
+        found = self.store.oxigraph.quads_for_pattern(kind, property_, None, None)
+        return [quad.object for quad in found]

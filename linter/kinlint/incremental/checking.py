@@ -1,0 +1,127 @@
+"""Checks again those constraints that look at something that changed, where it concerns them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from kinlint.engine.check import result, rows
+from kinlint.engine.constraint import FOCUS, Constraint
+from kinlint.engine.presence import Presence
+from kinlint.engine.result import Result
+from kinlint.engine.store import Store, rank, token
+from kinlint.incremental.change import Changes
+from kinlint.incremental.focus import Focus, TooMany
+from kinlint.incremental.reading import reading
+from kinlint.incremental.sight import sights
+from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
+
+Row = Mapping[str, Term]
+GIVEN = f"VALUES ?this {{ {FOCUS} }}"
+"""How the query about one target node is given it."""
+LITTLE = 1e-4
+"""Seconds: what takes less is not worth to be taken apart."""
+
+
+class Checks:
+    """What violates some constraints, remembered until something changes that they look at."""
+
+    def __init__(self, store: Store, constraints: Sequence[Constraint]) -> None:
+        self.store = store
+        self.constraints = constraints
+        self._presence = Presence(store)
+        self._rows: dict[int, list[Row]] = {}
+        self._results: dict[int, list[Result]] = {}
+        self._seconds: dict[int, float] = {}
+
+    def check(self, changes: Changes, ask: Callable[[], None]) -> None:
+        """Check again what looks at what *changes* are about."""
+        presence, focus = self._presence, Focus(changes)
+        changed = {(quad.predicate, quad.object) for quad in (*changes.removed, *changes.added)}
+        presence.forget((token(predicate), token(value)) for predicate, value in changed)
+        for number, constraint in enumerate(self.constraints):
+            if number in self._rows and not reading(constraint.select).looks_at(
+                changes.properties, changes.classes
+            ):
+                continue
+            ask()
+            if not presence.may_violate(constraint):
+                found = list[Row]()
+            else:
+                nodes = self._concerned(number, focus)
+                if nodes is not None and not nodes:
+                    continue
+                known = None if nodes is None else self._checked(number, nodes)
+                found = self._all(number) if known is None else known
+            self._note(number, found)
+
+    def _all(self, number: int) -> list[Row]:
+        """All violations of a constraint, timed."""
+        constraint = self.constraints[number]
+        started = time.perf_counter()
+        found = list[Row](rows(self.store, constraint))
+        self._seconds[number] = time.perf_counter() - started
+        if self._seconds[number] >= LITTLE:
+            sights(constraint.select)  # The next time, this is known.
+        return found
+
+    def _note(self, number: int, found: list[Row]) -> None:
+        if number not in self._rows or self._rows[number] != found:
+            constraint = self.constraints[number]
+            self._results[number] = [result(constraint, row) for row in found]
+        self._rows[number] = found
+
+    def _concerned(self, number: int, focus: Focus) -> frozenset[Term] | None:
+        """The target nodes that may violate the constraint anew or no more; None for all."""
+        if number not in self._rows or self._seconds.get(number, 0.0) < LITTLE:
+            return None
+        seen = sights(self.constraints[number].select)
+        if seen is None:
+            return None
+        try:
+            nodes = focus.nodes(seen)
+        except TooMany:
+            return None
+        targets = self.constraints[number].targets
+        known = {row["root"] for row in self._rows[number]}
+        return frozenset(
+            str(node)
+            for node in nodes
+            if not targets or str(node) in known or focus.is_target(node, targets)
+        )
+
+    def _checked(self, number: int, nodes: frozenset[Term]) -> list[Row] | None:
+        """The violations with those of *nodes* anew; None if one of these cannot be asked for."""
+        ways = [
+            f"VALUES ?this {{ {' '.join(sorted(each for each in nodes if not is_blank(each)))} }}"
+        ]
+        for node in filter(is_blank, nodes):
+            said = [pair for pair in self.store.said(node) if not is_blank(pair[1])]
+            if not said:
+                return None
+            # No query can name a blank node; what else the same is said of is left out below.
+            predicate, value = min(said, key=_commonness)
+            ways.append(f"?this {predicate} {value}")
+        given = ways[0]
+        if len(ways) > 1:
+            either = " UNION ".join(f"{{ {way} }}" for way in ways)
+            given = f"SELECT DISTINCT ?this WHERE {{ {either} }}"
+        text = self.constraints[number].single.replace(GIVEN, given)
+        try:
+            found = [row for row in self.store.rows(text) if row["root"] in nodes]
+        except SyntaxError:  # A file may use IRIs that a store takes, but no query.
+            return None
+        kept = (row for row in self._rows[number] if row["root"] not in nodes)
+        return sorted((*kept, *found), key=rank, reverse=True)
+
+    @property
+    def results(self) -> Iterator[Result]:
+        """All that was found, in the order of the constraints."""
+        for number in range(len(self.constraints)):
+            yield from self._results[number]
+
+
+def _commonness(pair: tuple[Term, Term]) -> tuple[bool, bool, int]:
+    """Sorts what is said of a node by how many others it is probably said of, too."""
+    predicate, value = pair
+    return predicate == RDF_TYPE, is_iri(value), -len(value)

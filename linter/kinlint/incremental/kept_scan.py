@@ -1,0 +1,142 @@
+"""Reads a model by predicate, keeps what does not change, and knows what was looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from kinlint.document import Document
+from kinlint.engine.store import Store
+from kinlint.facts.scan import Place, Scan, Table
+from kinlint.formats.xml.places import ElementSpans
+from kinlint.incremental.change import Changes
+from kinlint.incremental.renewal import renew
+from kinlint.terms import Term
+
+Order: TypeAlias = tuple[tuple[Term, ...], ...]
+
+
+@dataclass
+class Looks:
+    """What part of the work looked at.
+
+    `nodes` are those of which it read all that is said, `places` tells that it sorted nodes by
+    where they are described, `files` that it read the documents themselves.
+    """
+
+    properties: set[Term] = field(default_factory=set)
+    classes: set[Term] = field(default_factory=set)
+    nodes: set[Term] = field(default_factory=set)
+    places: bool = False
+    files: bool = False
+
+
+class KeptScan(Scan):
+    """A scan that lasts from one examination to the next.
+
+    `looks` has what each part of the work looked at, `below` which other parts it uses.
+    """
+
+    def __init__(self, store: Store) -> None:
+        super().__init__(store)
+        self.looks: dict[str, Looks] = {}
+        self.below: dict[str, tuple[str, ...]] = {}
+        self._order: Order | None = None
+
+    def part(self, name: str, *below: str) -> Scan:
+        """What reads the model for a part of the work, which uses those parts *below*."""
+        self.below[name] = below
+        looks = self.looks.setdefault(name, Looks())
+        return Part(self, looks)
+
+    def forget(self, changes: Changes) -> set[str]:
+        """Read again what *changes* are about; the parts of the work that looked at that."""
+        renew(changes, self._tables, self._numbers, self._instances)
+        for name in ("_first", "_rest", "_home", "documents"):
+            self.__dict__.pop(name, None)
+        subjects = {str(quad.subject) for quad in (*changes.removed, *changes.added)}
+        moved = self._moved() if any(each.places for each in self.looks.values()) else False
+        touched = {
+            name
+            for name, each in self.looks.items()
+            if not each.properties.isdisjoint(changes.properties)
+            or not each.classes.isdisjoint(changes.classes)
+            or not each.nodes.isdisjoint(subjects)
+            or (each.places and moved)
+            or (each.files and changes.rewritten)
+        }
+        grew = True
+        while grew:
+            more = {name for name, uses in self.below.items() if not touched.isdisjoint(uses)}
+            grew = not more <= touched
+            touched |= more
+        for name in touched:
+            self.looks.pop(name, None)
+        return touched
+
+    def _moved(self) -> bool:
+        """Whether nodes come in another order than when this was asked last."""
+        before, self._order = self._order, tuple(map(_in_order, self.documents))
+        return before != self._order
+
+
+class Part(Scan):
+    """A scan of one part of the work, which shares all that it reads with the others."""
+
+    def __init__(self, kept: KeptScan, looks: Looks) -> None:
+        super().__init__(kept.store)
+        self._kept = kept
+        self._looks = looks
+        self._tables = kept._tables  # noqa: SLF001  of its own class
+        self._numbers = kept._numbers  # noqa: SLF001
+        self._instances = kept._instances  # noqa: SLF001
+
+    def table(self, predicate: Term) -> Table:
+        """All values of *predicate*, by subject."""
+        self._looks.properties.add(predicate)
+        return super().table(predicate)
+
+    def numbers(self, predicate: Term) -> Mapping[Term, float]:
+        """The number that is the value of *predicate*, for the subjects that have exactly one."""
+        self._looks.properties.add(predicate)
+        return super().numbers(predicate)
+
+    def instances(self, kind: Term) -> frozenset[Term]:
+        """The nodes that are of class *kind*, stated or inferred."""
+        self._looks.classes.add(kind)
+        return super().instances(kind)
+
+    def inferred(self, kind: Term) -> frozenset[Term]:
+        """The nodes that are of class *kind* only because something else follows."""
+        self._looks.classes.add(kind)
+        return super().inferred(kind)
+
+    def about(self, node: Term) -> Mapping[Term, list[Term]]:
+        """All that is said of an IRI, by property."""
+        self._looks.nodes.add(node)
+        return super().about(node)
+
+    def all_values(self, node: Term) -> frozenset[Term]:
+        """The values of all that is said of *node*."""
+        self._looks.nodes.add(node)
+        return super().all_values(node)
+
+    def place(self, node: Term) -> Place:
+        """Sorts nodes by where they are described first; nodes described nowhere come last."""
+        self._looks.places = True
+        return self._kept.place(node)
+
+    @property
+    def documents(self) -> tuple[Document, ...]:
+        """The documents of the store, in its order."""
+        self._looks.files = True
+        return self._kept.documents
+
+
+def _in_order(document: Document) -> tuple[Term, ...]:
+    """The nodes of *document* by where they are described."""
+    nodes = document.map.nodes
+    if isinstance(nodes, ElementSpans):
+        return tuple(nodes)  # Elements are numbered as their tags begin.
+    return tuple(sorted(nodes, key=lambda node: (nodes[node].whole.start, node)))

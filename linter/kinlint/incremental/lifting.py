@@ -1,0 +1,183 @@
+"""Lifts again by those queries that look at what changed, and tells what that makes different."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import count
+from typing import TypeAlias
+
+import pyoxigraph as ox
+
+from kinlint.engine.compiler.patterns import literal_token
+from kinlint.engine.lifting import Lifting, asked
+from kinlint.engine.store import ASSERTED_GRAPH, Store, token
+from kinlint.incremental.change import Changes, quads
+from kinlint.incremental.focus import Focus, TooMany
+from kinlint.incremental.reading import Reading, reading
+from kinlint.incremental.restriction import Restriction, restricted, restriction
+from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, iri_value
+from kinlint.vocabulary import LIFTED_GRAPH
+
+Row: TypeAlias = tuple[Term | None, ...]
+FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
+ASSERTED = ox.NamedNode(iri_value(ASSERTED_GRAPH))
+NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
+"""An IRI that a query may hold; a file may use others, which a store takes."""
+_VARIABLE = re.compile(r"\?(\w+)")
+
+
+@dataclass
+class Unit:
+    """One query, with what it made of each of its solutions.
+
+    A solution has the values of `names`, the last of which is the variable that `narrow` is about.
+    """
+
+    select: str
+    names: tuple[str, ...]
+    template: Sequence[tuple[str, str, tuple[str, ...] | str]]
+    reading: Reading
+    narrow: Restriction | None
+    made: dict[Row, list[tuple[Triple, ...]]] | None = None
+
+    @classmethod
+    def of(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
+        """What makes all that *lifting* makes, or what of it is *kept*."""
+        made, where = lifting.part(kept)
+        prefixes = lifting.prefixes
+        names = tuple(
+            dict.fromkeys(_VARIABLE.findall(" ".join(" ".join(each[:3]) for each in made)))
+        )
+        body = f"WHERE {where.strip().removeprefix('WHERE')}"
+        narrow = restriction(f"{lifting.prologue} SELECT * {body}") if names else None
+        if narrow is not None:
+            root = narrow.root[1:]
+            names = (*(name for name in names if name != root), root)
+        shown = " ".join(f"?{name}" for name in names) or "*"
+        select = f"{lifting.prologue} SELECT {shown} {body}"
+        template = [
+            (_word(s, prefixes), _word(p, prefixes), _object(o, prefixes)) for s, p, o, _ in made
+        ]
+        return cls(select, names, template, reading(select), narrow)
+
+
+class Lifted:
+    """What was lifted of a model, query by query."""
+
+    def __init__(
+        self,
+        store: Store,
+        wanted: Collection[Term] | None = None,
+        kept: Collection[Term] | None = None,
+    ) -> None:
+        self.store = store
+        formats = {document.format for document in store.documents.values()}
+        self.units = [Unit.of(each, kept) for each in asked(formats, wanted)]
+        self._counts: Counter[Triple] = Counter()
+        self._numbers = count(1)
+
+    def lift(self, changes: Changes, ask: Callable[[], None]) -> None:
+        """Lift anew what looks at what *changes* are about, and add to them."""
+        focus = Focus(changes)
+        for unit in self.units:
+            if unit.made is None:
+                ask()
+                self._again(unit, None, changes)
+            elif unit.reading.looks_at(changes.properties, changes.classes):
+                ask()
+                roots = _concerned(unit, focus)
+                if roots is None or roots:
+                    self._again(unit, roots, changes)
+
+    def _again(self, unit: Unit, roots: Collection[Term] | None, changes: Changes) -> None:
+        """Lift anew by *unit* what it makes of *roots*, or all."""
+        rows = Counter(self._rows(unit, roots))
+        gone, come = list[Triple](), list[Triple]()
+        made = unit.made = unit.made or {}
+        known = made if roots is None else [row for row in made if row[-1] in roots]
+        for row in [row for row in known if row not in rows]:
+            for triples in made.pop(row):
+                gone += triples
+        for row, times in rows.items():
+            filled = made.setdefault(row, [])
+            while len(filled) > times:
+                gone += filled.pop()
+            while len(filled) < times:
+                filled.append(tuple(self._filled(unit, row)))
+                come += filled[-1]
+        before = {each for each in (*gone, *come) if self._counts[each]}
+        self._counts.subtract(gone)
+        self._counts.update(come)
+        after = {each for each in (*gone, *come) if self._counts[each]}
+        for each in gone:
+            if not self._counts[each]:
+                del self._counts[each]
+        kept = quads(after, LIFTED_GRAPH)
+        removed = set(quads(before - after, LIFTED_GRAPH)).difference(kept)
+        changes.make(removed, kept)
+
+    def _rows(self, unit: Unit, roots: Collection[Term] | None) -> Iterator[Row]:
+        select = unit.select
+        if roots is not None and unit.narrow is not None:
+            select = restricted(select, unit.narrow.root, roots)
+        solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
+        assert isinstance(solutions, ox.QuerySolutions)
+        places = [[each.value for each in solutions.variables].index(name) for name in unit.names]
+        for solution in solutions:
+            terms = (solution[place] for place in places)
+            yield tuple(None if term is None else token(term) for term in terms)
+
+    def _filled(self, unit: Unit, row: Row) -> Iterator[Triple]:
+        """What the template of *unit* says for *row*, less what is unbound or no triple."""
+        known = dict(zip(unit.names, row, strict=True))
+        for subject, predicate, value in unit.template:
+            if isinstance(value, str):
+                yield from _triple(_of(subject, known), _of(predicate, known), _of(value, known))
+                continue
+            cells = [*(f"_:lifted{next(self._numbers)}" for _ in value), NIL]
+            yield from _triple(_of(subject, known), _of(predicate, known), cells[0])
+            for cell, item, rest in zip(cells, value, cells[1:], strict=False):
+                yield from _triple(cell, FIRST, _of(item, known))
+                yield cell, REST, rest
+
+
+def _concerned(unit: Unit, focus: Focus) -> frozenset[Term] | None:
+    """The values of the variable that *unit* is narrowed by which its changes concern.
+
+    None for all: too many, or some that no query can name.
+    """
+    if unit.narrow is None:
+        return None
+    try:
+        nodes = focus.nodes(unit.narrow.sights)
+    except TooMany:
+        return None
+    named = all(isinstance(node, ox.NamedNode) and NAMEABLE.fullmatch(str(node)) for node in nodes)
+    return frozenset(map(str, nodes)) if named else None
+
+
+def _triple(subject: Term | None, predicate: Term | None, value: Term | None) -> Iterator[Triple]:
+    if subject and predicate and value and subject[0] != '"' and predicate[0] == "<":
+        yield subject, predicate, value
+
+
+def _of(word: str, known: dict[str, Term | None]) -> Term | None:
+    return known[word[1:]] if word[0] == "?" else word
+
+
+def _object(text: str, prefixes: dict[str, str]) -> tuple[str, ...] | str:
+    if text.startswith("("):
+        return tuple(_word(each, prefixes) for each in text[1:-1].split())
+    return _word(text, prefixes)
+
+
+def _word(text: str, prefixes: dict[str, str]) -> str:
+    if text[0] in '?<"':
+        return text
+    if text == "a":
+        return RDF_TYPE
+    prefix, colon, local = text.partition(":")
+    return iri(prefixes[prefix] + local) if colon else literal_token(text)

@@ -1,0 +1,96 @@
+"""Remembers what results rest on, as long as nothing changes that was looked at to find out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import pyoxigraph as ox
+
+from kinlint.engine.axioms import Axiom
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.explanation import Step, because
+from kinlint.engine.result import Result
+from kinlint.engine.store import Function, Store
+from kinlint.incremental.change import Changes
+from kinlint.incremental.reading import Reading, reading
+from kinlint.terms import Term, Triple
+
+
+@dataclass
+class Looks:
+    """What was asked of a store: of which nodes, and by which queries."""
+
+    nodes: set[Term] = field(default_factory=set)
+    queries: set[Reading] = field(default_factory=set)
+
+    def meet(self, changes: Changes, nodes: set[Term]) -> bool:
+        """Whether *changes*, which are about *nodes*, may answer otherwise."""
+        return not self.nodes.isdisjoint(nodes) or any(
+            each.looks_at(changes.properties, changes.classes) for each in self.queries
+        )
+
+
+class WatchedStore(Store):
+    """A store that notes what it is asked, while somebody wants to know."""
+
+    looks: Looks | None = None
+
+    def rows(
+        self,
+        text: str,
+        substitutions: Mapping[str, Term] | None = None,
+        functions: Mapping[ox.NamedNode, Function] | None = None,
+    ) -> Iterator[dict[str, Term]]:
+        """The solutions of a SELECT."""
+        if self.looks is not None:
+            self.looks.queries.add(reading(text))
+        return super().rows(text, substitutions, functions)
+
+    def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
+        """The values of *predicate*."""
+        self._note(subject)
+        return super().values(subject, predicate)
+
+    def _said(self, subject: Term, name: Term) -> list[tuple[Term, Term]]:
+        self._note(subject)
+        return super()._said(subject, name)
+
+    def _graph(self, triple: Triple) -> Term | None:
+        self._note(triple[0])
+        return super()._graph(triple)
+
+    def _note(self, subject: Term) -> None:
+        if self.looks is not None:
+            self.looks.nodes.add(subject)
+
+
+class Proofs:
+    """What the results of a model rest on."""
+
+    def __init__(self, store: WatchedStore, axioms: Sequence[Axiom]) -> None:
+        self._store = store
+        self._axioms = axioms
+        self._known: dict[int, tuple[Result, tuple[Step, ...], Looks]] = {}
+
+    def forget(self, changes: Changes, results: Sequence[Result]) -> None:
+        """Forget what *changes* may have changed, and what is not among *results*."""
+        nodes = {str(quad.subject) for quad in (*changes.removed, *changes.added)}
+        there = set(map(id, results))
+        self._known = {
+            key: known
+            for key, known in self._known.items()
+            if key in there and not known[2].meet(changes, nodes)
+        }
+
+    def because(self, constraint: Constraint, result: Result) -> tuple[Step, ...]:
+        """What *result* rests on, as `kinlint.engine.explanation.because` says."""
+        known = self._known.get(id(result))
+        if known is None:
+            looks = self._store.looks = Looks()
+            try:
+                steps = because(self._store, self._axioms, constraint, result)
+            finally:
+                self._store.looks = None
+            known = self._known[id(result)] = (result, steps, looks)
+        return known[1]

@@ -1,0 +1,66 @@
+"""Asks a lifting query for what it finds with some values of one of its variables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import count
+
+from kinlint.engine.compiler.parse import parse
+from kinlint.engine.compiler.patterns import patterns
+from kinlint.engine.compiler.syntax import Triples
+from kinlint.engine.compiler.tokens import is_variable, tokens
+from kinlint.incremental.sight import Path, Sight, ways
+from kinlint.terms import Term
+from kinlint.vocabulary import SDF, SRDF, URDF
+
+ELEMENTS = (URDF, SDF, SRDF)
+"""The namespaces of the properties that lead from an element to one within it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Restriction:
+    """A variable that each solution binds, and how each pattern of the query leads to it."""
+
+    root: str
+    sights: tuple[Sight, ...]
+
+
+@lru_cache(maxsize=512)
+def restriction(select: str) -> Restriction | None:
+    """The variable of the query *select* to which the most of its patterns lead.
+
+    It is one for elements; of several, the last: fewer solutions have the same. None where
+    solutions depend on each other, or where nothing says that a variable is bound in each.
+    """
+    query = parse(tokens(select, {}))
+    first = query.group.elements[0] if query.group.elements else None
+    if query.tail or not isinstance(first, Triples):
+        return None
+    found: Restriction | None = None
+    fewest = 0
+    for root in _elements(first):
+        sights = ways(query.group, root)
+        if sights is None:
+            return None
+        lost = sum(each.steps is None for each in sights)
+        if found is None or lost <= fewest:
+            found, fewest = Restriction(root, sights), lost
+    return found
+
+
+def _elements(first: Triples) -> Iterator[str]:
+    """The variables for elements in the patterns *first*, which are bound in each solution."""
+    for number, pattern in enumerate(patterns(first.tokens, count())):
+        terms = Path.of(pattern.path).terms or frozenset()
+        if not number and is_variable(pattern.subject):
+            yield pattern.subject
+        if is_variable(pattern.object) and any(term[1:].startswith(ELEMENTS) for term in terms):
+            yield pattern.object
+
+
+def restricted(select: str, root: str, values: Iterable[Term]) -> str:
+    """*select*, whose first brace opens its group, where *root* has one of *values*."""
+    head, brace, group = select.partition("{")
+    return f"{head}{brace} VALUES {root} {{ {' '.join(sorted(values))} }} {group}"
