@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import parallel
 from kinlint.cli.main import main
 from kinlint.independence import models
+from kinlint.parallel import processes
 from kinlint.text import SourceText
 
 XMLNS = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -103,11 +103,11 @@ def test_without_processes_one_does_it(robots, capsys, monkeypatch):
 def test_a_process_that_dies_is_no_reason_to_fail(robots, capsys, monkeypatch):
     """One does it then."""
     one = _said(capsys, ".", "-j", "1")
-    monkeypatch.setattr(parallel, "_begin", _die)
+    monkeypatch.setattr(processes, "_begin", _die)
     assert _said(capsys, ".", "-j", "3") == one
 
 
-def _die():
+def _die(*_):
     os._exit(1)
 
 

@@ -1,11 +1,13 @@
 """Whoever looks finds the old content or the new, never a part."""
 
+import os
 import random
 import signal
 import stat
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -70,3 +72,13 @@ def test_mode_and_links_stay(tmp_path):
 
     assert (link.is_symlink(), target.read_bytes()) == (True, b"new")
     assert stat.S_IMODE(target.stat().st_mode) == 0o640
+
+
+@pytest.mark.skipif(not Path("/dev/fd").exists(), reason="open files have no paths here")
+def test_a_pipe_is_written_to(tmp_path):
+    """By whatever path it has, such as that of standard output."""
+    end, start = os.pipe()
+    with os.fdopen(end, "rb") as reader:
+        with os.fdopen(start, "wb"), replacement(Path(f"/dev/fd/{start}")) as stream:
+            stream.write(b"said")
+        assert reader.read() == b"said"

@@ -69,6 +69,11 @@ class Contexts:
         return Contexts(_release_named(release), self._further)
 
     @property
+    def further(self) -> Mapping[str, Document]:
+        """The documents that are not bundled, by their IRIs."""
+        return self._further
+
+    @property
     def iris(self) -> tuple[str, ...]:
         """The IRIs that `document` answers."""
         ours = (iri for name in (self.release, "kinlint") for iri in _iris(name))

@@ -6,6 +6,7 @@ import os
 import stat
 from pathlib import Path
 
+from kinlint.files.inquiry import question
 from kinlint.files.pathname import shown
 
 SIZE = 1 << 23
@@ -20,6 +21,7 @@ class Unreadable(Exception):
         self.missing = missing
 
 
+@question
 def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
     """The bytes of the regular file at *path*, at most *limit*, which a file at *near* names.
 
@@ -41,6 +43,7 @@ def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
         raise Unreadable(f"'{shown(path)}' cannot be read: {cause}") from None
 
 
+@question
 def head(path: Path, size: int) -> str | None:
     """The first *size* characters of the regular file at *path*; None if there is none."""
     try:

@@ -41,11 +41,16 @@ class Input:
 
 @dataclass
 class Found:
-    """The inputs, what could not be looked at, and what was searched in vain."""
+    """The inputs, what could not be looked at, and what was searched in vain.
+
+    `asides` are the names of those that are looked at for what they say of others; nothing that
+    lies in them is reported.
+    """
 
     inputs: list[Input] = field(default_factory=list)
     errors: list[SourceError] = field(default_factory=list)
     barren: list[str] = field(default_factory=list)
+    asides: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,9 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from kinlint.files.contents import head
+from kinlint.files.inquiry import question
 from kinlint.files.pathglob import absolute
+from kinlint.files.surroundings import Environment, kind
 
 MANIFEST = "package.xml"
 REPOSITORY = ".git"
@@ -46,7 +48,7 @@ class Packages:
 
     given: Mapping[str, Path] = field(default_factory=dict)
     workspace: Path | None = None
-    environment: Mapping[str, str] = field(default_factory=lambda: os.environ)
+    environment: Mapping[str, str] = field(default_factory=Environment)
     _known: dict[tuple[str, Path], Path | None] = field(default_factory=dict, repr=False)
     _indexed: dict[Path, Mapping[str, Path]] = field(default_factory=dict, repr=False)
     _names: dict[Path, str | None] = field(default_factory=dict, repr=False)
@@ -83,7 +85,9 @@ class Packages:
         for each in above[: DEPTH - 1]:
             beside = each / name
             if self._manifest_name(beside) == name or (
-                self._manifest_name(beside) is None and beside.is_dir() and beside != near
+                self._manifest_name(beside) is None
+                and kind(beside) == "directory"
+                and beside != near
             ):
                 yield beside
 
@@ -94,19 +98,19 @@ class Packages:
 
     def _installed(self, name: str) -> Iterator[Path]:
         for root in self._path("ROS_PACKAGE_PATH"):
-            if root.name == name and (root / MANIFEST).is_file():
+            if root.name == name and kind(root / MANIFEST) == "file":
                 yield root
             elif found := self._index(root).get(name):
                 yield found
         for root in self._path("AMENT_PREFIX_PATH"):
             share = root / "share" / name
-            if share.is_dir():
+            if kind(share) == "directory":
                 yield share
 
     def _model(self, name: str) -> Path | None:
         """The directory *name* in one where Gazebo keeps models."""
         roots = (root for variable in MODEL_PATHS for root in self._path(variable))
-        return next((root / name for root in roots if (root / name).is_dir()), None)
+        return next((root / name for root in roots if kind(root / name) == "directory"), None)
 
     def _path(self, variable: str) -> Iterator[Path]:
         for part in self.environment.get(variable, "").split(os.pathsep):
@@ -114,31 +118,39 @@ class Packages:
                 yield absolute(part)
 
     def _index(self, root: Path) -> Mapping[str, Path]:
-        """The packages below *root*, by name; the first of a name counts."""
+        """What `packages_below` says of *root*."""
         if root not in self._indexed:
-            found: dict[str, Path] = {}
-            for directory in _directories(root):
-                name = self._manifest_name(directory)
-                if name is not None:
-                    found.setdefault(name, directory)
-            self._indexed[root] = found
+            self._indexed[root] = packages_below(root)
         return self._indexed[root]
 
     def _manifest_name(self, directory: Path) -> str | None:
         """The name of the package that *directory* is, if it is one."""
         if directory not in self._names:
-            self._names[directory] = _name_in(directory / MANIFEST)
+            self._names[directory] = package_name(directory)
         return self._names[directory]
 
 
 def _is_top(directory: Path) -> bool:
     """Whether *directory* is a working copy of a repository."""
-    return (directory / REPOSITORY).exists()
+    return kind(directory / REPOSITORY) is not None
 
 
-def _name_in(manifest: Path) -> str | None:
-    match = _NAME.search(_COMMENT.sub("", head(manifest, HEAD) or ""))
+@question
+def package_name(directory: Path) -> str | None:
+    """The name of the package that *directory* is, if it is one."""
+    match = _NAME.search(_COMMENT.sub("", head(directory / MANIFEST, HEAD) or ""))
     return match[1] if match else None
+
+
+@question
+def packages_below(root: Path) -> dict[str, Path]:
+    """The packages below *root*, by name; the first of a name counts."""
+    found: dict[str, Path] = {}
+    for directory in _directories(root):
+        name = package_name(directory)
+        if name is not None:
+            found.setdefault(name, directory)
+    return found
 
 
 def _directories(root: Path) -> Iterator[Path]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from kinlint.files.inquiry import question
 from kinlint.suggestion import nearest
 
 NOTHING = "no such file or directory"
@@ -23,6 +24,7 @@ def printable(name: str) -> str:
     return os.fsencode(name).decode("utf-8", "backslashreplace").replace("\0", "\\x00")
 
 
+@question
 def real(path: str | Path) -> Path:
     """*path* from the root of the file system, with all links followed."""
     return Path(os.path.realpath(path))

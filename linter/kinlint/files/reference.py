@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 from kinlint.files.packages import DEPTH, DIRECTORIES, SKIPPED, Packages
 from kinlint.files.pathglob import absolute
+from kinlint.files.surroundings import listing
 from kinlint.suggestion import nearest
 
 PACKAGED = re.compile(r"((?:package|model)://([^/]+)/)/*")
@@ -114,12 +115,7 @@ class References:
     def _listing(self, directory: Path) -> Mapping[str, bool]:
         """The entries of *directory*, and whether each is a directory."""
         if directory not in self._names:
-            try:
-                with os.scandir(directory) as entries:
-                    listed = sorted(entries, key=lambda entry: entry.name)
-                    self._names[directory] = {each.name: each.is_dir() for each in listed}
-            except OSError:
-                self._names[directory] = {}
+            self._names[directory] = listing(directory)
         return self._names[directory]
 
     def _below_of(self, root: Path) -> Mapping[str, list[str]]:

@@ -17,11 +17,12 @@ def replacement(path: Path) -> Iterator[BinaryIO]:
     If the block raises, the file stays as it was. Links stay links, and an existing file keeps its
     mode. What is no regular file, such as `/dev/stdout`, is written to as it is.
     """
-    target = Path(os.path.realpath(path))
-    if target.exists() and not target.is_file():
-        with target.open("wb") as stream:
+    # The links of /dev/stdout lead nowhere by name if it is a pipe.
+    if path.exists() and not path.is_file():
+        with path.open("wb") as stream:
             yield stream
         return
+    target = Path(os.path.realpath(path))
     mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     temporary = Path(name)

@@ -1,0 +1,1 @@
+"""Reports of earlier runs, kept as long as nothing changes that they depend on."""

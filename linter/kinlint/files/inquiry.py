@@ -1,0 +1,107 @@
+"""What a lint asks of the system it runs on, written down so that it can be asked again.
+
+A report follows from the texts that were given, the rules and the settings, and from what was
+looked up besides: files that others include, directories, packages, the environment, the day.
+Whatever looks something up is a `question`. While a `Record` is being kept, it notes what was asked
+and a digest of the answer; as long as all these answers stay the same, so does the report.
+
+What a question remembers from one call to the next must not outlive a record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from functools import wraps
+from hashlib import sha256
+from importlib import import_module
+from typing import Any, ParamSpec, TypeAlias, TypeVar
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Asked: TypeAlias = tuple[str, tuple[Any, ...]]
+"""The name of a question, and what it is about: paths, texts and numbers."""
+
+HOME = "kinlint.files."
+"""Where all questions are."""
+
+
+@dataclass
+class Record:
+    """Questions and digests of their answers; *torn* where one was answered in two ways."""
+
+    answers: dict[Asked, str] = field(default_factory=dict)
+    torn: bool = False
+
+    def note(self, asked: Asked, answer: str) -> None:
+        """Keep that *asked* has this answer."""
+        if self.answers.setdefault(asked, answer) != answer:
+            self.torn = True
+
+
+_KEPT: ContextVar[Record | None] = ContextVar("record", default=None)
+
+
+@contextmanager
+def recorded() -> Iterator[Record]:
+    """A record of all that is asked meanwhile, in this thread."""
+    record = Record()
+    token = _KEPT.set(record)
+    try:
+        yield record
+    finally:
+        _KEPT.reset(token)
+
+
+def question(look: Callable[P, R]) -> Callable[P, R]:
+    """*look*, a function of a module of this package, noting what it says if a record is kept.
+
+    What it asks on the way is part of its answer. It takes positional arguments; what it gives has
+    a `repr` that tells all of it.
+    """
+    name = f"{look.__module__.removeprefix(HOME)}.{look.__qualname__}"
+
+    @wraps(look)
+    def asked(*args: P.args, **kwargs: P.kwargs) -> R:
+        record = _KEPT.get()
+        if record is None:
+            return look(*args, **kwargs)
+        assert not kwargs, "a question is asked by position"
+        token = _KEPT.set(None)
+        try:
+            answer = look(*args, **kwargs)
+        except Exception as error:
+            record.note((name, args), _failure(error))
+            raise
+        finally:
+            _KEPT.reset(token)
+        record.note((name, args), _digest(answer))
+        return answer
+
+    return asked
+
+
+def answer(asked: Asked) -> str:
+    """The digest of what is answered to *asked* now. Raises ValueError if it is no question."""
+    module, _, name = asked[0].partition(".")
+    if not module.isidentifier() or not name.isidentifier():
+        raise ValueError(asked[0])
+    look = getattr(import_module(HOME + module), name, None)
+    look = getattr(look, "__wrapped__", None)
+    if look is None:
+        raise ValueError(asked[0])
+    try:
+        return _digest(look(*asked[1]))
+    except Exception as error:  # noqa: BLE001  whatever went wrong is the answer
+        return _failure(error)
+
+
+def _digest(answer: object) -> str:
+    data = answer if isinstance(answer, bytes) else repr(answer).encode("utf-8", "surrogatepass")
+    return sha256(type(answer).__name__.encode() + b"\0" + data).hexdigest()[:32]
+
+
+def _failure(error: Exception) -> str:
+    return _digest(f"{type(error).__name__}: {error}")
