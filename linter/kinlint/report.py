@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from kinlint import __version__
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Repair, Rule
+from kinlint.structure import Structure
 
 STDIN_NAMES = frozenset({"", "-", "<stdin>"})
 """How a source is called that came from standard input and was given no name."""
@@ -24,7 +25,13 @@ class Report:
     is wall-clock time, None where output must not depend on it. Relative file names start
     at `root`. `fixed` is what the run mended, each with the fix that was made, and `unsafe` whether
     unsafe fixes are made when safe ones are, or (False) the summary does not even hint at them.
+    `elsewhere` counts what was found in files that nobody asked about.
+    `baseline` counts what was known before, None where nothing was compared to.
     `unfixed` are findings whose repairs cannot be offered, each with the repair and the reason.
+    `structures` are the robots that were read, if an output draws them. `catalogue` stands for the
+    rules, by a hash; it is empty where nobody says which they were.
+    `recalled` counts the files whose part of the report was known from an earlier run, None where
+    nothing is kept.
     """
 
     findings: tuple[Finding, ...] = ()
@@ -36,10 +43,14 @@ class Report:
     triples: int = 0
     applied: int = 0
     seconds: float | None = None
-    baseline: int = 0
+    baseline: int | None = None
+    elsewhere: int = 0
     fixed: tuple[Finding, ...] = ()
     unsafe: bool | None = None
     unfixed: tuple[tuple[Finding, Repair, str], ...] = ()
+    structures: tuple[Structure, ...] = ()
+    catalogue: str = ""
+    recalled: int | None = None
     version: str = __version__
     root: str = field(default_factory=os.getcwd)
 

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from hypothesis import given
 from reported import BOTH, here, report, reports, unit_finding
 
@@ -10,6 +11,12 @@ from kinlint.model import Finding, Severity
 from kinlint.report import Report
 from kinlint.reporters.github import render
 from kinlint.reporters.style import Style
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As outside of workflows."""
+    monkeypatch.delenv("GITHUB_STEP_SUMMARY", raising=False)
 
 
 def github(*findings: Finding) -> list[str]:
@@ -62,8 +69,32 @@ def test_twelve_findings_make_ten_annotations_and_a_count() -> None:
     kinds = [line.split(" ", 1)[0] for line in lines]
     assert kinds == ["::error"] * 10 + ["::warning"] * 10 + ["::notice", "kinlint:"]
     assert lines[-1] == (
-        "kinlint: 1 more error, 2 more warnings not annotated; GitHub shows 10 of a kind."
+        "kinlint: 1 more error, 2 more warnings not annotated, since GitHub shows 10 of a kind;"
+        " other formats tell all."
     )
+
+
+def test_the_rest_is_in_the_summary_of_the_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GITHUB_STEP_SUMMARY", "/any")
+    lines = github(*(unit_finding(here("x", 0, 1), str(i)) for i in range(11)))
+    assert lines[-1].endswith("GitHub shows 10 of a kind; they are in the summary of this step.")
+
+
+def test_files_that_cannot_be_read_are_annotated_first() -> None:
+    """They count among the ten errors."""
+    errors = tuple(SourceError(f"{i}.jsonld", "gone") for i in range(12))
+    finding = unit_finding(here("x", 0, 1), severity=Severity.ERROR)
+    lines = "".join(render(report(finding, errors=errors), Style())).splitlines()
+    assert sum(line.endswith("::gone") for line in lines) == len(lines) - 1 == 10
+    assert lines[-1].startswith("kinlint: 3 more errors not annotated")
+
+
+def test_messages_are_cut_to_what_the_runner_keeps() -> None:
+    (line,) = github(unit_finding(here("x", 0, 1), message="%" * 5_000))
+    message = line.rpartition("::")[2].replace("%25", "%")
+    assert message == "%" * 4_095 + "…"
+    (line,) = github(unit_finding(here("x", 0, 1), message="x" * 4_096))
+    assert line.endswith("::" + "x" * 4_096)
 
 
 def test_a_suppressed_finding_is_not_annotated() -> None:

@@ -1,13 +1,16 @@
 """Annotations on GitHub: workflow commands that its runner reads from standard output.
 
 Escapes and limits are the runner's (actions/toolkit `command.ts`; a step keeps ten annotations
-of a kind and drops the rest without a word), so the rest is counted in a last line.
+of a kind and drops the rest without a word), so the rest is counted in a last line, and told in the
+summary of the step where there is one.
 """
 
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Severity
@@ -15,27 +18,50 @@ from kinlint.report import STDIN_NAMES, Report
 from kinlint.reporters.style import Style
 
 ANNOTATIONS_OF_A_KIND = 10
-MESSAGE_LENGTH = 4_000
+MESSAGE_LENGTH = 4_096
+"""What the runner keeps of a message."""
 _KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
+
+
+class Parts(NamedTuple):
+    """What is annotated of a report, and what of it is not."""
+
+    errors: tuple[SourceError, ...]
+    findings: tuple[Finding, ...]
+    more_errors: tuple[SourceError, ...]
+    more_findings: tuple[Finding, ...]
 
 
 def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
     """The commands, the worst first, and how many findings have none."""
-    commands: dict[str, list[str]] = {kind: [] for kind in _KINDS.values()}
-    for error in report.errors:
-        commands["error"].append(_unreadable(error, report.root))
+    parts = annotated(report)
+    yield from (_unreadable(error, report.root) for error in parts.errors)
+    yield from (_annotation(finding, report.root) for finding in parts.findings)
+    left = Counter(_KINDS[finding.severity] for finding in parts.more_findings)
+    left["error"] += len(parts.more_errors)
+    more = [
+        f"{left[kind]:,} more {kind}{'' if left[kind] == 1 else 's'}"
+        for kind in _KINDS.values()
+        if left[kind]
+    ]
+    if more:
+        summary = "they are in the summary of this step"
+        where = summary if os.environ.get("GITHUB_STEP_SUMMARY") else "other formats tell all"
+        limit = f"GitHub shows {ANNOTATIONS_OF_A_KIND} of a kind"
+        yield f"kinlint: {', '.join(more)} not annotated, since {limit}; {where}.\n"
+
+
+def annotated(report: Report) -> Parts:
+    """What of *report* GitHub shows: ten of each kind, the files that cannot be read first."""
+    most = ANNOTATIONS_OF_A_KIND
+    room = Counter(dict.fromkeys(Severity, most))
+    room[Severity.ERROR] -= min(len(report.errors), most)
+    shown: list[Finding] = []
+    left: list[Finding] = []
     for finding in sorted(report.open, key=lambda finding: -finding.severity):
-        commands[_KINDS[finding.severity]].append(_annotation(finding, report.root))
-    left = []
-    for kind, lines in commands.items():
-        yield from lines[:ANNOTATIONS_OF_A_KIND]
-        if more := len(lines[ANNOTATIONS_OF_A_KIND:]):
-            left.append(f"{more:,} more {kind}{'' if more == 1 else 's'}")
-    if left:
-        yield (
-            f"kinlint: {', '.join(left)} not annotated; "
-            f"GitHub shows {ANNOTATIONS_OF_A_KIND} of a kind.\n"
-        )
+        (shown if room[finding.severity] > 0 else left).append(finding)
+        room[finding.severity] -= 1
+    return Parts(report.errors[:most], tuple(shown), report.errors[most:], tuple(left))
 
 
 def _annotation(finding: Finding, root: str) -> str:
@@ -72,7 +98,9 @@ def _file(name: str, root: str) -> dict[str, str]:
 
 def _command(kind: str, properties: dict[str, str], message: str) -> str:
     listed = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
-    return f"::{kind} {listed}::{_data(message[:MESSAGE_LENGTH])}\n"
+    if len(message) > MESSAGE_LENGTH:
+        message = f"{message[: MESSAGE_LENGTH - 1]}…"
+    return f"::{kind} {listed}::{_data(message)}\n"
 
 
 def _data(text: str) -> str:

@@ -15,27 +15,36 @@ from kinlint.reporters.summary import summary
 
 
 class Format(NamedTuple):
-    """Where a format's `render` is, whether a machine reads it, and whether it tells of fixes.
+    """Where a format's `render` is, whether a machine reads it, and what it tells of.
 
     A machine format has its stream for itself: the summary belongs on standard error. For one
-    that tells of no `fixes` nobody needs to work them out.
+    that tells of no `fixes` nobody needs to work them out; one that is `drawn` shows how robots are
+    built.
     """
 
     module: str
     machine: bool = True
     fixes: bool = True
+    drawn: bool = False
 
 
 FORMATS: Mapping[str, Format] = {
     "full": Format("full", machine=False),
     "concise": Format("concise", machine=False, fixes=False),
+    "grouped": Format("grouped", machine=False, fixes=False),
     "json": Format("json_array"),
     "json-lines": Format("json_lines"),
     "sarif": Format("sarif.log"),
     "github": Format("github", fixes=False),
+    "gitlab": Format("gitlab", fixes=False),
+    "azure": Format("azure", fixes=False),
+    "junit": Format("junit", fixes=False),
+    "checkstyle": Format("checkstyle", fixes=False),
     "rdjson": Format("reviewdog.result"),
     "rdjsonl": Format("reviewdog.lines"),
     "turtle": Format("shacl"),
+    "markdown": Format("markdown", fixes=False),
+    "html": Format("html.page", drawn=True),
 }
 STATISTICS = Format("tally", machine=False)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from kinlint.model import Finding
 from kinlint.report import Report
@@ -35,6 +36,12 @@ def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[
         yield f"{shown(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
     yield _verdict(report, style, verbose=verbose) + _asides(report) + "\n"
     yield from hint(report)
+
+
+def verdict(report: Report) -> str:
+    """What the run amounts to, in one sentence that does not depend on the time it took."""
+    timeless = replace(report, seconds=None)
+    return _verdict(timeless, Style(), verbose=True) + _asides(report)
 
 
 def hint(report: Report) -> Iterator[str]:
@@ -106,6 +113,8 @@ def _asides(report: Report) -> str:
         parts.append(f"{silenced:,} suppressed")
     if report.baseline:
         parts.append(f"{report.baseline:,} in the baseline")
+    if report.elsewhere:
+        parts.append(f"{report.elsewhere:,} more in files that were not named")
     passed = not (report.open or report.errors or report.fixed) and report.files
     clean = passed and not _idle(report)
     if clean:

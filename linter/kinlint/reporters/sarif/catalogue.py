@@ -57,7 +57,7 @@ class Catalogue:
             "shortDescription": {"text": (rule.title or rule.name)[:TEXT_LENGTH]},
             "fullDescription": {"text": (why or rule.title or rule.name)[:TEXT_LENGTH]},
             "help": {"text": help_text(rule), "markdown": help_markdown(rule)},
-            "helpUri": _web_address(rule.iri),
+            "helpUri": web_address(rule.iri),
             "defaultConfiguration": {"level": LEVELS[rule.severity]},
             "properties": {
                 "precision": "high",
@@ -86,7 +86,7 @@ def friendly_name(name: str) -> str:
     return joined[0].upper() + joined[1:2].lower() + joined[2:]
 
 
-def _web_address(iri: str) -> str:
+def web_address(iri: str) -> str:
     """*iri* as a URI, if it is one to look at; user shapes may be called anything."""
     if not iri.startswith(("http://", "https://")):
         return RULE

@@ -34,6 +34,9 @@ def log(report: Report) -> dict[str, Any]:
     results = Results(artifacts, catalogue)
     silenced = len(report.open) < len(report.findings)
     found = [results.result(finding, silenced=silenced) for finding in report.findings]
+    if report.baseline is not None:
+        # Nothing that was known before is among them, and either all results say so or none does.
+        found = [{**result, "baselineState": "new"} for result in found]
     invocation: dict[str, Any] = {"executionSuccessful": not report.errors}
     if report.errors:
         notifications = [results.notification(error) for error in report.errors]

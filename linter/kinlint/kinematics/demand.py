@@ -1,0 +1,16 @@
+"""What a run has to ask for, so that the store has all that structures are made of."""
+
+from __future__ import annotations
+
+from kinlint.facts.names import chain, geom, kin
+from kinlint.kinematics.mechanics import BODY, FRAME, JOINT, KINDS
+from kinlint.kinematics.numbers import NEEDED
+
+ASKED = frozenset(
+    {
+        *(BODY, JOINT, FRAME, geom("simplices"), kin("on-body"), kin("JointCoupling")),
+        *(chain("between-attachments"), chain("joints"), kin("leader"), kin("follower")),
+        *(kin("multiplier"), kin("TwoAxisJoint"), *(kind for kind, _ in KINDS), *NEEDED),
+    }
+)
+"""The properties and classes."""

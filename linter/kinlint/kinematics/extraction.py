@@ -1,0 +1,160 @@
+"""Makes the structures of robots of what a store says."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+
+from kinlint.document import Document
+from kinlint.engine.store import Store
+from kinlint.facts.names import attribute
+from kinlint.facts.scan import Scan
+from kinlint.findings.locator import Locator
+from kinlint.kinematics.arrangement import Branch, arranged
+from kinlint.kinematics.couplings import Couplings
+from kinlint.kinematics.mechanics import ELEMENT, Mechanics, named
+from kinlint.kinematics.naming import Names, element_name
+from kinlint.kinematics.numbers import Numbers
+from kinlint.kinematics.owners import Owners
+from kinlint.kinematics.robots import Robots, model_of
+from kinlint.model import Finding
+from kinlint.structure import Frame, Joint, Link, Structure
+from kinlint.terms import Term, literal_value
+
+MODEL = re.compile(r"[#/]model/")
+"""What the address of a model has, and that of a world has not."""
+
+
+def structures(
+    store: Store, documents: Sequence[Document], findings: Iterable[Finding] = ()
+) -> tuple[Structure, ...]:
+    """The robots that *documents*, loaded into *store* and closed, describe, in text order.
+
+    Each tells which of its parts *findings* are about. Takes time linear in joints.
+    """
+    return Extraction(store, documents, findings).structures()
+
+
+class Extraction:
+    """The parts of all robots in one store."""
+
+    def __init__(
+        self, store: Store, documents: Sequence[Document], findings: Iterable[Finding]
+    ) -> None:
+        self.store = store
+        self.findings = findings
+        self.scan = Scan(store)
+        self.locator = Locator(documents, store)
+        self.mechanics = Mechanics(self.scan)
+        self.numbers = Numbers(self.scan, self.mechanics)
+        self.names = Names(self.locator)
+        self.couplings = Couplings(self.scan, self.locator, self.numbers)
+        self.trees = arranged(self.mechanics.bodies, self.mechanics.branches)
+        self.roots = frozenset(self.trees.roots)
+
+    def structures(self) -> tuple[Structure, ...]:
+        """All robots; each knows the owners of all that the findings are about and that is its."""
+        robots = Robots(self.scan, self.mechanics, self.trees.branches)
+        chains: dict[Term, list[Term]] = {}
+        for chain, joints in robots.chains.items():
+            for joint in joints:
+                chains.setdefault(joint, []).append(chain)
+        return tuple(
+            self._structure(bodies, branches, chains) for bodies, branches in robots.groups()
+        )
+
+    def _structure(
+        self,
+        bodies: Sequence[Term],
+        branches: Sequence[Branch],
+        chains: Mapping[Term, Sequence[Term]],
+    ) -> Structure:
+        joints = [each.joint for each in branches]
+        parts = (*bodies, *joints)
+        own = Counter(chain for joint in joints for chain in chains.get(joint, ()))
+        names = self.names.of(parts)
+        links = tuple(self._link(body, names[body]) for body in bodies)
+        made = tuple(self._joint(each, names[each.joint]) for each in branches)
+        places = [*(link.location for link in links), *(joint.location for joint in made)]
+        roots = [body for body in bodies if body in self.roots]
+        whole = self._whole((*roots, *parts), next(iter(own.most_common(1)), None), len(joints))
+        return Structure(
+            iri=named(whole),
+            name=self._title(whole, names),
+            links=links,
+            joints=made,
+            couplings=tuple(each for joint in joints for each in self.couplings.of(joint)),
+            roots=tuple(map(named, roots)),
+            files=tuple(dict.fromkeys(place.source.name for place in places if place is not None)),
+            location=self.locator.node(whole),
+            whole=self.locator.whole(whole),
+            owners={
+                **{each: named(whole) for each in (whole, *own)},
+                **{focus: named(part) for part in parts for focus in self._owned.get(part, ())},
+            },
+        )
+
+    def _whole(self, parts: Sequence[Term], longest: tuple[Term, int] | None, joints: int) -> Term:
+        """What stands for a robot: its element, the chain of all its joints, or its first part."""
+        models = {model_of(part) for part in parts if part.startswith(ELEMENT)}
+        if models:
+            inner = {each for each in models if MODEL.search(each)}
+            return min(inner or models, key=self.mechanics.place)
+        return longest[0] if longest is not None and longest[1] == joints else parts[0]
+
+    def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
+        if whole.startswith(ELEMENT):
+            said = self.scan.table(attribute("name")).of(whole.replace("#", "#/", 1))
+            said = said or self.scan.table(attribute("name")).of(whole)
+            return literal_value(said[0]) if said else element_name(whole)
+        return names.get(whole) or self.names.of((whole,))[whole]
+
+    @cached_property
+    def _owned(self) -> Mapping[Term, list[Term]]:
+        """What findings are about, by the part that it belongs to."""
+        parts = {*self.mechanics.bodies, *self.mechanics.joints}
+        owners = Owners(self.store, parts, frozenset(self.mechanics.joints)).of(self.findings)
+        found: dict[Term, list[Term]] = {}
+        for focus, part in owners.items():
+            found.setdefault(part, []).append(focus)
+        return found
+
+    @cached_property
+    def _described(self) -> frozenset[Term]:
+        return frozenset(self.mechanics.described)
+
+    def _link(self, body: Term, name: str) -> Link:
+        frames = self.mechanics.frames.get(body, ())
+        titles = self.names.of(frames)
+        return Link(
+            iri=named(body),
+            name=name,
+            location=self.locator.node(body),
+            whole=self.locator.whole(body),
+            frames=tuple(
+                Frame(named(each), titles[each], self.locator.node(each), self.locator.whole(each))
+                for each in frames
+            ),
+            absent=body not in self._described,
+        )
+
+    def _joint(self, branch: Branch, name: str) -> Joint:
+        joint = branch.joint
+        lower, upper = self.numbers.limits(joint)
+        return Joint(
+            iri=named(joint),
+            name=name,
+            kind=self.mechanics.kind(joint),
+            parent=branch.parent and named(branch.parent),
+            child=branch.child and named(branch.child),
+            others=tuple(map(named, branch.others)),
+            closes=branch.closes,
+            origin=self.numbers.origin(branch),
+            axis=self.numbers.axis(joint),
+            lower=lower,
+            upper=upper,
+            location=self.locator.node(joint),
+            whole=self.locator.whole(joint),
+        )

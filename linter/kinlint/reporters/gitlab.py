@@ -1,0 +1,67 @@
+"""Findings for GitLab's Code Quality: a JSON array by its subset of Code Climate's format.
+
+GitLab compares the fingerprints of two runs to tell what is new, so each is that of one finding in
+one file, wherever in it that lies and whatever other files say.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from kinlint.errors import SourceError
+from kinlint.model import Finding, Severity
+from kinlint.report import Report
+from kinlint.reporters.columns import folded
+from kinlint.reporters.notation import json_text
+from kinlint.reporters.paths import Paths
+from kinlint.reporters.sarif.fingerprint import DOCUMENT
+from kinlint.reporters.style import Style
+
+UNREADABLE = "kinlint"
+"""The name of the check that a file which cannot be read fails."""
+_SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
+
+
+def render(report: Report, style: Style) -> Iterator[str]:
+    """The array: findings first, then the files that cannot be read."""
+    paths, seen = Paths(report.root), Counter[str]()
+    issues = [_issue(finding, paths.of(finding.location.source.name)) for finding in report.open]
+    issues += [_error(error, paths.of(error.name)) for error in report.errors]
+    for issue in issues:
+        seen[issue["fingerprint"]] += 1
+        if (number := seen[issue["fingerprint"]]) > 1:
+            issue["fingerprint"] = _hashed(issue["fingerprint"], str(number))
+    yield json_text(issues, style, indent=2) + "\n"
+
+
+def _issue(finding: Finding, path: str) -> dict[str, Any]:
+    # The IRI of an element has the name of its file as the run called it, which may change.
+    own = finding.iri.partition("#")[2] if finding.iri.startswith(DOCUMENT) else finding.iri
+    return {
+        "description": folded(finding.message),
+        "check_name": finding.rule.code,
+        "fingerprint": _hashed(path, replace(finding, iri=own).fingerprint),
+        "severity": _SEVERITIES[finding.severity],
+        "location": {
+            "path": path,
+            "lines": {"begin": finding.location.start.line, "end": finding.location.end.line},
+        },
+    }
+
+
+def _error(error: SourceError, path: str) -> dict[str, Any]:
+    return {
+        "description": folded(error.cause),
+        "check_name": UNREADABLE,
+        "fingerprint": _hashed(path, UNREADABLE, error.cause),
+        "severity": _SEVERITIES[Severity.ERROR],
+        "location": {"path": path, "lines": {"begin": error.line or 1}},
+    }
+
+
+def _hashed(*parts: str) -> str:
+    return hashlib.sha256("\x1f".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:32]

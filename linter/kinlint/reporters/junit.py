@@ -1,0 +1,87 @@
+"""Findings as failed tests in JUnit's XML, which dashboards of all servers read.
+
+A suite is a file, a test in it is a finding; a file without one has a test that passes, so that no
+dashboard is empty. A file that cannot be read has a test that could not be run. Servers tell tests
+by class and name, so those of one rule in one file are numbered.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from kinlint.model import Severity
+from kinlint.report import Report
+from kinlint.reporters.columns import folded
+from kinlint.reporters.paths import Paths
+from kinlint.reporters.style import Style
+from kinlint.reporters.xml_text import HEAD, content, tag
+
+PACKAGE = "org.kinlint"
+_TIME = {"time": "0"}
+
+
+class _Case(NamedTuple):
+    """A test by its name; where it fails, as what (`failure` or `error`), how bad and why."""
+
+    name: str
+    place: Mapping[str, int]
+    kind: str = ""
+    severity: str = ""
+    message: str = ""
+
+
+def render(report: Report, style: Style) -> Iterator[str]:
+    """A suite for each file that was read or named, in order."""
+    suites = _suites(report)
+    every = [case for cases in suites.values() for case in cases]
+    totals = {"name": "kinlint", **_counts(every), **_TIME}
+    yield HEAD + tag("testsuites", totals, style, empty=False) + "\n"
+    for name, cases in suites.items():
+        about = {"name": name, "package": PACKAGE, **_counts(cases), **_TIME}
+        yield f"  {tag('testsuite', about, style, empty=False)}\n"
+        for case in cases:
+            yield from _test(case, name, style)
+        yield "  </testsuite>\n"
+    yield "</testsuites>\n"
+
+
+def _test(case: _Case, name: str, style: Style) -> Iterator[str]:
+    about = {"name": case.name, "classname": name, "file": name, **case.place, **_TIME}
+    yield f"    {tag('testcase', about, style, empty=not case.kind)}\n"
+    if case.kind:
+        outcome = {"type": case.severity, "message": case.message}
+        whole = ":".join(map(str, (name, *case.place.values()))) + f": {case.message}"
+        opened = tag(case.kind, outcome, style, empty=False)
+        yield f"      {opened}{content(whole, style)}</{case.kind}>\n"
+        yield "    </testcase>\n"
+
+
+def _suites(report: Report) -> dict[str, list[_Case]]:
+    paths, seen = Paths(report.root), Counter[tuple[str, str]]()
+    suites: dict[str, list[_Case]] = {paths.of(name): [] for name in report.files}
+    for finding in report.open:
+        file, code = paths.of(finding.location.source.name), finding.rule.code
+        seen[file, code] += 1
+        number = f" ({seen[file, code]})" if seen[file, code] > 1 else ""
+        place = dict(zip(("line", "column"), finding.location.start, strict=True))
+        name, severity = f"{PACKAGE}.{code}{number}", finding.severity.label
+        case = _Case(name, place, "failure", severity, folded(finding.message))
+        suites.setdefault(file, []).append(case)
+    for error in report.errors:
+        known = {"line": error.line, "column": error.column}
+        place = {key: value for key, value in known.items() if value is not None}
+        case = _Case(PACKAGE, place, "error", Severity.ERROR.label, folded(error.cause))
+        suites.setdefault(paths.of(error.name), []).append(case)
+    return {name: cases or [_Case(PACKAGE, {})] for name, cases in suites.items()}
+
+
+def _counts(cases: list[_Case]) -> dict[str, int]:
+    kinds = Counter(case.kind for case in cases)
+    return {
+        "tests": len(cases),
+        "failures": kinds["failure"],
+        "errors": kinds["error"],
+        "skipped": 0,
+    }

@@ -1,0 +1,1 @@
+"""Pictures of robots: links, joints and loops, with the findings marked on what they are about."""

@@ -1,0 +1,135 @@
+"""The shapes of a picture: what is written in each, and how much room that takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from kinlint.model import Finding
+from kinlint.reporters.columns import shown, width
+from kinlint.reporters.picture.labels import limits, mimics, origin
+from kinlint.reporters.picture.marks import Badge, Marks, badge
+from kinlint.structure import Frame, Joint, Link, Structure
+
+Kind: TypeAlias = Literal["link", "absent", "joint", "loop", "frame"]
+
+ADVANCE = 0.602
+"""The width of a character of a monospaced font, by its size."""
+NAME, SMALL, LABEL, BADGE = 12.0, 10.0, 9.5, 10.0
+"""The sizes of letters, in pixels."""
+LONGEST, TAIL = 40, 14
+"""How much of a name is written, and how much of that is its end; the title has all of it."""
+PAD = 12.0
+LINE = 14.0
+LABEL_LINE = 12.0
+CLEAR = 6.0
+"""How much of its edge is seen between a label and its shape."""
+ROUND = 1.16
+"""How much wider than its text an ellipse is, so that its corners fit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """One shape: `above` is the index of the one it hangs below, or -1.
+
+    `rows` are the name and what is written below it, `label` what stands at the edge to it.
+    """
+
+    kind: Kind
+    iri: str
+    title: str
+    rows: tuple[str, ...]
+    above: int
+    label: tuple[str, ...] = ()
+    badge: Badge | None = None
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def width(self) -> float:
+        """How wide the shape is, without its badge."""
+        size = SMALL if self.kind == "frame" else NAME
+        first, *more = self.rows
+        text = max(span(first, size), *(span(row, SMALL) for row in more), 0.0)
+        if self.kind in {"joint", "loop"}:
+            return text * ROUND + 2 * PAD
+        return text + 2 * PAD * (0.7 if self.kind == "frame" else 1.0)
+
+    @property
+    def height(self) -> float:
+        """How high the shape is, without its badge."""
+        if self.kind == "frame":
+            return 20.0
+        return LINE * len(self.rows) + (18.0 if self.kind in {"joint", "loop"} else 16.0)
+
+    @property
+    def label_width(self) -> float:
+        """How wide what stands at its edge is."""
+        return max((span(line, LABEL) for line in self.label), default=0.0)
+
+    @property
+    def label_height(self) -> float:
+        """How high what stands at its edge is."""
+        return LABEL_LINE * len(self.label) + (CLEAR if self.label else 0.0)
+
+    @property
+    def badge_width(self) -> float:
+        """How wide its badge is."""
+        return 0.0 if self.badge is None else span(self.badge.text(), BADGE) + 10.0
+
+
+def span(text: str, size: float) -> float:
+    """How wide *text* is in letters of this size."""
+    return width(text) * size * ADVANCE
+
+
+def cut(text: str) -> str:
+    """*text* as it may be printed, its middle left out if it is very long."""
+    text = shown(text)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - TAIL - 1]}…{text[-TAIL:]}"
+
+
+def boxes(structure: Structure, found: Marks, *, frames: bool = False) -> Sequence[Box]:
+    """All shapes of a picture of *structure*, each behind the one that it hangs below."""
+    following = mimics(structure)
+    made: list[Box] = []
+    place: list[int] = []
+    for step in structure.steps():
+        part = step.part
+        above = place[step.above] if step.above >= 0 else -1
+        place.append(len(made))
+        told = tuple(found.get(part.iri, ()))
+        mark = badge(told)
+        if isinstance(part, Link):
+            made.append(_link(part, above, mark, told))
+            if frames:
+                home = len(made) - 1
+                made += [_frame(each, home) for each in part.frames]
+        else:
+            rows = tuple(_rows(part, following.get(part.iri, ())))
+            kind: Kind = "loop" if part.closes else "joint"
+            label = tuple(origin(part))
+            made.append(Box(kind, part.iri, part.name, rows, above, label, mark, told))
+    return made
+
+
+def _link(link: Link, above: int, mark: Badge | None, told: tuple[Finding, ...]) -> Box:
+    rows = (cut(link.name), *(("not described",) if link.absent else ()))
+    kind: Kind = "absent" if link.absent else "link"
+    return Box(kind, link.iri, link.name, rows, above, (), mark, told)
+
+
+def _frame(frame: Frame, above: int) -> Box:
+    return Box("frame", frame.iri, frame.name, (cut(frame.name),), above)
+
+
+def _rows(joint: Joint, following: Sequence[str]) -> Iterator[str]:
+    yield cut(joint.name)
+    kind = " ".join(filter(None, (cut(joint.kind), limits(joint))))
+    if kind:
+        yield kind
+    yield from map(cut, following)
+    if joint.child is None:
+        yield "joins no child"
+    if joint.parent is None:
+        yield "joins no parent"
