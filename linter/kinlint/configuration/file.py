@@ -13,7 +13,8 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.keys import ALIASES, check
+from kinlint.configuration.keys import check
+from kinlint.configuration.kinds import ALIASES
 from kinlint.configuration.settings import Choice
 from kinlint.configuration.text import ConfigText, quoted, read
 from kinlint.errors import ConfigError
@@ -78,6 +79,7 @@ class Config:
     shapes: tuple[Path, ...] | None = None
     partial: bool | None = None
     engine: str | None = None
+    baseline: Path | None = None
     home: Path | None = None
     packages: tuple[tuple[str, Path], ...] = ()
     xacro_args: tuple[XacroArgument, ...] = ()
@@ -131,6 +133,7 @@ def config_of(
         shapes=_paths(said.get("shapes"), root),
         partial=said.get("partial"),
         engine=said.get("engine"),
+        baseline=_path(said["baseline"], root) if said.get("baseline") else None,
         home=None if source is None else root,
         packages=tuple(_table(said.get("packages", {}), root).items()),
         xacro_args=tuple(_arguments(said.get("xacro-args", {}), root)),

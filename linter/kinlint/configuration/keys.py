@@ -1,23 +1,45 @@
-"""The keys of a configuration: what each may hold. Every value is checked before it is used."""
+"""The keys of a configuration: what each may hold and what it means.
+
+Every value is checked before it is used; `kinlint config` and the JSON schema tell what is here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
+from kinlint.configuration.kinds import (
+    ONE_OR_MORE,
+    SCALAR,
+    STRING,
+    STRINGS,
+    SWITCH,
+    Kind,
+    either,
+    one_of,
+    table,
+)
 from kinlint.errors import ConfigError
 from kinlint.suggestion import did_you_mean
 
 OUTPUT_FORMATS = (
     "full",
     "concise",
+    "grouped",
     "json",
     "json-lines",
     "sarif",
     "github",
+    "gitlab",
+    "azure",
+    "junit",
+    "checkstyle",
     "rdjson",
     "rdjsonl",
     "turtle",
+    "markdown",
+    "html",
 )
 ENGINES = ("oxigraph", "pyshacl")
 THRESHOLDS = ("error", "warning", "info", "none")
@@ -34,8 +56,19 @@ TARGETS = (
     "usd",
 )
 """Consumers of robot descriptions that a model may be meant for."""
-ALIASES = {"note": "info"}
-"""Other words for severities: SARIF and compilers say note."""
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key: the `kind` of its values, what it means, and an `example` in TOML.
+
+    `default` is what holds where nobody says anything, in words or as TOML.
+    """
+
+    kind: Kind
+    default: str
+    meaning: str
+    example: str
 
 
 def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
@@ -46,7 +79,7 @@ def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
     for key, value in values.items():
         if key not in KEYS:
             raise ConfigError(f"{origin}: unknown key '{key}'{_hint(key, value)}")
-        if problem := KEYS[key](value):
+        if problem := KEYS[key].kind.problem(value):
             raise ConfigError(f"{origin}: {key}: {problem}")
     return values
 
@@ -58,118 +91,145 @@ def _hint(key: str, value: object) -> str:
     return did_you_mean(key, KEYS) or f"; there are {', '.join(KEYS)}"
 
 
-def _expected(what: str, value: object) -> str:
-    kinds: dict[type, str] = {
-        bool: "a boolean",
-        str: "a string",
-        int: "a number",
-        list: "a list",
-        dict: "a table",
-    }
-    kind = kinds.get(type(value), f"a {type(value).__name__}")
-    text = f" {value!r}" if isinstance(value, str | int | float) else ""
-    return f"expected {what}, got {kind}{text}"
+_CONTEXTS = "a directory or a table of context IRIs and files"
+_ARGUMENTS = table(SCALAR, "of arguments and values")
 
-
-def strings(value: object) -> str:
-    """What is wrong with a list of strings."""
-    if isinstance(value, list):
-        wrong = next((one for one in value if not isinstance(one, str)), None)
-        return "" if wrong is None else _expected("only strings in the list", wrong)
-    return _expected("a list of strings", value)
-
-
-def one_or_more(value: object) -> str:
-    """What is wrong with a string or a list of strings."""
-    return "" if isinstance(value, str) else strings(value)
-
-
-def switch(value: object) -> str:
-    """What is wrong with a boolean."""
-    return "" if isinstance(value, bool) else _expected("true or false", value)
-
-
-def string(value: object) -> str:
-    """What is wrong with a string."""
-    return "" if isinstance(value, str) else _expected("a string", value)
-
-
-def unknown(value: str, choices: tuple[str, ...]) -> str:
-    """What is wrong with *value* if it is none of *choices*."""
-    if value in choices:
-        return ""
-    listed = ", ".join(choices)
-    return f"'{value}' is not one of {listed}{did_you_mean(value, choices)}"
-
-
-def _one_of(choices: tuple[str, ...]) -> Callable[[object], str]:
-    def problem(value: object) -> str:
-        if not isinstance(value, str):
-            return _expected("one of " + ", ".join(choices), value)
-        alias = ALIASES.get(value)
-        return "" if alias in choices else unknown(value, choices)
-
-    return problem
-
-
-def _table(of: Callable[[object], str]) -> Callable[[object], str]:
-    def problem(value: object) -> str:
-        if not isinstance(value, dict):
-            return _expected("a table", value)
-        return next((f"'{key}': {wrong}" for key, one in value.items() if (wrong := of(one))), "")
-
-    return problem
-
-
-def _contexts(value: object) -> str:
-    """A directory, or a table from context IRIs to files."""
-    if isinstance(value, dict):
-        return _table(string)(value)
-    wrong = one_or_more(value)
-    return wrong and _expected("a directory or a table of context IRIs and files", value)
-
-
-def _argument(value: object) -> str:
-    """What is wrong with the value of a xacro argument."""
-    return "" if isinstance(value, str | int | float) else _expected("a string or number", value)
-
-
-def _arguments(value: object) -> str:
-    """Arguments of xacro files, or tables of them by the files they are for."""
-
-    def problem(one: object) -> str:
-        return _table(_argument)(one) if isinstance(one, dict) else _argument(one)
-
-    return _table(problem)(value)
-
-
-KEYS: Mapping[str, Callable[[object], str]] = {
-    "extend": string,
-    "select": strings,
-    "extend-select": strings,
-    "ignore": strings,
-    "severity": _table(_one_of(SEVERITIES)),
-    "fixable": strings,
-    "unfixable": strings,
-    "unsafe-fixes": switch,
-    "extend-safe-fixes": strings,
-    "extend-unsafe-fixes": strings,
-    "per-file-ignores": _table(strings),
-    "extend-per-file-ignores": _table(strings),
-    "require-reason": switch,
-    "exclude": strings,
-    "extend-exclude": strings,
-    "target": strings,
-    "srdf": _table(string),
-    "fail-on": _one_of(THRESHOLDS),
-    "output-format": _one_of(OUTPUT_FORMATS),
-    "contexts": string,
-    "extra-contexts": _contexts,
-    "rules": one_or_more,
-    "shapes": one_or_more,
-    "partial": switch,
-    "engine": _one_of(ENGINES),
-    "packages": _table(string),
-    "xacro-args": _arguments,
+KEYS: Mapping[str, Key] = {
+    "extend": Key(
+        STRING,
+        "none",
+        "Another configuration file that this one builds on.",
+        'extend = "../kinlint.toml"',
+    ),
+    "select": Key(
+        STRINGS,
+        "all rules but those of taste",
+        "The rules that speak: codes, their beginnings, names, anti-patterns (AP1 to AP6), ALL.",
+        'select = ["ALL"]',
+    ),
+    "extend-select": Key(
+        STRINGS,
+        "[]",
+        "Rules that speak beside those that are selected.",
+        'extend-select = ["POR"]',
+    ),
+    "ignore": Key(STRINGS, "[]", "Rules that are silent.", 'ignore = ["FRM014"]'),
+    "severity": Key(
+        table(one_of(SEVERITIES), "of rules and severities"),
+        "{}",
+        "What rules count as, in place of what their files say.",
+        'severity = { LD007 = "info" }',
+    ),
+    "fixable": Key(
+        STRINGS, '["ALL"]', "The rules whose findings are fixed.", 'fixable = ["UNI", "LD001"]'
+    ),
+    "unfixable": Key(STRINGS, "[]", "Rules whose findings are not fixed.", 'unfixable = ["LIM"]'),
+    "unsafe-fixes": Key(
+        SWITCH,
+        "neither: they are hinted at",
+        "Whether unsafe fixes are made; if false, they are not even hinted at.",
+        "unsafe-fixes = false",
+    ),
+    "extend-safe-fixes": Key(
+        STRINGS,
+        "[]",
+        "Rules whose unsafe fixes are safe in this project.",
+        'extend-safe-fixes = ["UNI001"]',
+    ),
+    "extend-unsafe-fixes": Key(
+        STRINGS,
+        "[]",
+        "Rules whose safe fixes are to be looked at in this project.",
+        'extend-unsafe-fixes = ["ID"]',
+    ),
+    "per-file-ignores": Key(
+        table(STRINGS, "of places and rules"),
+        "{}",
+        "Rules that are silent in files (a glob), at a JSON Pointer in files (glob#/pointer), or"
+        " about an entity (<IRI>).",
+        'per-file-ignores = { "legacy/*.jsonld" = ["UNI"] }',
+    ),
+    "extend-per-file-ignores": Key(
+        table(STRINGS, "of places and rules"),
+        "{}",
+        "The same, beside those of the configuration that is extended.",
+        'extend-per-file-ignores = { "models/arm.jsonld#/@graph/0" = ["LD001"] }',
+    ),
+    "require-reason": Key(
+        SWITCH, "false", "Whether each suppression has to say why.", "require-reason = true"
+    ),
+    "exclude": Key(
+        STRINGS,
+        "hidden and built directories",
+        "What a search of directories passes over: globs, from the directory of this file.",
+        'exclude = ["third-party"]',
+    ),
+    "extend-exclude": Key(
+        STRINGS, "[]", "What it passes over beside that.", 'extend-exclude = ["generated"]'
+    ),
+    "target": Key(
+        STRINGS,
+        "[]",
+        f"The consumers that are meant: {', '.join(TARGETS)}.",
+        'target = ["gazebo"]',
+    ),
+    "srdf": Key(
+        table(STRING, "of globs and files"),
+        "{}",
+        "The URDF that SRDF files are for, where it is not beside them.",
+        'srdf = { "config/*.srdf" = "urdf/arm.urdf" }',
+    ),
+    "fail-on": Key(
+        one_of(THRESHOLDS),
+        '"warning"',
+        "The least severity that makes the exit code 1.",
+        'fail-on = "error"',
+    ),
+    "output-format": Key(
+        one_of(OUTPUT_FORMATS), '"full"', "How findings are shown.", 'output-format = "concise"'
+    ),
+    "baseline": Key(
+        STRING,
+        "none",
+        "The file of known findings, which are not reported.",
+        'baseline = "kinlint-baseline.json"',
+    ),
+    "contexts": Key(
+        STRING, "the newest", "The release of the comp-rob2b contexts.", 'contexts = "ba7e601"'
+    ),
+    "extra-contexts": Key(
+        either(_CONTEXTS, table(STRING, "of IRIs and files"), ONE_OR_MORE),
+        "{}",
+        "Contexts of your own, which are never fetched: a file for each IRI, or directories.",
+        'extra-contexts = { "https://example.org/gripper.json" = "contexts/gripper.json" }',
+    ),
+    "rules": Key(
+        ONE_OR_MORE, "[]", "Rule files of your own, or directories of them.", 'rules = ["rules"]'
+    ),
+    "shapes": Key(
+        ONE_OR_MORE, "[]", "Plain SHACL shapes of your own.", 'shapes = ["shapes/gripper.ttl"]'
+    ),
+    "partial": Key(
+        SWITCH,
+        "false",
+        "Whether the files are a part of a model, so that others may say more.",
+        "partial = true",
+    ),
+    "engine": Key(one_of(ENGINES), '"oxigraph"', "What checks the rules.", 'engine = "pyshacl"'),
+    "packages": Key(
+        table(STRING, "of packages and directories"),
+        "{}",
+        "Where package:// and $(find ...) lead, besides what is found.",
+        'packages = { arm_description = "../arm_description" }',
+    ),
+    "xacro-args": Key(
+        table(
+            either("a string or number", _ARGUMENTS, SCALAR),
+            "of arguments and values, or of globs and such tables",
+        ),
+        "{}",
+        "Arguments for xacro files: for all, or below a glob for those that it matches.",
+        'xacro-args = { prefix = "left_", "right/*.xacro" = { prefix = "right_" } }',
+    ),
 }
-"""What is wrong with a value of each key; an empty string if nothing is."""
+"""All keys, in the order in which they are told."""

@@ -83,7 +83,8 @@ class Settings:
     `partial` says that the files are a part of a model. `unsafe_fixes` tells whether unsafe fixes
     are made when safe ones are; None leaves them, but hints at them. `files` has the
     settings of each source by its name; a source without is governed by `default`. `cache` is
-    where compiled catalogues are kept; None keeps none.
+    where compiled catalogues are kept; None keeps none. `drawn` tells that the report is to have
+    the structures of the robots, for outputs that draw them.
     """
 
     contexts: str | None = None
@@ -97,6 +98,7 @@ class Settings:
     ignore_suppressions: bool = False
     verbose: bool = False
     unsafe_fixes: bool | None = None
+    drawn: bool = False
     default: FileSettings = field(default_factory=FileSettings)
     files: Mapping[str, FileSettings] = field(default_factory=dict)
 

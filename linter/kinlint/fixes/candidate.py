@@ -101,6 +101,8 @@ class Workshop:
     def _writable(self, document: Document, source: SourceText) -> Path:
         """The file of *source*, a text of *document*; raises Unsayable if it is to stay."""
         path = self.texts.path(source)
+        if source.name in self.texts.kept:
+            raise Unsayable(f"it is written in {source.name}, which was not named")
         if source is not document.source:
             if document.source.name in self.texts.streamed:
                 raise Unsayable("it is written in a file that standard input includes")

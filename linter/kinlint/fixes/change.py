@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from kinlint.edits import Delta
 from kinlint.engine.functions import MATH
 from kinlint.engine.result import Result
-from kinlint.engine.store import Store
+from kinlint.engine.store import Store, rank
 from kinlint.model import KNOWN, Repair
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_iri, is_literal
 
@@ -58,7 +58,7 @@ def _rows(store: Store, repair: Repair, bound: Mapping[str, Term]) -> Iterator[d
         names = " ".join(f"?{name}" for name in named)
         known.append(f"VALUES ({names}) {{ ({' '.join(named.values())}) }}")
     query = repair.query.replace(KNOWN, f"{{ {' '.join(known)} }}")
-    return store.rows(query, apart, MATH)
+    return iter(sorted(store.rows(query, apart, MATH), key=rank))
 
 
 def _mark(store: Store, node: Term) -> tuple[Term, Term] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,11 +17,19 @@ from kinlint.fixes.wording import update
 from kinlint.independence import models
 from kinlint.lint import Examination, examine
 from kinlint.model import Applicability, Finding, Fix, Repair, TextEdit
+from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.terms import Term
 from kinlint.text import Location, SourceText
 
 Refusal = tuple[Finding, Repair, str]
+Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
+"""What tells which of the findings of a run are to be mended."""
+
+
+def every(findings: Sequence[Finding]) -> Sequence[Finding]:
+    """All *findings*."""
+    return findings
 
 
 @dataclass(frozen=True)
@@ -78,20 +86,23 @@ class Offers:
         return replace(self.examination.report, findings=tuple(findings), unfixed=unfixed)
 
 
-def offers(
+def offers(  # noqa: PLR0913, PLR0917
     examination: Examination,
     texts: Texts,
     settings: Settings,
     rulebook: Rulebook,
     least: Applicability = Applicability.DISPLAY,
+    wanted: Sieve = every,
+    phases: Phases | None = None,
 ) -> Offers:
     """What can be mended of what *examination* found in *texts*, where the settings want it.
 
-    Candidates that the settings trust less than *least* are not tried.
+    Candidates that the settings trust less than *least* are not tried, nor are those for findings
+    that are not *wanted*. The phases of the trials are told to *phases*.
     """
     policies, workshop = Policies(settings, rulebook.rules), Workshop(examination, texts, settings)
     found = []
-    for finding in examination.report.findings:
+    for finding in wanted(examination.report.findings):
         trust = policies.trust(finding.location.source.name)
         if finding.rule.repairs and trust.mends(finding.rule):
             found += [
@@ -105,7 +116,9 @@ def offers(
 
     def again(tried: Texts) -> Examination:
         nonlocal latest
-        found = examine(tried.given, (), settings, rulebook, repairing=True, overlay=tried.changed)
+        found = examine(
+            tried.given, (), settings, rulebook, phases, repairing=True, overlay=tried.changed
+        )
         latest = tried, found
         return found
 

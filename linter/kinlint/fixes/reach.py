@@ -11,11 +11,11 @@ from kinlint.configuration.settings import Settings
 from kinlint.edits import Unsayable
 from kinlint.files.packages import SKIPPED
 from kinlint.files.pathname import real
+from kinlint.files.surroundings import kind, writable
 from kinlint.fixes.texts import Texts
 
 SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))
 """Where files are installed, wherever kinlint runs."""
-WRITING = 0o222
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Reach:
     def of(cls, texts: Texts, settings: Settings) -> Reach:
         """What lies below the directory that all given files share, or where kinlint works."""
         named = [each for each in texts.given if not each.companion]
-        given = [path for each in named if (path := texts.path(each)).is_file()]
+        given = [path for each in named if kind(path := texts.path(each)) == "file"]
         spaces = {settings.of(each.name).workspace for each in named}
         roots = {Path.cwd(), *(real(each) for each in spaces if each is not None)}
         if given:
@@ -42,11 +42,7 @@ class Reach:
             return
         if not any(_holds(root, path) for root in self.roots):
             raise Unsayable(f"it is written in {name}, which lies outside of what is linted")
-        try:
-            writable = path.stat().st_mode & WRITING and os.access(path, os.W_OK)
-        except OSError:
-            writable = False
-        if not writable or not os.access(path.parent, os.W_OK):
+        if not writable(path):
             raise Unsayable(f"it is written in {name}, which cannot be written to")
 
 

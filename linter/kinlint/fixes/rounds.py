@@ -11,10 +11,10 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.fixes.candidate import Candidate
-from kinlint.fixes.offers import Offers, offers
+from kinlint.fixes.offers import Offers, Sieve, every, offers
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
-from kinlint.lint import Examination, examine
+from kinlint.lint import NOTHING, Examination, examine
 from kinlint.model import Applicability, Finding
 from kinlint.phases import Phases
 from kinlint.report import Report
@@ -62,14 +62,18 @@ def mended(  # noqa: PLR0913, PLR0917
     least: Applicability,
     phases: Phases | None = None,
     streamed: Collection[str] = (),
+    kept: Collection[str] = (),
+    wanted: Sieve = every,
+    overlay: Mapping[Path, SourceText] = NOTHING,
 ) -> Mended:
     """*sources* after all fixes that may be trusted at *least* so far, and what is left to find.
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
-    is mended, too, but not what those do that are *streamed*. Fixes that lead back to texts as they
-    were before are not made.
+    is mended, too, but not what those do that are *streamed*; those called one of *kept* stay as
+    they are. Fixes that lead back to texts as they were before are not made, nor those of findings
+    that are not *wanted*.
     """
-    texts, fixed = Texts(sources, streamed), list[Finding]()
+    texts, fixed = Texts(sources, streamed, kept, overlay), list[Finding]()
     originals: dict[Path, SourceText] = {}
     reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
     restless: Sequence[Finding] = ()
@@ -77,7 +81,7 @@ def mended(  # noqa: PLR0913, PLR0917
     examination = _examined(texts, errors, settings, rulebook, spent)
     for _ in range(ROUNDS):
         with spent.phase("fixing"):
-            found = offers(examination, texts, settings, rulebook, least)
+            found = offers(examination, texts, settings, rulebook, least, wanted)
         chosen = list(_chosen(found, least))
         if not chosen:
             restless = ()
@@ -90,8 +94,8 @@ def mended(  # noqa: PLR0913, PLR0917
         ]
         state = _state(texts, originals)
         if state in reached:
-            texts, kept = reached[state]
-            fixed, restless = fixed[:kept], fixed[kept:]
+            texts, count = reached[state]
+            fixed, restless = fixed[:count], fixed[count:]
             examination = _examined(texts, errors, settings, rulebook, spent)
             break
         reached[state] = texts, len(fixed)
@@ -100,12 +104,13 @@ def mended(  # noqa: PLR0913, PLR0917
             texts, errors, settings, rulebook, spent
         )
     with spent.phase("fixing"):
-        left = offers(examination, texts, settings, rulebook)
+        left = offers(examination, texts, settings, rulebook, wanted=wanted)
     if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
         restless = ()
     given = set(map(texts.path, sources))
     pairs = [*zip(sources, texts.given, strict=True)]
-    pairs += [(originals[path], text) for path, text in texts.changed.items() if path not in given]
+    others = originals.keys() - given
+    pairs += [(originals[path], text) for path, text in texts.changed.items() if path in others]
     return Mended(
         replace(left.report, fixed=tuple(fixed)),
         texts.given,
@@ -125,7 +130,7 @@ def _state(texts: Texts, originals: Mapping[Path, SourceText]) -> State:
     return frozenset(
         (path, source.text)
         for path, source in texts.changed.items()
-        if source.text != originals[path].text
+        if path in originals and source.text != originals[path].text
     )
 
 

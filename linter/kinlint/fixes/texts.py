@@ -32,11 +32,12 @@ class Texts:
     """The texts that are `given`, and all that changed so far in place of files, by real paths.
 
     `streamed` are the names of those that are no files, with which what they include stays as it
-    is.
+    is. Those called one of `kept` stay as they are.
     """
 
     given: Sequence[SourceText]
     streamed: Collection[str] = ()
+    kept: Collection[str] = ()
     changed: Mapping[Path, SourceText] = field(default_factory=dict)
     _paths: dict[str, Path] = field(default_factory=dict, repr=False)
 

@@ -12,6 +12,7 @@ from typing import Literal, TypeAlias
 
 from kinlint import lint, resources
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
+from kinlint.catalogue.scaffold import unfilled
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.engine.check import check
 from kinlint.engine.store import Store
@@ -51,6 +52,9 @@ def unmarked(text: str) -> tuple[str, list[Span]]:
 
 def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """What *rule* promises and does not keep, a sentence each. Nothing if all is well."""
+    if waiting := list(_unfilled(rule)):
+        yield from waiting
+        return
     found = list(_broken(rule, rulebook))
     yield from found
     if rule.repairs:
@@ -58,6 +62,13 @@ def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     if not found:
         examples = (each for example in rule.examples for each in _texts(example))
         yield from idle(Bench.of(rule, rulebook, examples))
+
+
+def _unfilled(rule: Rule) -> Iterator[str]:
+    """What `kinlint new` left to the author of *rule*."""
+    text = Path(rule.path).read_text("utf-8-sig")
+    for number, line in unfilled(text):
+        yield f"line {number} is not filled in: {line}"
 
 
 def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:

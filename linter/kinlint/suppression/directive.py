@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.selectors import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
+from kinlint.files import surroundings
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.text import Location, Span
 from kinlint.vocabulary import KL, RULE, SRC
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from datetime import date
 
 IGNORE = iri(f"{KL}ignore")
-_RULE, _REASON, _UNTIL = (iri(f"{KL}{name}") for name in ("rule", "reason", "until"))
+RULE_NAMED, REASON, _UNTIL = (iri(f"{KL}{name}") for name in ("rule", "reason", "until"))
 _GRAPH_NAME = iri(f"{SRC}name")
 _NAMED_GRAPH = iri(f"{SRC}NamedGraph")
 _COMMENT = iri(f"{SRC}Comment")
@@ -72,7 +73,7 @@ def directives(
     return tuple(
         directive
         for document in documents
-        if any(statement[1] == IGNORE for statement in document.statements)
+        if document.saying(IGNORE)
         for directive in _of(document, catalogue, today)
     )
 
@@ -80,7 +81,7 @@ def directives(
 def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterator[Directive]:
     said: dict[tuple[Term, Term], list[Term]] = defaultdict(list)
     for subject, predicate, value in document.statements:
-        if predicate in (_RULE, _REASON, _UNTIL):
+        if predicate in (RULE_NAMED, REASON, _UNTIL):
             said[subject, predicate].append(value)
     graphs = _graph_names(document)
     comments = {s for s, p, o in document.statements if o == _COMMENT and p == RDF_TYPE}
@@ -89,8 +90,10 @@ def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterato
             continue
         value = statement[2]
         until = next(iter(said.get((value, _UNTIL), ())), None)
-        reason = next(iter(said.get((value, _REASON), ())), None)
-        for named in [(value, _RULE, rule) for rule in said.get((value, _RULE), ())] or [statement]:
+        reason = next(iter(said.get((value, REASON), ())), None)
+        for named in [(value, RULE_NAMED, rule) for rule in said.get((value, RULE_NAMED), ())] or [
+            statement
+        ]:
             selector = _selector(named[2])
             yield Directive(
                 document=document,
@@ -159,6 +162,6 @@ def _lasts(until: str, today: date | None) -> bool:
     from datetime import date  # noqa: PLC0415  few models have such a day
 
     try:
-        return (today or date.today()) <= date.fromisoformat(until)  # noqa: DTZ011
+        return (today or date.fromisoformat(surroundings.today())) <= date.fromisoformat(until)
     except ValueError:
         return False

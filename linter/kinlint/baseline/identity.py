@@ -1,0 +1,84 @@
+"""By what a finding is known again when its line, its file or the working directory is another."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from kinlint.model import Finding
+from kinlint.report import STDIN_NAMES
+from kinlint.text import Span
+from kinlint.vocabulary import DOCUMENT_IRI
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """A finding as it is remembered: `fingerprint` says nothing of the file, `path` is that file.
+
+    `entity` and `message` are for people. `elsewhere` tells that the entity has an IRI of its own,
+    so that it is the same in whatever file. `span` is where a baseline says it.
+    """
+
+    path: str
+    rule: str
+    entity: str
+    message: str
+    fingerprint: str
+    elsewhere: bool = field(default=False, compare=False)
+    span: Span = field(default=Span(0, 0), compare=False)
+
+    @property
+    def key(self) -> tuple[str, ...]:
+        """The order of a baseline: by file, rule and entity."""
+        return self.path, self.rule, self.entity, self.message, self.fingerprint
+
+
+@dataclass(frozen=True)
+class Names:
+    """What files are called from `root`, an absolute path with links followed.
+
+    `renamed` has other names for some of them.
+    """
+
+    root: Path
+    renamed: Mapping[str, str] = field(default_factory=dict)
+    _known: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
+
+    def of(self, name: str) -> str:
+        """The path from `root` to the file that a source called *name* was read from."""
+        if name not in self._known:
+            path = name
+            if name not in STDIN_NAMES:
+                head, tail = os.path.split(os.path.abspath(name))  # noqa: PTH100  links of files stay
+                path = relative(Path(os.path.realpath(head), tail), self.root)
+            self._known[name] = self.renamed.get(path, path)
+        return self._known[name]
+
+
+def relative(path: Path, root: Path) -> str:
+    """How *path* is written from *root*, with forward slashes; whole, where no way leads there."""
+    try:
+        return Path(os.path.relpath(path, root)).as_posix()
+    except ValueError:  # another drive
+        return path.as_posix()
+
+
+def known(finding: Finding, names: Names) -> Known:
+    """What *finding* is remembered by."""
+    own = finding.location.source.name
+    path, entity, iri = names.of(own), finding.entity, finding.iri
+    if iri.startswith(DOCUMENT_IRI):
+        name, mark, way = entity.partition("#")
+        entity = f"{names.of(name)}{mark}{way}"
+        iri = f"{DOCUMENT_IRI}{iri.partition('#')[2]}"
+    free = iri != "" and not iri.startswith((DOCUMENT_IRI, "_:")) and not finding.rule.group_by
+    # What a message says may be the name of a file, which depends on where kinlint runs.
+    files = {own, *(each.location.source.name for each in finding.related)}
+    meant = tuple(
+        "" if each == own else names.of(each) if each in files else each
+        for each in finding.meant or finding.arguments
+    )
+    same = replace(finding, iri=iri, meant=meant).fingerprint
+    return Known(path, finding.rule.code, entity, finding.message, same, free)

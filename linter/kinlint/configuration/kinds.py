@@ -1,0 +1,115 @@
+"""The kinds of values that keys of a configuration hold: told, checked, and as JSON Schema."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from kinlint.suggestion import did_you_mean
+
+ALIASES = {"note": "info"}
+"""Other words for severities: SARIF and compilers say note."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a value may be: `name` for people, and its JSON Schema.
+
+    `problem` says what is wrong with a value; an empty string if nothing is.
+    """
+
+    name: str
+    problem: Callable[[object], str]
+    schema: Mapping[str, Any]
+
+
+def expected(what: str, value: object) -> str:
+    """That *what* was expected where *value* is."""
+    kinds: dict[type, str] = {
+        bool: "a boolean",
+        str: "a string",
+        int: "a number",
+        list: "a list",
+        dict: "a table",
+    }
+    kind = kinds.get(type(value), f"a {type(value).__name__}")
+    text = f" {value!r}" if isinstance(value, str | int | float) else ""
+    return f"expected {what}, got {kind}{text}"
+
+
+def unknown(value: str, choices: tuple[str, ...]) -> str:
+    """What is wrong with *value* if it is none of *choices*."""
+    if value in choices:
+        return ""
+    listed = ", ".join(choices)
+    return f"'{value}' is not one of {listed}{did_you_mean(value, choices)}"
+
+
+def one_of(choices: tuple[str, ...]) -> Kind:
+    """One of *choices*, or an alias of one."""
+
+    def problem(value: object) -> str:
+        if not isinstance(value, str):
+            return expected("one of " + ", ".join(choices), value)
+        alias = ALIASES.get(value)
+        return "" if alias in choices else unknown(value, choices)
+
+    aliases = [alias for alias, meant in ALIASES.items() if meant in choices]
+    return Kind(f"one of {', '.join(choices)}", problem, {"enum": [*choices, *aliases]})
+
+
+def table(of: Kind, entries: str) -> Kind:
+    """A table, each value of which is *of* a kind; *entries* says from what to what it leads."""
+
+    def problem(value: object) -> str:
+        if not isinstance(value, dict):
+            return expected("a table", value)
+        wrongs = ((key, of.problem(one)) for key, one in value.items())
+        return next((f"'{key}': {wrong}" for key, wrong in wrongs if wrong), "")
+
+    schema = {"type": "object", "additionalProperties": of.schema}
+    return Kind(f"a table {entries}", problem, schema)
+
+
+def either(name: str, tables: Kind, others: Kind) -> Kind:
+    """Something of the kind *tables*, which is one of tables, or of the kind *others*."""
+
+    def problem(value: object) -> str:
+        if isinstance(value, dict):
+            return tables.problem(value)
+        return expected(name, value) if others.problem(value) else ""
+
+    return Kind(name, problem, {"anyOf": [others.schema, tables.schema]})
+
+
+def _strings(value: object) -> str:
+    if isinstance(value, list):
+        wrong = next((one for one in value if not isinstance(one, str)), None)
+        return "" if wrong is None else expected("only strings in the list", wrong)
+    return expected("a list of strings", value)
+
+
+def _one_or_more(value: object) -> str:
+    return "" if isinstance(value, str) else _strings(value)
+
+
+def _switch(value: object) -> str:
+    return "" if isinstance(value, bool) else expected("true or false", value)
+
+
+def _string(value: object) -> str:
+    return "" if isinstance(value, str) else expected("a string", value)
+
+
+def _scalar(value: object) -> str:
+    return "" if isinstance(value, str | int | float) else expected("a string or number", value)
+
+
+_TEXT = {"type": "string"}
+_LIST = {"type": "array", "items": _TEXT}
+STRING = Kind("a string", _string, _TEXT)
+STRINGS = Kind("a list of strings", _strings, _LIST)
+ONE_OR_MORE = Kind("a string or a list of strings", _one_or_more, {"anyOf": [_TEXT, _LIST]})
+SWITCH = Kind("true or false", _switch, {"type": "boolean"})
+SCALAR = Kind("a string, a number or a boolean", _scalar, {"type": ["string", "number", "boolean"]})

@@ -1,0 +1,1 @@
+"""Writes suppressions of findings into the texts that they were found in."""

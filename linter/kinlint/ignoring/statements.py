@@ -1,0 +1,73 @@
+"""The statement `kl:ignore` about a node, as a change of a graph and as text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from kinlint.document import Document
+from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.suppression.directive import IGNORE, REASON, RULE_NAMED
+from kinlint.terms import Term, Triple, iri_value, is_blank, literal
+from kinlint.text import Span
+from kinlint.vocabulary import DOCUMENT_BASE, KL
+
+APPENDED = frozenset({"turtle", "ntriples", "nquads"})
+"""Formats in which a statement may stand at the end of the file."""
+LINE_END = re.compile(r"\r\n?|\n")
+
+
+def delta(document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None) -> Delta:
+    """What *document* is to say so that of each node its *codes* are silent, for *reason*."""
+    return Delta(added=tuple(_said(document, codes, reason)))
+
+
+def _said(
+    document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None
+) -> Iterator[Triple]:
+    there = set(document.statements)
+    for number, (node, own) in enumerate(codes.items()):
+        if reason is None:
+            yield from (
+                each for code in own if (each := (node, IGNORE, literal(code))) not in there
+            )
+            continue
+        note = f"_:new{number}"
+        yield node, IGNORE, note
+        yield from ((note, RULE_NAMED, literal(code)) for code in own)
+        yield note, REASON, literal(reason)
+
+
+def appended(document: Document, change: Delta) -> Edit:
+    """The statements of *change* at the end of *document*.
+
+    Raises Unsayable for a node that has no name in the text.
+    """
+    text = document.source.text
+    notes = {o: s for s, p, o in change.added if p == IGNORE and is_blank(o)}
+    subjects: dict[Term, list[str]] = {}
+    prefix = next((name for name, known in document.prefixes.items() if known == KL), None)
+    short = document.format == "turtle" and prefix is not None
+
+    def word(term: Term) -> str:
+        if term.startswith(f"<{KL}") and short:
+            return f"{prefix}:{term[len(KL) + 1 : -1]}"
+        if term.startswith(f"<{DOCUMENT_BASE}"):
+            return f"<{iri_value(term)[len(DOCUMENT_BASE) :]}>"
+        return f"_:kinlint{_free(text)}x{term[5:]}" if term in notes else term
+
+    for s, p, o in change.added:
+        if is_blank(s) and s not in notes:
+            raise Unsayable("it is about a node without an IRI")
+        subjects.setdefault(s, []).append(f"{word(s)} {word(p)} {word(o)} .")
+    found = LINE_END.search(text)
+    end = found[0] if found else "\n"
+    lines = [line for each in subjects.values() for line in each]
+    opening = end if text and text[-1] not in "\r\n" else ""
+    return Edit(Span(len(text), len(text)), opening + "".join(f"{line}{end}" for line in lines))
+
+
+def _free(text: str) -> int:
+    """A number that no label of ours in *text* has."""
+    taken = {int(number) for number in re.findall(r"_:kinlint(\d+)x", text)}
+    return max(taken, default=0) + 1
