@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import PurePath
+from typing import NamedTuple
 from urllib.parse import unquote
 
 from kinlint.document import TREES
@@ -20,22 +21,41 @@ ALONE = frozenset({"urdf", "sdf", "xacro"})
 """Formats whose files each describe robots of their own."""
 
 
-def models(sources: Sequence[SourceText]) -> Iterator[list[SourceText]]:
+class Ties(NamedTuple):
+    """What may join a file to others: its format, its robots by their names, what it includes."""
+
+    format: str | None
+    robots: frozenset[str] = frozenset()
+    included: tuple[str, ...] = ()
+
+
+def ties(source: SourceText) -> Ties:
+    """What may join *source* to others."""
+    form = recognise(source.name, source.text)
+    if form not in ALONE:
+        return Ties(form)
+    text = _COMMENT.sub("", source.text)
+    robots = frozenset((one or other).casefold() for one, other in _NAME.findall(text))
+    return Ties(form, robots, tuple(_included(text)))
+
+
+def models(
+    sources: Sequence[SourceText], known: Callable[[SourceText], Ties] = ties
+) -> Iterator[list[SourceText]]:
     """*sources* in groups that say nothing of each other, in the order of their first ones.
 
     Composable files make one model, and one with all others, since names may join them. Files
     of elements belong together if they describe robots of one name, or if one may include the
     other, or both the same file. An SRDF, which need not name its robot rightly, joins all; so
-    does a robot whose name is worked out, where robots in another format may be the same.
+    does a robot whose name is worked out, where robots in another format may be the same. *known*
+    are the ties of each.
     """
-    formats = {source.name: recognise(source.name, source.text) for source in sources}
-    forms = set(formats.values())
+    tied = [known(source) for source in sources]
+    forms = {each.format for each in tied}
     if not forms <= ALONE & TREES:
         yield list(sources)
         return
-    texts = [_COMMENT.sub("", source.text) for source in sources]
-    names = [{(one or other).casefold() for one, other in _NAME.findall(text)} for text in texts]
-    if len(forms) > 1 and any("$" in name for each in names for name in each):
+    if len(forms) > 1 and any("$" in name for each in tied for name in each.robots):
         yield list(sources)
         return
     groups = _Groups(len(sources))
@@ -43,13 +63,13 @@ def models(sources: Sequence[SourceText]) -> Iterator[list[SourceText]]:
     users: dict[str, int] = {}
     files: dict[str, list[int]] = {}
     for index, source in enumerate(sources):
-        for name in names[index]:
+        for name in tied[index].robots:
             groups.join(index, robots.setdefault(name, index))
         for part in PurePath(source.name).parts[-3:]:
             files.setdefault(part, []).append(index)
-    mixed = [index for index, source in enumerate(sources) if formats[source.name] == "xacro"]
-    for index, text in enumerate(texts):
-        for meant in _included(text):
+    mixed = [index for index, each in enumerate(tied) if each.format == "xacro"]
+    for index, each in enumerate(tied):
+        for meant in each.included:
             groups.join(index, users.setdefault(meant, index))
             for other in mixed if _worked_out(meant) else files.get(meant, ()):
                 groups.join(index, other)

@@ -45,7 +45,7 @@ class Pipeline:
     settings: Settings | None = None
     inputs: list[str] = field(default_factory=list)
 
-    def report(self, run, _options, _outputs):
+    def report(self, run, *_):
         self.settings, found, book = run.settings, run.found, run.book
         self.inputs = [one.name for one in found.inputs]
         return Report(

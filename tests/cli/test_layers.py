@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinlint.cli.settings import cache_directory
+from kinlint.project.layers import cache_directory
 
 
 def test_rules_speak_as_the_file_nearest_to_a_model_says(kinlint, pipeline, write):

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from kinlint.cli.outputs import replacing
+from kinlint.configuration.keys import OUTPUT_FORMATS
 from kinlint.errors import UsageError
 
 
@@ -66,3 +67,18 @@ def test_a_directory_is_no_output(here):
     """An error for users."""
     with pytest.raises(UsageError, match=r"cannot write .*: Is a directory"), replacing(here):
         pass
+
+
+def test_all_formats_can_be_written_in_one_run(kinlint, write, here):
+    """Each copy is what the format alone writes; standard output has the main one."""
+    write("arm, 1.urdf", '<robot name="arm"><link name="a"/><link name="a"/></robot>')
+    write("broken.urdf", '<!DOCTYPE robot [<!ENTITY a "b">]><robot name="&a;"/>')
+    copies = [f"--{name}-output={here / name}.out" for name in OUTPUT_FORMATS]
+    code, out, _ = kinlint(".", "--output-format", "concise", "-q", *copies)
+    assert code == 2
+    for name in OUTPUT_FORMATS:
+        alone = here / "alone.out"
+        assert kinlint(".", "--output-format", name, "-q", "-o", alone)[0] == 2
+        assert (here / f"{name}.out").read_text("utf-8") == alone.read_text("utf-8")
+        assert "broken.urdf" in alone.read_text("utf-8")
+    assert (here / "concise.out").read_text("utf-8") == out

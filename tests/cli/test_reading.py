@@ -5,10 +5,10 @@ import os
 
 import pytest
 
-from kinlint.cli.reading import read
-from kinlint.cli.recognition import is_model
 from kinlint.configuration.settings import Settings
 from kinlint.files.discovery import Input
+from kinlint.project.reading import read
+from kinlint.project.recognition import is_model
 from kinlint.text import SourceText
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'

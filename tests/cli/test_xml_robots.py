@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from kinlint.cli import reading
+from kinlint.project import reading
 
 ROBOT = """\
 <robot name="lamp">

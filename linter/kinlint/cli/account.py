@@ -33,13 +33,15 @@ def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterat
                 yield f"deferred to pySHACL: a constraint of {each.owner}, {each.deferred}"
 
 
-def after(report: Report, book: Rulebook) -> Iterator[str]:
+def after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:
     """Lines that say what was read, applied and spent."""
     asked = {rule.code for rule in report.rules}
     silent = [rule.code for rule in book.rules if rule.code not in asked]
     read = counted(len(report.files), "file"), counted(report.triples, "triple")
     unread = f"; {counted(len(report.errors), 'file')} could not be read" if report.errors else ""
     yield f"read: {read[0]} with {read[1]}{unread}"
+    if report.recalled is not None:
+        yield f"recalled: {report.recalled:,} of these, from {settings.cache}"
     off = f"; not {', '.join(silent)}" if silent else ""
     yield f"applied: {report.applied:,} of {counted(len(book.rules), 'rule')}{off}"
     for finding, repair, why in report.unfixed:

@@ -5,21 +5,22 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 from kinlint import __version__
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.commands import hint
 from kinlint.cli.destinations import check_destinations, destinations
+from kinlint.cli.exclusions import check_together
 from kinlint.cli.linting import Run
 from kinlint.cli.options import parser
 from kinlint.cli.overrides import configs, overrides
-from kinlint.cli.settings import Layers, cache_directory
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
@@ -28,10 +29,22 @@ from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.model import Severity
 from kinlint.phases import Phases
+from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
+
+if TYPE_CHECKING:
+    from kinlint.cli.known import Knowledge
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"
+COMPARING = (
+    "baseline",
+    "write_baseline",
+    "prune_baseline",
+    "new_from_rev",
+    "new_from_merge_base",
+)
+"""The options that ask for what is new."""
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -40,6 +53,16 @@ def run(arguments: Sequence[str]) -> int:
     if options.version:
         sys.stdout.write(f"kinlint {__version__}\n")
         return CLEAN
+    check_together(options)
+    if options.watch:
+        from kinlint.cli.watch import watch  # noqa: PLC0415  few runs stay
+
+        return watch(options, checked)
+    return checked(options)
+
+
+def checked(options: Namespace, settled: Callable[[Settings], None] | None = None) -> int:
+    """Lint what *options* name, once; the exit code. *settled* is told by which settings."""
     layers = Layers(configs(options), overrides(options))
     found = _find(options, layers)
     if options.show_files or options.profile:
@@ -49,19 +72,28 @@ def run(arguments: Sequence[str]) -> int:
     project = layers.project(found.inputs)
     fail_on = project.fail_on or THRESHOLD
     outputs = destinations(options, project)
-    check_destinations(outputs, (*_paths(found), *settings.rules, *settings.shapes))
+    settings = replace(settings, drawn=outputs.shows_structure)
+    if settled is not None:
+        settled(settings)
+    known = [path for path in (options.baseline, project.baseline) if path]
+    read = (*_paths(found), *settings.rules, *settings.shapes, *map(Path, known))
+    check_destinations(outputs, read)
     phases = Phases()
     with phases.phase("rules"):
         book = rulebook.load(settings.rules, settings.shapes, settings.cache)
     Policies(settings, book.rules).check()
     if options.show_settings:
         more = {"output-format": outputs.main, "fail-on": fail_on}
+        more |= {"baseline": shown(Path(known[0]))} if known else {}
         return _show_settings(settings, more, found, book)
     if options.verbose:
         _tell(account().before(settings, book, map(layers.origin, found.inputs)))
-    report = Run(settings, found, book, phases).report(options, outputs)
+    knowledge = _knowledge(options, layers, found, settings, book)
+    wanted = None if knowledge is None else knowledge.new
+    report = Run(settings, found, book, phases, outputs.watched).report(options, outputs, wanted)
+    report = report if knowledge is None else knowledge.told(report)
     if options.verbose:
-        _tell(account().after(report, book))
+        _tell(account().after(report, settings, book))
     if not options.silent:
         _warn(found)
     if options.show_suppressed:
@@ -69,7 +101,7 @@ def run(arguments: Sequence[str]) -> int:
         report = replace(report, findings=tuple(both), suppressed=())
     with phases.phase("reporting"):
         streamed = any(one.path is None for one in found.inputs)
-        fixing = options.fix or options.fix_only
+        fixing = options.fix or options.fix_only or options.add_ignore is not None
         outputs.emit(report, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
     if options.statistics and options.verbose:
         from kinlint.reporters import timing  # noqa: PLC0415
@@ -100,7 +132,12 @@ def _find(options: Namespace, layers: Layers) -> Found:
     )
     paths = options.paths or (["-"] if stdin else ["."])
     _no_command(paths[0])
-    return search.find(paths)
+    found = search.find(paths)
+    if not options.in_project or options.show_files or options.profile:
+        return found
+    from kinlint.cli.surroundings import amid  # noqa: PLC0415  few runs look beyond what is named
+
+    return amid(found, search.find(["."]))
 
 
 def _no_command(word: str) -> None:
@@ -128,6 +165,27 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
         ignore_suppressions=options.ignore_suppressions,
         verbose=options.verbose,
     )
+
+
+def _knowledge(
+    options: Namespace, layers: Layers, found: Found, settings: Settings, book: Rulebook
+) -> Knowledge | None:
+    """What was known before, if anybody asks for what is new."""
+    project = layers.project(found.inputs)
+    if project.baseline is None and not any(getattr(options, name) for name in COMPARING):
+        return None
+    from kinlint.cli.known import Knowledge, baseline_of  # noqa: PLC0415  most runs tell all
+
+    baseline, before = baseline_of(options, project), None
+    if options.new_from_rev or options.new_from_merge_base:
+        from kinlint.cli.history import History, revision_of  # noqa: PLC0415
+
+        def settings_of(then: Found) -> Settings:
+            return _settings(options, layers, then)
+
+        revision = revision_of(options, found.inputs)
+        before = History(revision, found, layers, book, settings_of).ledger(options)
+    return Knowledge(settings, book.rules, baseline, before, options)
 
 
 def account() -> ModuleType:

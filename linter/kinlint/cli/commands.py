@@ -10,8 +10,17 @@ from kinlint.suggestion import did_you_mean
 
 COMMANDS: Mapping[str, tuple[str, str]] = {
     "check": ("kinlint.cli.check", "lint robot models (the default)"),
+    "clean": ("kinlint.cli.clean", "remove what earlier runs kept"),
+    "config": ("kinlint.cli.config", "tell what may stand in a configuration"),
     "convert": ("kinlint.cli.convert", "write a URDF, xacro or SDF as composable JSON-LD"),
+    "generate-shell-completion": (
+        "kinlint.cli.completion.command",
+        "have a shell complete what is typed",
+    ),
+    "graph": ("kinlint.cli.graph", "draw the links and joints of robots, with the findings"),
+    "new": ("kinlint.cli.new", "begin a rule of your own"),
     "rule": ("kinlint.cli.rule", "explain a rule, or all of them"),
+    "server": ("kinlint.cli.server", "tell editors, by the language server protocol"),
     "test-rules": ("kinlint.cli.rule_tests", "test rules by the examples in their files"),
     "version": ("kinlint.cli.version", "show the version"),
 }

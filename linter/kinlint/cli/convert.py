@@ -12,10 +12,10 @@ from kinlint.cli import options as linting
 from kinlint.cli.outputs import replacing
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.parser import Parser, filled, one_of
-from kinlint.cli.settings import Layers
 from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
 from kinlint.files.discovery import Found, Search
+from kinlint.project.layers import Layers
 
 STDOUT = "-"
 FORMATS = ("jsonld", "turtle", "ntriples")
@@ -70,10 +70,10 @@ def run(arguments: Sequence[str]) -> int:
     found, settings = _found(options)
     _check(options.output_file, found)
 
-    from kinlint.cli.reading import read  # noqa: PLC0415  engines are slow to import
     from kinlint.conversion.composition import compose  # noqa: PLC0415
     from kinlint.conversion.output import WRITERS  # noqa: PLC0415
     from kinlint.conversion.reading import documents  # noqa: PLC0415
+    from kinlint.project.reading import read  # noqa: PLC0415  engines are slow to import
 
     sources, errors = read(found.inputs, settings)
     for error in (*found.errors, *errors):

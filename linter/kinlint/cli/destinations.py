@@ -9,7 +9,8 @@ from pathlib import Path
 
 from kinlint.cli.outputs import Outputs
 from kinlint.configuration.file import Config
-from kinlint.configuration.keys import OUTPUT_FORMATS, unknown
+from kinlint.configuration.keys import OUTPUT_FORMATS
+from kinlint.configuration.kinds import unknown
 from kinlint.errors import UsageError
 
 STDOUT = "-"
@@ -45,7 +46,7 @@ def check_destinations(outputs: Outputs, read: Iterable[Path]) -> None:
     main = [("--output-file", outputs.path)] if outputs.path is not None else []
     for option, path in (*main, *((f"--{name}-output", path) for name, path in outputs.copies)):
         real = Path(os.path.realpath(path))
-        if real.exists() and not real.is_file() and not real.is_dir():
+        if path.exists() and not path.is_file() and not path.is_dir():
             continue
         if (reason := taken.get(str(real))) is not None:
             raise UsageError(f"{option}: {path} {reason}")

@@ -13,7 +13,8 @@ from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
 from kinlint.files.pathglob import absolute
 from kinlint.files.replacement import replacement
-from kinlint.fixes.reach import WRITING
+from kinlint.files.surroundings import WRITING
+from kinlint.fixes.offers import every
 from kinlint.fixes.rounds import Mended, mended
 from kinlint.formats.decoding import decode, encode
 from kinlint.model import Applicability, Finding
@@ -22,7 +23,7 @@ from kinlint.reporters.diff import unified
 from kinlint.reporters.style import When, style_of
 from kinlint.text import SourceText
 
-__all__ = ["least", "mended", "pass_on", "show", "unending", "written"]
+__all__ = ["every", "least", "mended", "pass_on", "show", "unending", "written"]
 
 Change = tuple[SourceText, SourceText]
 BOM = "\ufeff"
@@ -34,11 +35,11 @@ def least(settings: Settings) -> Applicability:
     return Applicability.UNSAFE if settings.unsafe_fixes else Applicability.SAFE
 
 
-def written(outcome: Mended, inputs: Iterable[Input]) -> Report:
+def written(outcome: Mended, inputs: Iterable[Input], done: str = "fixed") -> Report:
     """Write the texts of *outcome* to the files of *inputs*; the report of what is left.
 
     So it goes with those that they include. A file that changed meanwhile, or cannot be written,
-    stays as it is, and the report has it as an error.
+    stays as it is, and the report has it as an error, which says that it is not *done*.
     """
     paths = {one.name: one.path for one in inputs}
     there = {
@@ -58,7 +59,7 @@ def written(outcome: Mended, inputs: Iterable[Input]) -> Report:
             except (OSError, SourceError, Unsayable) as error:
                 failed[before.name] = _cause(error)
                 failed |= _partners(before.name, outcome.report.fixed, failed)
-    errors = [SourceError(name, f"not fixed: {cause}") for name, cause in failed.items()]
+    errors = [SourceError(name, f"not {done}: {cause}") for name, cause in failed.items()]
     report = outcome.report
     kept = tuple(one for one in report.fixed if failed.keys().isdisjoint(_files(one)))
     return replace(report, errors=(*report.errors, *errors), fixed=kept)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.cli.reading import read
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
@@ -12,6 +11,7 @@ from kinlint.files.discovery import Found
 from kinlint.formats import registry
 from kinlint.formats.options import ReadOptions
 from kinlint.inherent import lines
+from kinlint.project.reading import read
 
 
 def page(found: Found, settings: Settings, errors: list[SourceError]) -> Iterator[str]:

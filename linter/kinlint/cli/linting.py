@@ -5,51 +5,71 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.outputs import Outputs
+from kinlint.cli.progress import Bar
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.discovery import Found
-from kinlint.formats.registry import recognise
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.text import SourceText
 
+if TYPE_CHECKING:
+    from kinlint.fixes.offers import Sieve
+
 
 @dataclass(frozen=True)
 class Run:
-    """What to lint, how, and by which rules."""
+    """What to lint, how, and by which rules; if *watched*, somebody waits for what it says."""
 
     settings: Settings
     found: Found
     book: Rulebook
     phases: Phases
+    watched: bool = False
 
-    def report(self, options: Namespace, outputs: Outputs) -> Report:
-        """The report for *outputs*; with `--fix` and its like, of what is left."""
-        if options.fix or options.fix_only or options.diff:
-            report = self._mended(options)
+    def report(self, options: Namespace, outputs: Outputs, wanted: Sieve | None = None) -> Report:
+        """The report for *outputs*; with `--fix` and its like, of what is left.
+
+        Only findings that are *wanted* are mended.
+        """
+        asides, new = self.found.asides, wanted
+        if asides:
+            from kinlint.cli import surroundings  # noqa: PLC0415  few runs leave files aside
+
+            wanted = surroundings.named(wanted, asides)
+        if options.add_ignore is not None:
+            report = self._silenced(options, wanted)
+        elif options.fix or options.fix_only or options.diff:
+            report = self._mended(options, wanted)
         else:
             fixing = outputs.tells_fixes
-            report = self._linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
-        return replace(report, unsafe=self.settings.unsafe_fixes)
+            report = self.linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
+        if asides:
+            report = surroundings.within(report, asides, new)
+        return replace(report, unsafe=self.settings.unsafe_fixes, catalogue=self.book.digest)
 
-    def _read(self) -> tuple[list[SourceText], list[SourceError]]:
+    def _read(self, bar: Bar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
-            from kinlint import lint  # noqa: F401, PLC0415  engines are slow to import
-            from kinlint.cli.reading import read  # noqa: PLC0415
+            from kinlint.project.reading import beside, read  # noqa: PLC0415
 
         with self.phases.phase("decoding"):
-            sources, errors = read(self.found.inputs, self.settings)
-            beside = _beside(sources, self.settings)
-            return [*sources, *beside], [*self.found.errors, *errors]
+            inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
+            sources, errors = read(inputs, self.settings)
+            if asides := self.found.asides:
+                from kinlint.cli.surroundings import concerning  # noqa: PLC0415
 
-    def _mended(self, options: Namespace) -> Report:
+                sources = concerning(sources, asides, self.settings)
+            more = beside(sources, self.settings)
+            return [*sources, *more], [*self.found.errors, *errors]
+
+    def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:
         from kinlint.cli import fixing  # noqa: PLC0415  most runs change nothing
 
         sources, failed = self._read()
@@ -57,7 +77,15 @@ class Run:
         least = fixing.least(self.settings)
         streamed = {one.name for one in inputs if one.path is None}
         mended = fixing.mended(
-            sources, failed, self.settings, self.book, least, self.phases, streamed
+            sources,
+            failed,
+            self.settings,
+            self.book,
+            least,
+            self.phases,
+            streamed,
+            self.found.asides,
+            wanted or fixing.every,
         )
         if mended.restless and not options.silent:
             sys.stderr.write(f"kinlint: warning: {fixing.unending(mended.restless)}\n")
@@ -68,48 +96,32 @@ class Run:
         fixing.pass_on(sources, mended.changed, inputs)
         return report
 
-    def _linted(self, jobs: int, *, fixing: bool) -> Report:
-        from kinlint import lint  # noqa: PLC0415  engines are slow to import
+    def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:
+        from kinlint.cli.ignoring import silenced  # noqa: PLC0415  most runs write nothing
+        from kinlint.fixes.offers import every  # noqa: PLC0415
 
         sources, failed = self._read()
-        report = None
-        if jobs > 1:
-            with self.phases.phase("linting"):
-                report = self._divided(sources, failed, jobs, fixing=fixing)
-        if report is None and fixing:
-            from kinlint.fixes.rounds import linted  # noqa: PLC0415  few outputs show fixes
+        return silenced(
+            options, sources, failed, self.found, self.settings, self.book, wanted or every,
+            self.phases,
+        )  # fmt: skip
 
-            report = linted(sources, failed, self.settings, self.book, self.phases).report
-        if report is None:
-            report = lint.run(sources, failed, self.settings, self.book, self.phases)
+    def linted(self, jobs: int, *, fixing: bool) -> Report:
+        """The report of *jobs* processes; if *fixing*, with the fixes that are offered."""
+        with self.phases.phase("imports"):
+            from kinlint.cache.memory import Memory  # noqa: PLC0415
+            from kinlint.parallel.share import Job  # noqa: PLC0415  loads the readers
+            from kinlint.parallel.survey import Survey  # noqa: PLC0415
+
+        job = Job(self.settings, self.book, fixing)
+        kept = not any(one.path is None for one in self.found.inputs)
+        memory = Memory.of(self.settings, self.book, fixing=fixing) if kept else None
+        with Bar(len(self.found.inputs), wanted=self.watched) as bar:
+            sources, failed = self._read(bar)
+            survey = Survey(job, jobs, memory, self.phases, bar.advance)
+            report = survey.report(sources, failed)
         if report.files:
             return report
         # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
         asked = Policies(self.settings, self.book.rules).enabled([""])
         return replace(report, rules=tuple(rule for rule in self.book.rules if rule.code in asked))
-
-    def _divided(
-        self,
-        sources: Sequence[SourceText],
-        failed: Sequence[SourceError],
-        jobs: int,
-        *,
-        fixing: bool,
-    ) -> Report | None:
-        """What several processes find; None where the files are one model, or one has to do it."""
-        from kinlint import parallel  # noqa: PLC0415  few runs have files enough
-
-        if not parallel.divisible(sources, self.settings):
-            return None
-        return parallel.run(sources, failed, self.settings, self.book, jobs, fixing=fixing)
-
-
-def _beside(sources: Sequence[SourceText], settings: Settings) -> Sequence[SourceText]:
-    """What the files were written for and that nobody gave."""
-    if not any(
-        ".srdf" in each.name or recognise(each.name, each.text) == "srdf" for each in sources
-    ):
-        return ()
-    from kinlint.cli.companions import companions  # noqa: PLC0415  most runs have no SRDF
-
-    return companions(sources, settings)

@@ -8,19 +8,20 @@ from typing import Any
 from kinlint.cli.commands import COMMANDS
 from kinlint.cli.parser import Parser, count, filled, listed, one_of
 from kinlint.configuration.keys import (
-    ALIASES,
     ENGINES,
     OUTPUT_FORMATS,
     SEVERITIES,
     TARGETS,
     THRESHOLDS,
 )
+from kinlint.configuration.kinds import ALIASES
 from kinlint.contexts.library import RELEASES
 
 LISTS: dict[str, Any] = {"type": listed, "action": "extend"}
 TEXTS: dict[str, Any] = {"action": "append", "type": filled}
 FLAG: dict[str, Any] = {"action": "store_true"}
 
+WIDTH = max(map(len, COMMANDS))
 DESCRIPTION = """\
 kinlint lints robot models: units, frames, topology, inertia, and what JSON-LD drops in silence.
 
@@ -28,7 +29,7 @@ kinlint lints robot models: units, frames, topology, inertia, and what JSON-LD d
   PATH is a file, a directory, a quoted glob, or - for standard input.
 
 Commands (a path of such a name: ./rule):
-""" + "\n".join(f"  {name:<12} {what}" for name, (_, what) in COMMANDS.items())
+""" + "\n".join(f"  {name:<{WIDTH}} {what}" for name, (_, what) in COMMANDS.items())
 
 EPILOG = """\
 R names rules: a code (UNI002), a name (unit-quantity-mismatch), the beginning of codes (UNI),
@@ -49,6 +50,7 @@ def parser() -> Parser:
     made.helping.add_argument("-V", "--version", action="store_true", help="show the version")
     _rules(made)
     _fixes(made)
+    _known(made)
     _files(made)
     _reading(made)
     _output(made)
@@ -68,11 +70,13 @@ def _rules(made: Parser) -> None:
     add("--target", metavar="NAME", **LISTS, help=f"rules for it, too: {', '.join(TARGETS)}")
     add("--ignore-suppressions", **FLAG, help="report what is suppressed as if it were not")
     add("--show-suppressed", **FLAG, help="report what is suppressed, as suppressed")
+    made.bare("--add-ignore")
+    add("--add-ignore", metavar="[=REASON]", help="write suppressions of all that is found")
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")
     add("--shapes", metavar="FILE", **TEXTS, help="add the SHACL shapes in FILE")
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
-    add("--no-cache", "-n", **FLAG, help="compile the rules anew")
-    add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
+    add("--no-cache", "-n", **FLAG, help="keep nothing, and recall nothing")
+    add("--cache-dir", type=filled, metavar="DIR", help="where reports and rules are kept")
 
 
 def _fixes(made: Parser) -> None:
@@ -87,12 +91,30 @@ def _fixes(made: Parser) -> None:
     add("--exit-non-zero-on-fix", **FLAG, help="exit with 1 if anything was fixed")
 
 
+def _known(made: Parser) -> None:
+    add = made.add_argument_group("New findings only").add_argument
+    add("--baseline", type=filled, metavar="FILE", help="report only what is not known there")
+    add("--write-baseline", **FLAG, help="make all that is found known there")
+    add("--prune-baseline", **FLAG, help="forget there what is found no more")
+    add(
+        "--new-from-rev", type=filled, metavar="REV", help="report what was not found at REV of git"
+    )
+    add(
+        "--new-from-merge-base",
+        type=filled,
+        metavar="REV",
+        help="the same, since the working tree left the branch REV",
+    )
+
+
 def _files(made: Parser) -> None:
     add = made.add_argument_group("Files").add_argument
     add("--exclude", metavar="GLOB", **LISTS, help="pass over these in directories")
     add("--extend-exclude", metavar="GLOB", **LISTS, help="pass over these, too")
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
+    add("--in-project", **FLAG, help="judge them as parts of all that is below this directory")
     add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
+    add("--watch", "-w", **FLAG, help="lint again whenever something changes, until Ctrl-C")
     add("--jobs", "-j", type=count, metavar="N", default=1, help="processes; 0: one for each CPU")
     add("--show-files", **FLAG, help="show what would be linted, and stop")
 

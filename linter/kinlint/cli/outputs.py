@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,6 +24,9 @@ from kinlint.reporters.registry import (
     write_verdict,
 )
 from kinlint.reporters.style import Style, When, style_of
+
+SUMMARY = "GITHUB_STEP_SUMMARY"
+"""The variable that names the file in which GitHub expects the summary of a step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,10 +51,18 @@ class Outputs:
     @property
     def tells_fixes(self) -> bool:
         """Whether anything that is written tells how findings can be fixed."""
-        written = [name for name, _ in self.copies]
-        if self.path is None and self.silent:
-            return any(FORMATS[name].fixes for name in written)
-        return self.statistics or any(FORMATS[name].fixes for name in (self.main, *written))
+        told = any(FORMATS[name].fixes for name in self._written)
+        return told or (self.statistics and not self.silent)
+
+    @property
+    def watched(self) -> bool:
+        """Whether the report is for people, who may want to hear meanwhile how far it is."""
+        return not (self._machine or self.quiet or self.silent)
+
+    @property
+    def shows_structure(self) -> bool:
+        """Whether anything that is written shows how robots are built."""
+        return self._summarises or any(FORMATS[name].drawn for name in self._written)
 
     def emit(self, report: Report, out: TextIO | None = None) -> None:
         """Write *report* everywhere; what a machine format leaves unsaid goes to stderr.
@@ -75,6 +87,10 @@ class Outputs:
         elif not self.silent:
             self._main(report, told, out)
         self._aside(report, told, out)
+        if self._summarises:
+            from kinlint.cli.step_summary import append  # noqa: PLC0415  only on GitHub
+
+            append(told, Path(os.environ[SUMMARY]))
         if failures:
             raise failures[0]
 
@@ -114,6 +130,16 @@ class Outputs:
 
     def _color(self, stream: TextIO) -> When:
         return self.color if stream in (sys.stdout, sys.stderr) else "auto"
+
+    @property
+    def _written(self) -> list[str]:
+        copies = [name for name, _ in self.copies]
+        return copies if self.path is None and self.silent else [self.main, *copies]
+
+    @property
+    def _summarises(self) -> bool:
+        """Whether GitHub shows a summary of this step beside the annotations."""
+        return "github" in self._written and bool(os.environ.get(SUMMARY))
 
     @property
     def _machine(self) -> bool:

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from kinlint.configuration.keys import unknown
+from kinlint.configuration.kinds import unknown
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
@@ -21,6 +21,7 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, **options: Any) -> None:
         super().__init__(allow_abbrev=False, formatter_class=Formatter, add_help=False, **options)
         self._rest: str | None = None
+        self._bare: set[str] = set()
         self.helping = self.add_argument_group("Help")
         self.helping.add_argument("-h", "--help", action="help", help="show this help")
 
@@ -30,7 +31,8 @@ class Parser(argparse.ArgumentParser):
         What follows `--` is no option.
         """
         end = arguments.index("--") if "--" in arguments else len(arguments)
-        options, strange = self.parse_known_intermixed_args(arguments[:end])
+        words = [f"{word}=" if word in self._bare else word for word in arguments[:end]]
+        options, strange = self.parse_known_intermixed_args(words)
         words = [word for word in strange if not word.startswith("-")] + list(arguments[end + 1 :])
         wrong = next((word for word in strange if word.startswith("-")), None)
         if wrong is not None:
@@ -47,6 +49,15 @@ class Parser(argparse.ArgumentParser):
         """Take any number of words that are no options, as *name*."""
         self.add_argument(name, nargs="*", metavar=metavar, help=text)
         self._rest = name
+
+    @property
+    def actions(self) -> Sequence[argparse.Action]:
+        """All that may be given, in the order of the help."""
+        return self._actions
+
+    def bare(self, option: str) -> None:
+        """Have *option* take its value behind `=` alone; without one it is empty."""
+        self._bare.add(option)
 
     def error(self, message: str) -> NoReturn:
         """Raise `UsageError`."""
@@ -77,7 +88,16 @@ def one_of(
             raise argparse.ArgumentTypeError(problem)
         return text
 
+    _choices[read] = choices
     return read
+
+
+_choices: dict[object, tuple[str, ...]] = {}
+
+
+def choices(kind: object) -> tuple[str, ...]:
+    """What arguments of *kind* must be one of, if it is such a type."""
+    return _choices.get(kind, ())
 
 
 def filled(text: str) -> str:

@@ -10,12 +10,12 @@ from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.parser import Parser, one_of
-from kinlint.cli.settings import cache_directory
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.replacement import replacement
 from kinlint.model import Rule
+from kinlint.project.layers import cache_directory
 from kinlint.reporters.registry import put
 from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages

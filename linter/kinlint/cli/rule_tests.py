@@ -9,9 +9,9 @@ from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.parser import Parser
-from kinlint.cli.settings import cache_directory
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
+from kinlint.project.layers import cache_directory
 from kinlint.reporters.summary import counted
 from kinlint.rule_testing import promises
 

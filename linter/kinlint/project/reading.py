@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import stat
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
 
-from kinlint.cli.recognition import is_model
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
 from kinlint.formats.registry import decode, objection, recognise
+from kinlint.project.recognition import is_model
 from kinlint.text import SourceText
 
+NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 MOST_BYTES = 512 * 2**20
 """A file that is larger is no model but a slip, such as a device in the place of a file."""
 
@@ -26,10 +29,10 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
     """
     sources: list[SourceText] = []
     errors: list[SourceError] = []
-    own = _own_contexts(settings)
+    own = own_contexts(settings)
     for one in inputs:
         try:
-            source = decode(one.name, _bytes(one))
+            source = text_of(one)
         except SourceError as error:
             errors.append(error)
             continue
@@ -44,13 +47,34 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
     return sources, errors
 
 
+def beside(
+    sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText] = NOTHING
+) -> Sequence[SourceText]:
+    """What *sources* were written for and that nobody gave: the URDF of an SRDF.
+
+    *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
+    where a configuration names a URDF that cannot be read.
+    """
+    if not any(".srdf" in one.name or recognise(one.name, one.text) == "srdf" for one in sources):
+        return ()
+    from kinlint.project.companions import companions  # noqa: PLC0415  most runs have no SRDF
+
+    return companions(sources, settings, overlay)
+
+
 def _bounded(one: Input, read: bytes) -> bytes:
     if len(read) > MOST_BYTES:
         raise SourceError(one.name, f"more than {MOST_BYTES // 2**20} MiB")
     return read
 
 
-def _own_contexts(settings: Settings) -> tuple[str, ...]:
+def text_of(one: Input) -> SourceText:
+    """What *one* holds. Raises `SourceError` if it cannot be read."""
+    return decode(one.name, _bytes(one))
+
+
+def own_contexts(settings: Settings) -> tuple[str, ...]:
+    """The IRIs of all contexts that models may name, if *settings* add some."""
     extra: list[Extra] = [*settings.context_directories, *settings.extra_contexts.items()]
     return Contexts.bundled(settings.contexts, extra).iris if extra else ()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,16 +10,19 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import ConfigError, SourceError
 from kinlint.files.companions import urdfs_beside
 from kinlint.files.pathglob import absolute
-from kinlint.files.pathname import missing, shown
+from kinlint.files.pathname import missing, real, shown
 from kinlint.formats.registry import decode
 from kinlint.formats.xml.joining import SRDF, Description, describe, partners
 from kinlint.text import SourceText
 
 
-def companions(sources: Sequence[SourceText], settings: Settings) -> list[SourceText]:
+def companions(
+    sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText]
+) -> list[SourceText]:
     """The texts that *sources* are about and that are not among them.
 
-    Raises `ConfigError` where a configuration names a URDF that cannot be read.
+    *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
+    where a configuration names a URDF that cannot be read.
     """
     told = settings.partner
     known = partners(sources, told)
@@ -30,10 +33,10 @@ def companions(sources: Sequence[SourceText], settings: Settings) -> list[Source
         if name in known:
             continue
         if (path := told(name)) is not None:
-            found[Path(path)] = _told(Path(path))
+            found[Path(path)] = _told(Path(path), overlay)
         elif name[:1] != "<":
             beside = (one for one in urdfs_beside(absolute(name)) if one not in given)
-            found.update(_fitting(srdf, beside))
+            found.update(_fitting(srdf, beside, overlay))
     return list(found.values())
 
 
@@ -43,11 +46,13 @@ def _srdfs(sources: Iterable[SourceText]) -> Iterator[Description]:
             yield each
 
 
-def _fitting(srdf: Description, candidates: Iterable[Path]) -> dict[Path, SourceText]:
+def _fitting(
+    srdf: Description, candidates: Iterable[Path], overlay: Mapping[Path, SourceText]
+) -> dict[Path, SourceText]:
     """The first of *candidates* that *srdf* may be about, with its text."""
     for path in candidates:
         try:
-            urdf = describe(_companion(path))
+            urdf = describe(_companion(path, overlay))
         except (OSError, SourceError):
             continue
         if urdf is not None and not urdf.varies and srdf.may_mean(urdf):
@@ -55,15 +60,17 @@ def _fitting(srdf: Description, candidates: Iterable[Path]) -> dict[Path, Source
     return {}
 
 
-def _companion(path: Path) -> SourceText:
+def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
+    if overlay and (open_ := overlay.get(real(path))):
+        return replace(open_, companion=True)
     if not path.is_file():
         raise SourceError(shown(path), "not a regular file")
     return replace(decode(shown(path), path.read_bytes()), companion=True)
 
 
-def _told(path: Path) -> SourceText:
+def _told(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
     try:
-        return _companion(path)
+        return _companion(path, overlay)
     except (OSError, SourceError) as error:
         cause = getattr(error, "strerror", None) or str(error)
         problem = cause if path.exists() else missing(path)

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -34,14 +35,15 @@ ADDED = ("extra_contexts", "rules", "shapes")
 
 @dataclass
 class Layers:
-    """The configuration of each directory, `top` (the options) on top of its file."""
+    """The configuration of each directory, `top` (the options) on top of its file.
+
+    `here` is where the run begins: what is passed over by default is passed over below it.
+    """
 
     files: Configs
     top: Config
+    here: Path = field(default_factory=Path.cwd)
     _known: dict[Path, Config] = field(default_factory=dict)
-    _skipped: tuple[Glob, ...] = field(
-        default_factory=lambda: tuple(Glob(Path.cwd(), name) for name in SKIPPED)
-    )
 
     def of(self, directory: Path) -> Config:
         """What holds in *directory*, which is absolute."""
@@ -56,10 +58,14 @@ class Layers:
         exclude = self._skipped if config.exclude is None else config.exclude
         return (*exclude, *config.extend_exclude)
 
+    @cached_property
+    def _skipped(self) -> tuple[Glob, ...]:
+        return tuple(Glob(self.here, name) for name in SKIPPED)
+
     def project(self, inputs: Iterable[Input]) -> Config:
         """The configuration nearest to the directory that all *inputs* have in common."""
         folders = {str(home(one)) for one in inputs}
-        return self.of(Path(os.path.commonpath(folders)) if folders else Path.cwd())
+        return self.of(Path(os.path.commonpath(folders)) if folders else self.here)
 
     def origin(self, one: Input) -> str:
         """What is called the configuration that governs *one*."""
@@ -83,7 +89,7 @@ class Layers:
         return Settings(
             **wide,
             unsafe_fixes=project.unsafe_fixes,
-            default=_file(project, Path.cwd()),
+            default=_file(project, self.here),
             files={one.name: _file(self.of(home(one)), _path(one)) for one in inputs},
             **given,
         )

@@ -1,0 +1,1 @@
+"""Shell completion: what may stand where, and scripts that tell shells so."""

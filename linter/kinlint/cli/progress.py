@@ -1,0 +1,74 @@
+"""A bar for people who wait for a run at a terminal: it comes late, and goes before the report."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterable, Iterator
+from types import TracebackType
+from typing import TYPE_CHECKING, Self, TypeVar
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
+
+T = TypeVar("T")
+PATIENCE = 1.0
+"""After how many seconds somebody may wonder how long it takes."""
+
+
+class Bar:
+    """Counts the files that are read and linted; shown, if at all, on standard error."""
+
+    def __init__(self, files: int, *, wanted: bool) -> None:
+        self._steps = 2 * files
+        self._wanted = wanted and sys.stderr.isatty()
+        self._done = 0
+        self._began = time.monotonic()
+        self._shown: Progress | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._shown is not None:
+            self._shown.stop()
+
+    def reading(self, inputs: Iterable[T]) -> Iterator[T]:
+        """*inputs*, each counted as read when the next is asked for."""
+        for one in inputs:
+            yield one
+            self.advance(1)
+
+    def advance(self, files: int) -> None:
+        """So many more files are read, or linted."""
+        if not self._wanted:
+            return
+        self._done += files
+        if self._shown is None and time.monotonic() - self._began >= PATIENCE:
+            self._show()
+        if self._shown is not None:
+            self._shown.update(self._shown.task_ids[0], completed=self._done)
+
+    def _show(self) -> None:
+        from rich.console import Console  # noqa: PLC0415  slow to import, and most runs are short
+        from rich.progress import (  # noqa: PLC0415
+            BarColumn,
+            Progress,
+            TaskProgressColumn,
+            TextColumn,
+            TimeRemainingColumn,
+        )
+
+        console = Console(stderr=True)
+        if console.is_dumb_terminal:
+            self._wanted = False
+            return
+        columns = TextColumn("Linting"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
+        self._shown = Progress(*columns, console=console, transient=True)
+        self._shown.add_task("", total=self._steps, completed=self._done)
+        self._shown.start()

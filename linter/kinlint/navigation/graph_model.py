@@ -1,0 +1,97 @@
+"""The whole meaning of documents: all that can be lifted, inferred and computed, for questions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+
+from kinlint.catalogue.applicability import axioms_for
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.document import FROM, TREES, Document
+from kinlint.engine.closure import close
+from kinlint.engine.lifting import lift
+from kinlint.engine.store import Store
+from kinlint.facts.compute import facts
+from kinlint.facts.names import REFERENCES
+from kinlint.terms import Term, Triple
+from kinlint.vocabulary import EXTENSION, SDF, SRDF, URDF
+
+ELEMENTS = tuple(f"<{each}" for each in (URDF, SDF, SRDF, EXTENSION))
+"""How properties begin whose values are elements, each called like its tag."""
+OWNED = tuple(
+    f"#{name}>" for name in ("of-joint", "of-body", "of-inertia", "of-actuator", "actuates")
+)
+"""How properties end of what belongs to another node, such as the limits of a joint."""
+
+
+class GraphModel:
+    """What *documents* mean together, worked out when it is first asked for.
+
+    A run that lints lifts and computes only what its rules ask for; people ask for anything.
+    """
+
+    def __init__(self, documents: Sequence[Document], rulebook: Rulebook) -> None:
+        self.documents, self.rulebook = documents, rulebook
+
+    @cached_property
+    def references(self) -> Sequence[Triple]:
+        """What leads from the names that elements use to what they name; found on its own."""
+        store = Store()
+        store.load(self.documents)
+        lift(store, frozenset(REFERENCES))
+        return tuple(each for each in store.lifted() if each[1] in REFERENCES)
+
+    @cached_property
+    def lifted(self) -> Sequence[Triple]:
+        """What was made of the elements of XML formats."""
+        return tuple(self._stated.lifted())
+
+    @cached_property
+    def store(self) -> Store:
+        """Everything."""
+        store = self._stated
+        close(store, axioms_for(self.documents, self.rulebook.axioms, None))
+        store.state(tuple(facts(store)))
+        return store
+
+    @cached_property
+    def _stated(self) -> Store:
+        store = Store()
+        store.load(self.documents)
+        store.load_vocabulary(self.rulebook.vocabulary)
+        lift(store)
+        return store
+
+    @cached_property
+    def made(self) -> Mapping[Term, Sequence[Term]]:
+        """The nodes that were made of each element, in the order of their names."""
+        found: dict[Term, list[Term]] = {}
+        for node, predicate, element in sorted(self.lifted):
+            if predicate == FROM:
+                found.setdefault(element, []).append(node)
+        return found
+
+    @cached_property
+    def tags(self) -> Mapping[Term, str]:
+        """The tag of each element."""
+        return {
+            value: predicate[:-1].rpartition("#")[2]
+            for document in self.documents
+            if document.format in TREES
+            for _, predicate, value in document.statements
+            if predicate.startswith(ELEMENTS)
+        }
+
+    @cached_property
+    def owned(self) -> Mapping[Term, Sequence[Term]]:
+        """What belongs to each node and is described as a node of its own."""
+        found: dict[Term, list[Term]] = {}
+        said = (each for document in self.documents for each in document.statements)
+        for subject, predicate, value in (*said, *self.lifted):
+            if predicate.endswith(OWNED):
+                found.setdefault(value, []).append(subject)
+        return found
+
+    def values(self, node: Term, predicate: Term) -> Iterator[Term]:
+        """The values of *predicate* for *node*, stated, lifted, inferred or computed."""
+        return self.store.values(node, predicate)

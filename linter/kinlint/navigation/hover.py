@@ -1,0 +1,50 @@
+"""What to show about a place of a text: the rule that is broken or ignored there, or the entity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kinlint.model import Finding, Rule
+from kinlint.reporters import rule_page
+from kinlint.suppression.directive import Directive
+from kinlint.text import Span
+
+ACROSS = "\n\n---\n\n"
+"""A line across."""
+MOST_RULES = 3
+
+
+class Hover(NamedTuple):
+    """Markdown about `span` of the text that was asked about."""
+
+    markdown: str
+    span: Span
+
+
+def on_findings(findings: Sequence[Finding]) -> str:
+    """What *findings* at one place say, each with the page of its rule."""
+    parts: list[str] = []
+    told: set[str] = set()
+    for finding in findings:
+        said = f"**{finding.severity.label}**: {finding.message}"
+        if finding.suppressed is not None:
+            said += f" ({finding.suppressed})"
+        parts.append(said)
+    for finding in findings:
+        if finding.rule.code not in told and len(told) < MOST_RULES:
+            told.add(finding.rule.code)
+            parts.append(rule_page.markdown(finding.rule))
+    return ACROSS.join(parts)
+
+
+def on_ignore(directive: Directive, rules: Sequence[Rule]) -> str:
+    """What *directive* silences: the pages of *rules*."""
+    why = f": {directive.reason}" if directive.reason else ""
+    until = f", until {directive.until}" if directive.until else ""
+    if not rules:
+        return f"Ignores `{directive.selector}`, which names no rule{why}{until}"
+    pages = [rule_page.markdown(rule) for rule in rules[:MOST_RULES]]
+    more = len(rules) - MOST_RULES
+    rest = [f"and {more} more rules"] if more > 0 else []
+    return ACROSS.join([f"Ignored here{why}{until}", *pages, *rest])

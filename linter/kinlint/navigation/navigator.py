@@ -1,0 +1,159 @@
+"""Answers about places in the texts of one model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.selectors import Catalogue
+from kinlint.display import Display
+from kinlint.findings.locator import Locator
+from kinlint.kinematics.extraction import structures
+from kinlint.lint import Examination
+from kinlint.model import Finding
+from kinlint.navigation.description import Descriptions
+from kinlint.navigation.entity_page import EntityPages
+from kinlint.navigation.graph_model import GraphModel
+from kinlint.navigation.hover import ACROSS, Hover, on_findings, on_ignore
+from kinlint.navigation.index import Index
+from kinlint.navigation.links import Link, links
+from kinlint.navigation.occurrence import Occurrence
+from kinlint.navigation.outline import Symbol, outline
+from kinlint.navigation.texts import Surroundings
+from kinlint.suppression.directive import Directive, directives
+from kinlint.text import Location, SourceText, Span
+
+SPACES = frozenset({"2D", "3D", "Euclidean"})
+"""Types that nearly every node of a geometric model has."""
+
+
+class Navigator:
+    """The texts of *examination*, by their names; offsets count code points.
+
+    All is worked out when it is first asked for, from the documents alone, so that the store of
+    the examination may serve the next one meanwhile. *contexts* are files of contexts, by IRI.
+    """
+
+    def __init__(
+        self, examination: Examination, rulebook: Rulebook, contexts: Mapping[str, Path]
+    ) -> None:
+        self._report, self._documents = examination.report, examination.documents
+        self._options, self._rulebook, self._contexts = examination.options, rulebook, contexts
+        self._model = GraphModel(self._documents, rulebook)
+
+    @cached_property
+    def _index(self) -> Index:
+        return Index(self._documents, self._model.references)
+
+    @cached_property
+    def _texts(self) -> Sequence[SourceText]:
+        return [each for document in self._documents for each in document.sources]
+
+    @cached_property
+    def _surroundings(self) -> Surroundings:
+        return Surroundings(self._documents, self._index.paths)
+
+    @cached_property
+    def _links(self) -> Sequence[Link]:
+        return tuple(links(self._documents, self._options, self._contexts))
+
+    def links(self, name: str) -> Sequence[Link]:
+        """What names files and pages in the text called *name*, each place once."""
+        own = (each for each in self._links if self._is(each.location, name))
+        return tuple({each.location.span: each for each in own}.values())
+
+    @cached_property
+    def _directives(self) -> Sequence[Directive]:
+        return directives(self._documents, Catalogue(self._rulebook.rules))
+
+    def outline(self, name: str) -> Sequence[Symbol]:
+        """The symbols of the text called *name*, as the robots in it hang together."""
+        found = structures(self._model.store, self._documents)
+        descriptions = Descriptions(self._model, Display())
+        return outline(
+            name,
+            found,
+            self._index,
+            lambda node: ", ".join(each for each in descriptions.types(node) if each not in SPACES),
+        )
+
+    def definitions(self, name: str, offset: int) -> Sequence[Location]:
+        """Where what is named at *offset* of the text called *name* is described, best first.
+
+        The name of a file leads to its beginning.
+        """
+        for link in self._links:
+            if link.source is not None and self._covers(link.location, name, offset):
+                return [Location(link.source, Span(0, 0))]
+        entities = [each.entity for each in self._index.at(name, offset)]
+        return [each.location for each in self._index.descriptions(entities)]
+
+    def references(self, name: str, offset: int, *, described: bool) -> Sequence[Location]:
+        """Every place that names what is named there; if *described*, descriptions first."""
+        entities = [each.entity for each in self._index.at(name, offset)]
+        found = self._index.descriptions(entities) if described else []
+        return [each.location for each in (*found, *self._index.mentions(entities))]
+
+    def highlights(self, name: str, offset: int) -> Sequence[Occurrence]:
+        """The places in the same text that name what is named there."""
+        entities = [each.entity for each in self._index.at(name, offset)]
+        index = self._index
+        found = (*index.descriptions(entities), *index.mentions(entities))
+        return [each for each in found if self._is(each.location, name)]
+
+    def hover(self, name: str, offset: int) -> Hover | None:
+        """What to show there: findings and what is ignored before what the model says."""
+        parts, spans = [], []
+        found = self._findings(name, offset)
+        if found:
+            parts.append(on_findings(found))
+            spans.append(min((each.location.span for each in found), key=_length))
+        for directive, span in self._ignoring(name, offset):
+            rules = [self._rulebook.by_code[code] for code in sorted(directive.codes)]
+            parts.append(on_ignore(directive, rules))
+            spans.append(span)
+        named = self._index.at(name, offset)
+        pages = self._pages(named, name, offset)
+        if pages is not None:
+            parts.append(pages.markdown)
+            spans.append(pages.span)
+        return Hover(ACROSS.join(parts), min(spans, key=_length)) if parts else None
+
+    def _pages(self, named: Sequence[Occurrence], name: str, offset: int) -> Hover | None:
+        pages = EntityPages(self._model, self._index, self._locator)
+        if named:
+            return pages.named(named)
+        around = self._surroundings.at(name, offset)
+        if not around:
+            return None
+        path = self._index.paths[name]
+        source = next(each for each in self._texts if self._index.paths[each.name] == path)
+        return pages.around(around, Location(source, around[0].span))
+
+    @cached_property
+    def _locator(self) -> Locator:
+        return Locator(self._documents, self._model.store)
+
+    def _findings(self, name: str, offset: int) -> Sequence[Finding]:
+        every = (*self._report.findings, *self._report.suppressed)
+        return [each for each in every if self._covers(each.location, name, offset)]
+
+    def _ignoring(self, name: str, offset: int) -> Iterator[tuple[Directive, Span]]:
+        for directive in self._directives:
+            place = directive.document.location(directive.span)
+            if self._covers(place, name, offset):
+                yield directive, place.span
+
+    def _covers(self, place: Location, name: str, offset: int) -> bool:
+        return self._is(place, name) and place.span.start <= offset <= place.span.end
+
+    def _is(self, place: Location, name: str) -> bool:
+        """Whether *place* is in the text called *name*."""
+        paths = self._index.paths
+        return place.source.name == name or paths[place.source.name] == paths[name]
+
+
+def _length(span: Span) -> int:
+    return span.end - span.start

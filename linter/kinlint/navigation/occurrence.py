@@ -1,0 +1,32 @@
+"""A place where something is named."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from typing import NamedTuple, TypeAlias
+
+from kinlint.terms import Term
+from kinlint.text import Location
+
+Entity: TypeAlias = Term
+"""What is named: a term of the graph or, for what no graph has, its kind and where it comes from.
+
+Such are the macros, properties and arguments of xacro (`macro:`, `property:`, `argument:`).
+"""
+
+
+class Role(Enum):
+    """What a place does with the entity that it names."""
+
+    DESCRIPTION = auto()
+    """It says what the entity is."""
+    REFERENCE = auto()
+    """It speaks of the entity in saying something of another, or repeats its name."""
+
+
+class Occurrence(NamedTuple):
+    """`entity` is named at `location`."""
+
+    location: Location
+    entity: Entity
+    role: Role

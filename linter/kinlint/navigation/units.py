@@ -1,0 +1,34 @@
+"""Units as people write them: their symbols, and those of what SI has for the same kind."""
+
+from __future__ import annotations
+
+from kinlint.engine.store import Store
+from kinlint.facts.scan import numeric
+from kinlint.terms import Term, iri, literal_value
+from kinlint.vocabulary import QUDT
+
+SYMBOL, MULTIPLIER = iri(f"{QUDT}symbol"), iri(f"{QUDT}conversionMultiplier")
+OFFSET, KIND = iri(f"{QUDT}conversionOffset"), iri(f"{QUDT}hasQuantityKind")
+
+
+def symbol(store: Store, unit: Term) -> str:
+    """The symbol of *unit*; nothing if it has none."""
+    return next(map(literal_value, store.values(unit, SYMBOL)), "")
+
+
+def multiplier(store: Store, unit: Term) -> float | None:
+    """How many of the unit of SI one of *unit* is; None if that is not known."""
+    return next((numeric(each) for each in store.values(unit, MULTIPLIER)), None)
+
+
+def coherent(store: Store, unit: Term) -> str:
+    """The symbol of the unit of SI for what *unit* measures; nothing if there is none for it.
+
+    Angles are in radians, torques in newton metres.
+    """
+    kinds = list(store.values(unit, KIND))
+    alike = (each for kind in kinds for each in store.subjects(KIND, kind))
+    for each in (unit, *sorted(alike)):
+        if multiplier(store, each) == 1 and not any(store.values(each, OFFSET)):
+            return symbol(store, each)
+    return ""

@@ -1,0 +1,197 @@
+"""The server: what it knows of the client, and how features ask what was found."""
+
+from __future__ import annotations
+
+import os
+from asyncio import Future
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TypeVar
+
+from lsprotocol import types
+from pygls.lsp.server import LanguageServer
+
+from kinlint import __version__
+from kinlint.incremental.examiner import Cancelled
+from kinlint.project.layers import cache_directory
+from kinlint.server.buffers import Buffer, Buffers, path_of
+from kinlint.server.diagnostics import Told
+from kinlint.server.examiner import Examiner
+from kinlint.server.library import Library, Outdated, Step
+from kinlint.server.preferences import Preferences
+from kinlint.server.protocol import Protocol
+from kinlint.server.snapshot import Snapshot
+from kinlint.server.view import View
+from kinlint.server.worker import Worker
+
+T = TypeVar("T")
+NAME = "kinlint"
+
+
+class KinlintServer(LanguageServer):
+    """A language server for robot descriptions.
+
+    `told` has what was found in each file, by the models that say so. `listeners` are called with
+    the files of which something else is to be told, and whether nothing more is to come.
+    """
+
+    protocol: Protocol
+
+    def __init__(self) -> None:
+        super().__init__(NAME, __version__, protocol_cls=Protocol)
+        self.buffers = Buffers()
+        self.preferences = Preferences()
+        self.roots: tuple[Path, ...] = ()
+        self.worker = Worker()
+        self.told: dict[Path, dict[frozenset[Path], Told]] = {}
+        self.listeners: list[Callable[[frozenset[Path], bool], None]] = []
+        self.dismissed = False
+        self.watch: Future[None] | None = None
+        self._epoch = 0
+        self._said: set[str] = set()
+        self._examiner: Examiner | None = None
+
+    @property
+    def encoding(self) -> str:
+        """The units in which the client counts columns."""
+        return types.PositionEncodingKind(self.workspace.position_encoding).value
+
+    @property
+    def examiner(self) -> Examiner:
+        """What examines, from the first time that it is asked for."""
+        if self._examiner is None:
+            known = self.client_capabilities.text_document
+            told = known.publish_diagnostics if known else None
+            related = bool(told and told.related_information)
+            library = Library(cache_directory(os.environ), self.encoding, related=related)
+            self._examiner = Examiner(library, self.worker, self._snapshot, self._deliver)
+        return self._examiner
+
+    @property
+    def versioned(self) -> bool:
+        """Whether the client takes edits that are bound to versions."""
+        known = self.client_capabilities.workspace
+        edits = known.workspace_edit if known else None
+        return bool(edits and edits.document_changes)
+
+    @property
+    def resolves(self) -> bool:
+        """Whether the client asks for the edit of a code action once that is chosen."""
+        known = self.client_capabilities.text_document
+        actions = known.code_action if known else None
+        resolve = actions.resolve_support if actions else None
+        return bool(resolve and "edit" in resolve.properties)
+
+    def changed(self, uri: str | None = None, *, disk: bool = False) -> None:
+        """The text *uri* changed, or all may have; *disk* tells that files may have, too."""
+        self._epoch += disk
+        buffer = None if uri is None else self.buffers.get(uri)
+        self.examiner.change(now=disk or not self._postponed(buffer))
+
+    def leave(self, *, asked: bool) -> None:
+        """Examine nothing more; *asked* for it, or because the client is gone."""
+        self.dismissed = self.dismissed or asked
+        if self._examiner is not None:
+            self._examiner.stop()
+
+    def prefer(self, preferences: Preferences) -> None:
+        """Go by *preferences* from now on."""
+        self.preferences = preferences
+        for problem in preferences.problems:
+            self._complain(problem)
+        self.changed(disk=True)
+
+    async def fresh(self, path: Path | None) -> None:
+        """Wait until all is known of the file at *path*, or of all files."""
+        if path is None or not self._postponed(self.buffers.at(path)):
+            await self.examiner.fresh(path)
+
+    def _postponed(self, buffer: Buffer | None) -> bool:
+        """Whether *buffer* is to be examined when it is saved."""
+        return self.preferences.on_save and buffer is not None and not buffer.saved
+
+    async def consult(self, uri: str, ask: Callable[[View], T]) -> T | None:
+        """What *ask* gives for *uri*, or None if that is no model or cannot be read.
+
+        *ask* runs beside the protocol, with the newest text and all that was found in it; it may
+        use the store of the examination.
+        """
+        path = path_of(uri)
+        library = self.examiner.library
+        while True:
+            await self.examiner.fresh(path)
+            buffer = self.buffers.at(path)
+            source = None if buffer is None else buffer.source
+            cancelled = self.examiner.interruption()
+            with suppress(Outdated, Cancelled):
+                job = partial(library.consult, path, source, ask, cancelled)
+                return await self.worker.do(job)
+
+    async def view(self, uri: str) -> View | None:
+        """What `consult` would give a function; its store may not be asked."""
+        return await self.consult(uri, lambda view: view)
+
+    def about(self, path: Path) -> Told:
+        """All that was found in the file at *path*."""
+        all_told = list(self.told.get(path, {}).values())
+        if len(all_told) <= 1:
+            return all_told[0] if all_told else Told()
+        items = {repr(item): item for told in all_told for item in told.items}
+        return replace(all_told[0], items=tuple(items.values()))
+
+    def log(self, message: str, kind: types.MessageType = types.MessageType.Error) -> None:
+        """Write *message* into the log of the client."""
+        self.window_log_message(types.LogMessageParams(kind, message))
+
+    def _complain(self, problem: str) -> None:
+        """Show *problem* to the user, once."""
+        if problem not in self._said:
+            self._said.add(problem)
+            self.window_show_message(types.ShowMessageParams(types.MessageType.Warning, problem))
+
+    def _snapshot(self, wanted: frozenset[Path], everything: bool) -> Snapshot:  # noqa: FBT001
+        return Snapshot(
+            generation=self.examiner.generation,
+            epoch=self._epoch,
+            buffers={each.path: each for each in self.buffers},
+            roots=self.roots,
+            preferences=self.preferences,
+            wanted=wanted,
+            everything=everything,
+        )
+
+    def _deliver(self, step: Step) -> None:
+        """Take over what *step* found."""
+        for fault in step.faults:
+            self.log(fault)
+        for problem in step.problems:
+            self._complain(problem)
+        changed: set[Path] = set()
+        if key := step.key:
+            changed |= self._forget({each for each in self._keys() if each & key})
+            for path, told in step.found.items():
+                self.told.setdefault(path, {})[key] = told
+                changed.add(path)
+        settled = step.done and step.generation == self.examiner.generation
+        if settled:
+            self._said.intersection_update(step.problems)
+            changed |= self._forget(self._keys() - step.models.keys())
+        if changed or settled:
+            for listener in self.listeners:
+                listener(frozenset(changed), settled)
+
+    def _keys(self) -> set[frozenset[Path]]:
+        return {key for each in self.told.values() for key in each}
+
+    def _forget(self, keys: set[frozenset[Path]]) -> set[Path]:
+        """Leave out what was told of the models *keys*; the files concerned."""
+        changed = {path for path, each in self.told.items() if not keys.isdisjoint(each)}
+        for path in changed:
+            kept = self.told[path].items()
+            self.told[path] = {key: told for key, told in kept if key not in keys}
+            if not self.told[path]:
+                del self.told[path]
+        return changed

@@ -1,0 +1,118 @@
+"""The texts that are open in the client, as it has them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from lsprotocol.types import (
+    TextDocumentContentChangePartial,
+    TextDocumentContentChangeWholeDocument,
+)
+
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import shown
+from kinlint.server.measure import MARK, Measure
+from kinlint.text import SourceText
+
+Change = TextDocumentContentChangePartial | TextDocumentContentChangeWholeDocument
+
+
+@dataclass(frozen=True)
+class Buffer:
+    """An open text, never changed: each change makes another.
+
+    `path` is the file, or a path of the same name in the working directory for what is none.
+    `marked` tells that the client has the byte order mark in the text.
+    """
+
+    uri: str
+    path: Path
+    version: int
+    source: SourceText
+    marked: bool = False
+    saved: bool = True
+
+    @classmethod
+    def of(cls, uri: str, version: int, text: str) -> Buffer:
+        """The text that a client opens as *uri*."""
+        path = path_of(uri)
+        return cls(uri, path, version, SourceText(shown(path), "")).written(text, version).kept()
+
+    def written(self, text: str, version: int) -> Buffer:
+        """The same file with another *text*."""
+        marked = text.startswith(MARK)
+        source = replace(self.source, text=text[marked:], bom=marked)
+        return replace(self, version=version, source=source, marked=marked, saved=False)
+
+    def kept(self) -> Buffer:
+        """The same text, now that the file holds it."""
+        return replace(self, saved=True)
+
+    @property
+    def text(self) -> str:
+        """What the client has, byte order mark and all."""
+        return MARK * self.marked + self.source.text
+
+    def changed(self, changes: Iterable[Change], version: int, encoding: str) -> Buffer:
+        """The buffer after *changes*, which are made one after the other."""
+        buffer = self
+        for change in changes:
+            text = change.text
+            if isinstance(change, TextDocumentContentChangePartial):
+                whole = SourceText("", buffer.text) if buffer.marked else buffer.source
+                start, end = Measure(whole, encoding).span(change.range)
+                text = whole.text[:start] + text + whole.text[end:]
+            buffer = buffer.written(text, version)
+        return buffer
+
+
+class Buffers:
+    """The open texts by the URIs of the client, which may spell one path in several ways."""
+
+    def __init__(self) -> None:
+        self._by_path: dict[Path, Buffer] = {}
+
+    def __iter__(self) -> Iterator[Buffer]:
+        return iter(self._by_path.values())
+
+    def put(self, buffer: Buffer) -> None:
+        """Take *buffer* for what its file holds; it comes first from now on."""
+        self._by_path.pop(buffer.path, None)
+        self._by_path = {buffer.path: buffer, **self._by_path}
+
+    def close(self, uri: str) -> None:
+        """The client no longer has *uri*: its file counts."""
+        self._by_path.pop(path_of(uri), None)
+
+    def get(self, uri: str) -> Buffer | None:
+        """What is open as *uri*."""
+        return self._by_path.get(path_of(uri))
+
+    def at(self, path: Path) -> Buffer | None:
+        """What is open of the file at *path*."""
+        return self._by_path.get(path)
+
+    def uri(self, path: Path) -> str:
+        """What the client calls the file at *path*."""
+        open_ = self._by_path.get(path)
+        return uri_of(path) if open_ is None else open_.uri
+
+
+def path_of(uri: str) -> Path:
+    """The file of *uri*; of what is no file, such as a text without a name, one that is not."""
+    parts = urlsplit(uri)
+    path = unquote(parts.path, errors="surrogateescape")
+    if parts.scheme != "file":
+        return absolute(path.strip("/").replace("/", "_") or "untitled")
+    if os.name == "nt":
+        path = path.removeprefix("/") if path[2:3] == ":" else path
+    return absolute(f"//{parts.netloc}{path}" if parts.netloc else path)
+
+
+def uri_of(path: Path) -> str:
+    """The URI of the file at *path*."""
+    return path.as_uri()

@@ -1,0 +1,135 @@
+"""What was found, as diagnostics of the protocol."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from lsprotocol import types
+
+from kinlint.errors import SourceError
+from kinlint.lint import Examination
+from kinlint.model import Finding, Severity
+from kinlint.reporters.sarif.catalogue import web_address
+from kinlint.server.bench import Bench
+from kinlint.server.view import Places
+from kinlint.text import Location, SourceText, Span
+
+SOURCE = "kinlint"
+MOST_RELATED = 20
+"""A finding may speak of thousands of places; nobody looks at more in an editor."""
+SEVERITIES = {
+    Severity.ERROR: types.DiagnosticSeverity.Error,
+    Severity.WARNING: types.DiagnosticSeverity.Warning,
+    Severity.INFO: types.DiagnosticSeverity.Information,
+}
+
+
+@dataclass(frozen=True)
+class Told:
+    """What is told of one file, whose text it is about; `version` is that of the buffer."""
+
+    items: tuple[types.Diagnostic, ...] = ()
+    source: SourceText | None = None
+    version: int | None = None
+
+    @cached_property
+    def result_id(self) -> str:
+        """What is equal exactly for equal diagnostics."""
+        return hashlib.sha256(repr(self.items).encode("utf-8", "surrogatepass")).hexdigest()[:16]
+
+
+def told(bench: Bench, places: Places, *, related: bool) -> Mapping[Path, Told]:
+    """The diagnostics of each file of the model of *bench*, or that it reads along.
+
+    With *related* places, if the client can show them.
+    """
+    texts: dict[Path, SourceText] = {}
+    items: dict[Path, list[types.Diagnostic]] = {}
+    for source in bench.model.sources:
+        texts[places.path(source.name)] = source
+    errors: Sequence[SourceError] = bench.model.errors
+    if (examination := bench.examination) is not None:
+        for document in examination.documents:
+            for source in document.sources:
+                texts.setdefault(places.path(source.name), source)
+        errors = examination.report.errors
+        for finding in examination.report.findings:
+            path = places.path(finding.location.source.name)
+            items.setdefault(path, []).append(
+                diagnostic(finding, examination, places, related=related)
+            )
+    for error in errors:
+        path = places.path(error.name)
+        items.setdefault(path, []).append(unreadable(error, texts.get(path), places))
+    beside = {places.path(source.name) for source in bench.model.beside}
+    return {
+        path: Told(tuple(items.get(path, ())), texts.get(path), _version(places, path))
+        for path in dict.fromkeys((*bench.model.paths.values(), *texts, *items))
+        if path not in beside
+    }
+
+
+def _version(places: Places, path: Path) -> int | None:
+    buffer = places.snapshot.buffers.get(path)
+    return None if buffer is None else buffer.version
+
+
+def diagnostic(
+    finding: Finding, examination: Examination, places: Places, *, related: bool
+) -> types.Diagnostic:
+    """*finding* as the client shows it."""
+    message = finding.message
+    if advice := _advice(finding, examination):
+        message += f"\nhelp: {advice}"
+    return types.Diagnostic(
+        range=places.range(finding.location),
+        message=message,
+        severity=SEVERITIES[finding.severity],
+        code=finding.rule.code,
+        code_description=types.CodeDescription(href=web_address(finding.rule.iri)),
+        source=SOURCE,
+        related_information=list(_related(finding, places)) if related else None,
+        data={"iri": finding.iri, "fingerprint": finding.fingerprint},
+    )
+
+
+def unreadable(error: SourceError, source: SourceText | None, places: Places) -> types.Diagnostic:
+    """The reason that a file cannot be read, where it is known, else at its beginning."""
+    source = source or SourceText(error.name, "")
+    line = min(max(error.line or 1, 1), len(source.line_starts))
+    start = min(source.line_starts[line - 1] + max((error.column or 1) - 1, 0), len(source.text))
+    end = min(start + 1, len(source.text))
+    return types.Diagnostic(
+        range=places.range(Location(source, Span(start, end))),
+        message=error.cause,
+        severity=types.DiagnosticSeverity.Error,
+        source=SOURCE,
+    )
+
+
+def _advice(finding: Finding, examination: Examination) -> str:
+    """What the preferred repair does, if what it is called is known without making it."""
+    for repair in finding.rule.repairs[:1]:
+        title = examination.account.filled(repair.title, finding)
+        return "" if "''" in title else title
+    return ""
+
+
+def _related(finding: Finding, places: Places) -> Iterator[types.DiagnosticRelatedInformation]:
+    """The places that *finding* speaks of, then those of what it rests on, each once."""
+    texts = [(each.location, each.message or finding.message) for each in finding.related]
+    texts += [
+        (each.location, f"because: {each.statement}")
+        for each in finding.because
+        if each.location is not None
+    ]
+    seen = {(finding.location.source.name, finding.location.span)}
+    for place, text in texts:
+        key = place.source.name, place.span
+        if key not in seen and len(seen) <= MOST_RELATED:
+            seen.add(key)
+            yield types.DiagnosticRelatedInformation(places.location(place), text)

@@ -1,0 +1,133 @@
+"""From the first word of the client to the last: what it can do, wants and watches."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+from lsprotocol import types
+
+from kinlint.configuration.file import NAMES
+from kinlint.files.discovery import GLOBBED
+from kinlint.server import publishing, pulling
+from kinlint.server.app import KinlintServer
+from kinlint.server.buffers import path_of
+from kinlint.server.preferences import Preferences
+
+SECTION = "kinlint"
+WATCHED = (
+    *(f"**/{name}" for name in NAMES),
+    "**/*.{" + ",".join(suffix[1:] for suffix in GLOBBED) + "}",
+)
+"""Configuration, and whatever may be a model, a rule or a context."""
+PULSE = 3.0
+"""Every so many seconds the server looks whether the client still is there."""
+
+
+def register(server: KinlintServer) -> None:
+    """Answer to what clients say at the beginning, and of their workspace from then on."""
+
+    @server.feature(types.INITIALIZE)
+    def initialize(params: types.InitializeParams) -> None:
+        _settle(server, _roots(params))
+        server.preferences = Preferences.of(params.initialization_options)
+        known = params.capabilities.text_document
+        (pulling if known and known.diagnostic else publishing).register(server)
+        if params.process_id:
+            server.watch = asyncio.ensure_future(_outlive_nobody(params.process_id))
+
+    @server.feature(types.INITIALIZED)
+    async def initialized(_params: types.InitializedParams) -> None:
+        server.prefer(server.preferences)
+        await _register(server)
+        await _ask(server)
+
+    @server.feature(types.SHUTDOWN)
+    def shutdown(_params: None) -> None:
+        server.leave(asked=True)
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
+    async def configure(params: types.DidChangeConfigurationParams) -> None:
+        if _can_be_asked(server):
+            await _ask(server)
+        else:
+            server.prefer(Preferences.of(params.settings))
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def watched(_params: types.DidChangeWatchedFilesParams) -> None:
+        server.changed(disk=True)
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def folders(_params: types.DidChangeWorkspaceFoldersParams) -> None:
+        server.roots = _paths(folder.uri for folder in server.workspace.folders.values())
+        server.changed(disk=True)
+
+
+def _roots(params: types.InitializeParams) -> tuple[Path, ...]:
+    if params.workspace_folders:
+        return _paths(folder.uri for folder in params.workspace_folders)
+    if params.root_uri:
+        return _paths([params.root_uri])
+    return (Path(params.root_path),) if params.root_path else ()
+
+
+def _paths(uris: Iterable[str]) -> tuple[Path, ...]:
+    return tuple(dict.fromkeys(path_of(uri) for uri in uris if uri.startswith("file:")))
+
+
+def _settle(server: KinlintServer, roots: Sequence[Path]) -> None:
+    """Work in the first of *roots*: files are called as in a run of kinlint there."""
+    server.roots = tuple(roots)
+    for root in roots[:1]:
+        with suppress(OSError):
+            os.chdir(root)
+
+
+async def _register(server: KinlintServer) -> None:
+    """Ask to be told of changes of files, if the client can do that."""
+    known = server.client_capabilities.workspace
+    watching = known.did_change_watched_files if known else None
+    if not watching or not watching.dynamic_registration:
+        return
+    watchers = [types.FileSystemWatcher(glob_pattern=pattern) for pattern in WATCHED]
+    options = types.DidChangeWatchedFilesRegistrationOptions(watchers=watchers)
+    method = types.WORKSPACE_DID_CHANGE_WATCHED_FILES
+    registration = types.Registration(id="kinlint-files", method=method, register_options=options)
+    try:
+        await server.client_register_capability_async(types.RegistrationParams([registration]))
+    except Exception as error:  # noqa: BLE001  whatever the client answers, there is work to do
+        server.log(f"kinlint is not told of changes on disk: {error}", types.MessageType.Warning)
+
+
+def _can_be_asked(server: KinlintServer) -> bool:
+    known = server.client_capabilities.workspace
+    return bool(known and known.configuration)
+
+
+async def _ask(server: KinlintServer) -> None:
+    """Ask for the settings, if the client can tell them; nothing leaves what it said at first."""
+    if not _can_be_asked(server):
+        return
+    item = types.ConfigurationItem(section=SECTION)
+    try:
+        said = await server.workspace_configuration_async(types.ConfigurationParams([item]))
+    except Exception as error:  # noqa: BLE001  whatever the client answers, there is work to do
+        server.log(f"kinlint is not told its settings: {error}", types.MessageType.Warning)
+        return
+    if said and said[0] is not None:
+        server.prefer(Preferences.of(said[0]))
+
+
+async def _outlive_nobody(process: int) -> None:
+    """End when the client, which is *process*, ends."""
+    while os.name != "nt":  # there, the end of standard input has to do
+        await asyncio.sleep(PULSE)
+        try:
+            os.kill(process, 0)
+        except ProcessLookupError:
+            os._exit(1)
+        except OSError:
+            pass

@@ -1,0 +1,41 @@
+"""The navigators of the models that were asked about last."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from kinlint.lint import Examination
+from kinlint.navigation.navigator import Navigator
+from kinlint.server.app import KinlintServer
+from kinlint.server.view import View
+
+T = TypeVar("T")
+MOST = 4
+"""How many are kept."""
+
+
+class Navigators:
+    """Makes the navigator of a view once for each examination. One thread works with it."""
+
+    def __init__(self) -> None:
+        self._kept: list[tuple[Examination, Navigator]] = []
+
+    def of(self, view: View) -> Navigator:
+        """The navigator of the model of *view*."""
+        for examination, navigator in self._kept:
+            if examination is view.examination:
+                return navigator
+        made = Navigator(view.examination, view.rulebook, view.settings.extra_contexts)
+        self._kept = [(view.examination, made), *self._kept[: MOST - 1]]
+        return made
+
+
+async def ask(
+    server: KinlintServer, uri: str, question: Callable[[View, Navigator], T]
+) -> T | None:
+    """What *question* gives for the text *uri*; None if that is part of no model."""
+    return await server.consult(uri, lambda view: question(view, _NAVIGATORS.of(view)))
+
+
+_NAVIGATORS = Navigators()

@@ -1,0 +1,58 @@
+"""Diagnostics that the server sends by itself, to clients that do not ask for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from lsprotocol import types
+
+from kinlint.server.app import KinlintServer
+from kinlint.server.diagnostics import Told
+
+
+def register(server: KinlintServer) -> None:
+    """Send what changed."""
+    server.listeners.append(Publisher(server).publish)
+
+
+@dataclass
+class Publisher:
+    """Tells of all files of the models of which one is open, and takes back what no longer is.
+
+    `sent` is what the client was told last, with the version that it was told for.
+    """
+
+    server: KinlintServer
+    sent: dict[Path, tuple[str, str, int | None]] = field(default_factory=dict)
+
+    def publish(self, changed: frozenset[Path], settled: bool) -> None:  # noqa: FBT001
+        """Send what is new of the files that *changed*.
+
+        Once all is *settled*, also of those that are open, or were told of before.
+        """
+        rest = {*self.sent, *(each.path for each in self.server.buffers)} if settled else ()
+        for path in sorted({*changed, *rest}):
+            self._publish(path)
+
+    def _publish(self, path: Path) -> None:
+        buffers = self.server.buffers
+        uri, buffer, told = buffers.uri(path), buffers.at(path), self._told(path)
+        if buffer is not None and told.source not in (None, buffer.source):
+            return  # There is a newer text, which is being examined.
+        version = None if buffer is None else buffer.version
+        new = uri, told.result_id, version
+        if self.sent.get(path) == new or not (told.items or buffer or path in self.sent):
+            return
+        self.sent[path] = new
+        if not told.items and buffer is None:
+            del self.sent[path]
+        self.server.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(uri, list(told.items), version)
+        )
+
+    def _told(self, path: Path) -> Told:
+        """What is to be told of the file at *path*."""
+        models = self.server.told.get(path, {})
+        open_ = (each.path in key for key in models for each in self.server.buffers)
+        return self.server.about(path) if any(open_) else Told()
