@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import re
+import shutil
 import sys
 from collections import Counter
 
@@ -7,6 +9,7 @@ import pytest
 from benchmarks import fleet, robot
 from benchmarks.checking import Subject, compared, deeply
 from benchmarks.defects import DEFECTS, STEP, expected
+from benchmarks.editing import Editor
 from benchmarks.fleet import Fleet
 from benchmarks.processes import Workplace
 from benchmarks.table import Row, markdown
@@ -156,3 +159,17 @@ def test_a_row_says_its_ratio_and_whether_the_target_is_met(row, met, line):
     """What the README quotes is what was measured."""
     assert row.met is met
     assert [*markdown([row])][-1] == line
+
+
+def test_a_keystroke_in_an_editor_is_answered(tmp_path, rules_cache):
+    """By the server, for the version that it made, and by a process for the same text."""
+    shutil.copytree(rules_cache, tmp_path / "cache")
+    place = Workplace(tmp_path)
+
+    with Editor(place, "leg.urdf", LEG, re.compile("thigh")) as editor:
+        editor.press()
+        assert editor.text == LEG.replace("thigh", "thigh1")
+        editor.lint()
+        assert (tmp_path / "leg.urdf").read_text("utf-8") == editor.text
+        editor.press()
+        assert editor.text == LEG

@@ -11,7 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
+from benchmarks import editing
 from benchmarks.fleet import Fleet
+from benchmarks.keystrokes import Keystrokes
 from benchmarks.processes import Workplace
 from benchmarks.stages import stages
 from benchmarks.table import Row, markdown
@@ -31,7 +33,11 @@ def main(arguments: Sequence[str]) -> int:
         sys.stderr.write(f"measured: {row.ours}\n")
         rows.append(row)
     joints = 70 if options.quick else 700
-    shares = [] if options.fleet else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
+    shares = (
+        []
+        if options.fleet or options.keystrokes
+        else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
+    )
     lines = [*markdown(rows), "", *shares, _made(arguments, catalogue)]
     sys.stdout.writelines(f"{line}\n" for line in lines)
     return int(not all(row.met for row in rows))
@@ -52,6 +58,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--fleet", type=Path, metavar="DIR", help="only the robots below DIR, in one run"
     )
+    parser.add_argument(
+        "--keystrokes", action="store_true", help="only typing, alone and through the server"
+    )
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
@@ -60,10 +69,19 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
         yield from Fleet(options.fleet).rows(options.runs)
         return
+    if options.keystrokes:
+        with tempfile.TemporaryDirectory() as directory:
+            place = Workplace(Path(directory))
+            place.warm()
+            yield from Keystrokes(place).rows(4 * options.runs)
+            yield from editing.rows(place, options.runs)
+        return
     with tempfile.TemporaryDirectory() as directory:
         place = Workplace(Path(directory))
         place.warm()
         yield from place.rows(options.runs, quick=options.quick)
+        yield from Keystrokes(place).rows(4 * options.runs)
+        yield from editing.rows(place, options.runs)
     from benchmarks.checking import compared  # noqa: PLC0415  rdflib weighs on what is timed
 
     for joints in SIZES:

@@ -49,7 +49,9 @@ class Workplace:
         return one, other
 
     def warm(self) -> None:
-        """Fill the caches of byte code and of the compiled catalogue."""
+        """Fill the caches of byte code and of the compiled catalogue; reports are not kept."""
+        (self.directory / "cache").mkdir(exist_ok=True)
+        (self.directory / "cache" / "reports").touch()
         self.run([KINLINT, self.model(7)])
         self.run([PYTHON, "-c", PEERS])
 
@@ -58,7 +60,7 @@ class Workplace:
         done = subprocess.run(
             command,
             cwd=self.directory,
-            env=self._environment(),
+            env=self.environment,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -67,7 +69,8 @@ class Workplace:
         if done.returncode not in (0, 1) or done.stderr:
             raise RuntimeError(f"{' '.join(command)}: {done.stderr}")
 
-    def _environment(self) -> dict[str, str]:
+    @property
+    def environment(self) -> dict[str, str]:
         """This one's, but byte code is kept: peers that pip compiled would have a head start."""
         kept = {
             name: value
