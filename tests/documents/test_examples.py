@@ -1,0 +1,168 @@
+"""What documents show, beside commands, is what happens."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from data import locate_data
+from fenced import ROOT, blocks
+
+from kinlint.catalogue import rulebook
+from kinlint.cli.main import main
+from kinlint.rule_testing import promises
+
+ELSEWHERE = {
+    ("README.md", "yaml"): "tests/ci",
+    ("linter/README.md", "yaml"): "tests/ci",
+    ("linter/README.md", "lua"): "tests/server",
+    ("linter/README.md", "elisp"): "tests/server",
+    ("linter/README.md", "[language-server.kinlint]"): "tests/server",
+    ("linter/README.md", '"files.associations"'): "tests/server",
+}
+"""Where other examples are tried: by their page, and their language or what they contain."""
+HERE = {
+    *(("CONTRIBUTING.md", language) for language in ("turtle", "json", "toml")),
+    *(("linter/README.md", language) for language in ("toml", "json", "xml", "text", "")),
+    ("README.md", ""),
+}
+
+
+def test_every_example_is_tried():
+    """Commands all, by `test_commands`; a new kind of example needs a test."""
+    for block in blocks():
+        claimed = block.language == "sh" or (block.page, block.language) in {*HERE, *ELSEWHERE}
+        assert claimed, f"{block}: no test tries this {block.language or 'text'}"
+
+
+def test_the_readme_opens_with_what_is_found_in_the_tutorial(capsys, monkeypatch):
+    """Each finding that it shows is one of today's, and the count is right."""
+    monkeypatch.chdir(locate_data("comp-rob2b", "modelling-tutorial", "models"))
+    shown = blocks("README.md", language="")[0].text.splitlines()
+
+    code = main([".", "--output-format", "concise", "--isolated"])
+    lines = capsys.readouterr().out.splitlines()
+
+    assert code == 1
+    (found,) = (line for line in lines if line.startswith("Found "))
+    assert found.startswith(shown[-1].removesuffix("."))
+    assert [line for line in shown[:-2] if line not in lines] == []
+
+
+def test_the_readme_installs_and_runs_with_one_command(tmp_path):
+    """On a machine that has Python and a registry of packages."""
+    command = blocks("README.md", language="sh")[0].commands[0]
+    wanted = ("pyproject.toml", "README.md", "LICENSE", "linter", "rules", "shapes", "samples")
+    for name in wanted:
+        copied, source = tmp_path / name, ROOT / name
+        shutil.copytree(source, copied) if source.is_dir() else shutil.copyfile(source, copied)
+
+    line = command.replace("python3", sys.executable, 1)
+    done = subprocess.run(
+        ["bash", "-c", line], cwd=tmp_path, capture_output=True, text=True, timeout=600, check=False
+    )
+
+    if re.search("No matching distribution|NewConnectionError|Read timed out", done.stderr):
+        pytest.skip("no registry of packages can be reached")
+    assert (done.returncode, done.stdout) == (0, "All checks passed!\n"), done.stderr
+
+
+def test_the_rule_that_contributing_walks_through_is_a_rule(tmp_path):
+    """It keeps all the promises that a rule has to keep."""
+    file = tmp_path / "space-in-identifier.ttl"
+    file.write_text(blocks("CONTRIBUTING.md", language="turtle")[0].text, "utf-8")
+    book = rulebook.load([tmp_path])
+
+    assert list(promises.failures(book.by_name["space-in-identifier"], book)) == []
+
+
+def test_the_repair_that_contributing_shows_is_one_of_a_rule():
+    """To the word."""
+    repair = blocks("CONTRIBUTING.md", language="turtle")[1].text
+    rule = (ROOT / "rules/limits/inverted-limit.ttl").read_text("utf-8")
+
+    assert " ".join(repair.split()).removesuffix(" ;") in " ".join(rule.split())
+
+
+@pytest.mark.parametrize(
+    ("language", "name"),
+    [("json", "vector-list.json"), ("turtle", "vector-list.ttl"), ("toml", "kinlint.toml")],
+)
+def test_the_extension_that_contributing_shows_is_that_of_the_sample(language, name):
+    """Each of its three parts."""
+    shown = blocks("CONTRIBUTING.md", language=language)[-1].text
+    kept = (ROOT / "samples/vendor" / name).read_text("utf-8")
+
+    for part in shown.split("\n\n"):
+        assert " ".join(part.split()) in " ".join(kept.split())
+
+
+CONFIGURATIONS = [
+    block for block in blocks("linter/README.md", language="toml") if "tool.kinlint" in block.text
+]
+
+
+@pytest.mark.parametrize("shown", CONFIGURATIONS, ids=str)
+def test_the_configuration_that_the_program_shows_is_accepted(shown, tmp_path, monkeypatch, capsys):
+    """Every key of the example is known, and every value of its kind."""
+    (tmp_path / "pyproject.toml").write_text(shown.text, "utf-8")
+    for folder in ("rules", "shapes", "contexts"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "shapes/gripper.ttl").write_text("")
+    (tmp_path / "contexts/gripper.json").write_text('{"@context": {}}')
+    shutil.copyfile(ROOT / "samples/one-dof/chain.jsonld", tmp_path / "arm.jsonld")
+    monkeypatch.chdir(tmp_path)
+    if "baseline" in shown.text:
+        assert main(["--partial", "arm.jsonld", "--write-baseline"]) == 0
+        capsys.readouterr()
+
+    code = main(["--partial", "arm.jsonld"])
+
+    assert (code, capsys.readouterr().err) == (0, "")
+
+
+def test_an_excuse_is_a_statement_on_the_node(tmp_path, monkeypatch, capsys):
+    """Both that the program shows silence the finding."""
+    shown = next(one for one in blocks("linter/README.md", language="json") if "ignore" in one.text)
+    model = (ROOT / "samples/broken/missing-unit.jsonld").read_text("utf-8")
+    monkeypatch.chdir(tmp_path)
+    excuses = re.findall(r'"kl:ignore": ("\w+"|\{[^}]*\})', shown.text)
+
+    assert len(excuses) == 2
+    for excuse in excuses:
+        assert "UNI001" in excuse
+        excused = re.sub(
+            r'("@id": "[^"]*",)(\s*"@type": \[[^]]*"(?:Position|Vector|Joint)\w*Coordinate)',
+            rf'\1 "kl:ignore": {excuse},\2',
+            model,
+        ).replace('"@context": [', '"@context": [ {"kl": "https://w3id.org/kinlint/ns#"},', 1)
+        (tmp_path / "model.jsonld").write_text(excused, "utf-8")
+        assert main(["model.jsonld", "--select", "UNI001", "--show-suppressed"]) == 0, excused
+        assert "UNI001" in capsys.readouterr().out
+
+
+def test_an_excuse_is_a_comment_in_xml(tmp_path, monkeypatch, capsys):
+    """As the program shows it, above a root link that has an inertia."""
+    (shown,) = blocks("linter/README.md", language="xml")
+    (code,) = re.findall(r"ignore\[(\w+)\]", shown.text)
+    inertia = '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
+    link = f'<link name="base"><inertial><mass value="1"/>{inertia}</inertial></link>'
+    text = '<robot name="arm">\n{}{}\n<link name="tip"/>{}</robot>\n'
+    joint = '<joint name="j" type="fixed"><parent link="base"/><child link="tip"/></joint>'
+    monkeypatch.chdir(tmp_path)
+
+    for comment, expected in (("", 1), (shown.text, 0)):
+        (tmp_path / "arm.urdf").write_text(text.format(comment, link, joint))
+        assert main(["arm.urdf", "--select", code, "--fail-on", "info"]) == expected
+        capsys.readouterr()
+
+
+def test_the_fix_that_the_program_shows_is_what_is_shown(monkeypatch, capsys):
+    """Below its finding, in a sample."""
+    (shown,) = (one for one in blocks("linter/README.md", language="text") if "help: " in one.text)
+    monkeypatch.chdir(ROOT / "samples" / "broken")
+
+    main(["--isolated", "inverted-limit.jsonld"])
+
+    assert shown.text in capsys.readouterr().out
