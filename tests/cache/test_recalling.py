@@ -25,10 +25,18 @@ def _folders():
     return sorted(each.name for each in SAMPLES.iterdir() if each.is_dir())
 
 
+def _copied(folder):
+    """Copy a sample here; of the broken ones, of which there are hundreds, one in ten."""
+    names = sorted(each.name for each in (SAMPLES / "broken").iterdir())
+    models = [name for name in names if not name.endswith(".expected")]
+    unused = {*names} - {*models[::10]} if folder == "broken" else ()
+    shutil.copytree(SAMPLES / folder, folder, ignore=shutil.ignore_patterns(*unused))
+
+
 @pytest.mark.parametrize("folder", _folders())
 def test_every_sample_is_recalled_as_it_is_found(runs, folder):
     """In a form that tells fixes, and in one that does not."""
-    shutil.copytree(SAMPLES / folder, folder)
+    _copied(folder)
     for form in ("json", "concise"):
         fresh = runs.fresh(folder, form=form)
 
@@ -48,7 +56,7 @@ def _changed(data, seed):
 @pytest.mark.parametrize("folder", _folders())
 def test_no_single_byte_goes_unnoticed(runs, folder):
     """Each file of a sample in turn; what is recalled of the others does not suffer."""
-    shutil.copytree(SAMPLES / folder, folder)
+    _copied(folder)
     files = [path for path in sorted(Path(folder).rglob("*")) if path.is_file()]
     runs.said(folder, form="concise")
     for seed, path in enumerate(files[:2]):
