@@ -104,3 +104,9 @@ class Document:
         for each in self.statements:
             found[each[1]].append(each)
         return dict(found)
+
+
+def homes(documents: Sequence[Document]) -> Mapping[str, Document]:
+    """*documents* by the names of their texts; a text of its own counts before a part."""
+    parts = {text.name: each for each in reversed(documents) for text in each.sources}
+    return {**parts, **{each.source.name: each for each in documents}}

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from kinlint.catalogue.applicability import covers
 from kinlint.configuration.settings import Settings
-from kinlint.document import Document
+from kinlint.document import Document, homes
 from kinlint.edits import Delta, Edit, Unsayable, overlap
 from kinlint.fixes.change import change
 from kinlint.fixes.placing import placed
@@ -128,10 +128,7 @@ class Workshop:
 
     @cached_property
     def _homes(self) -> Mapping[str, Document]:
-        """The documents by the names of their texts; a text of its own counts before a part."""
-        documents = self.examination.documents
-        parts = {text.name: each for each in reversed(documents) for text in each.sources}
-        return {**parts, **{each.source.name: each for each in documents}}
+        return homes(self.examination.documents)
 
 
 def _ordered(edits: Iterable[Edit]) -> tuple[Edit, ...]:

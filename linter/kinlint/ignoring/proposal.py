@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from kinlint.configuration.settings import Settings
-from kinlint.document import TREES, Document
+from kinlint.document import TREES, Document, homes
 from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.fixes.reach import Reach
 from kinlint.fixes.texts import Texts
@@ -176,9 +176,7 @@ class Desk:
 
     @cached_property
     def _homes(self) -> Mapping[str, Document]:
-        documents = self.examination.documents
-        parts = {text.name: each for each in reversed(documents) for text in each.sources}
-        return {**parts, **{each.source.name: each for each in documents}}
+        return homes(self.examination.documents)
 
 
 def _joined(edits: Iterable[Edit]) -> tuple[Edit, ...]:
