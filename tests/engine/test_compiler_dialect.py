@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from small_graphs import groups, triples
 
 from kinlint.engine.compiler.dialect import tuned
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.syntax import render
-from kinlint.engine.compiler.tokens import tokens
+from kinlint.sparql.ast import render
+from kinlint.sparql.parser import parse
+from kinlint.sparql.tokens import tokens
 from kinlint.terms import Triple
 
 THIS = frozenset({"?this"})

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinlint.engine.compiler.dialect import tuned
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.syntax import render
-from kinlint.engine.compiler.tokens import tokens
+from kinlint.sparql.ast import render
+from kinlint.sparql.parser import parse
+from kinlint.sparql.tokens import tokens
 
 STORE = ox.Store()
 STORE.update(

@@ -8,11 +8,11 @@ from collections.abc import Iterable, Sequence
 from itertools import count
 
 from kinlint.engine.axioms import Axiom
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.syntax import Triples, walk
-from kinlint.engine.compiler.tokens import is_variable, tokens
 from kinlint.engine.constraint import PLAIN, Constraint
+from kinlint.sparql.ast import Triples, walk
+from kinlint.sparql.parser import parse
+from kinlint.sparql.patterns import patterns
+from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SDF, SRDF, URDF
 

@@ -8,10 +8,10 @@ from typing import TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.compiler.tokens import is_variable
 from kinlint.engine.constraint import PLAIN
 from kinlint.incremental.change import Changes
 from kinlint.incremental.sight import Edge, Path, Sight
+from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF_TYPE, Triple, iri_value, is_iri
 
 Node: TypeAlias = ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple

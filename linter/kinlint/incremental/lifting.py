@@ -11,13 +11,13 @@ from typing import TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.compiler.patterns import literal_token
 from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.change import Changes, quads
 from kinlint.incremental.focus import Focus, TooMany
 from kinlint.incremental.reading import Reading, reading
 from kinlint.incremental.restriction import Restriction, restricted, restriction
+from kinlint.sparql.patterns import literal_token
 from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
 

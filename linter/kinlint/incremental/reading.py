@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from kinlint.engine.compiler.names import SUBCLASS
-from kinlint.engine.compiler.tokens import tokens
 from kinlint.engine.demand import ANY, HEAD, TERM
+from kinlint.sparql.tokens import tokens
 from kinlint.terms import RDF_TYPE, Term
 
 _TYPE = rf"(?:(?<![\w?$:<#\"'])a(?![\w:])|{re.escape(RDF_TYPE)})"

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.syntax import Triples
-from kinlint.engine.compiler.tokens import is_variable, tokens
 from kinlint.incremental.sight import Path, Sight, ways
+from kinlint.sparql.ast import Triples
+from kinlint.sparql.parser import parse
+from kinlint.sparql.patterns import patterns
+from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.terms import Term
 from kinlint.vocabulary import SDF, SRDF, URDF
 

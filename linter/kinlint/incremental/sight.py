@@ -8,10 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.scope import projection
-from kinlint.engine.compiler.syntax import (
+from kinlint.engine.constraint import PLAIN
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Filter,
@@ -20,8 +18,10 @@ from kinlint.engine.compiler.syntax import (
     Triples,
     Union,
 )
-from kinlint.engine.compiler.tokens import is_variable, tokens
-from kinlint.engine.constraint import PLAIN
+from kinlint.sparql.parser import parse
+from kinlint.sparql.patterns import patterns
+from kinlint.sparql.scope import projection
+from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.terms import Term
 
 REQUIRED = frozenset({"LATERAL", "GRAPH"})

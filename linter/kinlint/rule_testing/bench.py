@@ -15,10 +15,7 @@ from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.compiler.graph import ShapesGraph
 from kinlint.engine.compiler.graph import read as read_shapes
 from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.parse import parse
 from kinlint.engine.compiler.prefixes import declared
-from kinlint.engine.compiler.syntax import render
-from kinlint.engine.compiler.tokens import tokens
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
@@ -31,6 +28,9 @@ from kinlint.formats.xml.joining import join, partners
 from kinlint.model import Rule
 from kinlint.references import references
 from kinlint.rule_testing.mutants import mutants
+from kinlint.sparql.ast import render
+from kinlint.sparql.parser import parse
+from kinlint.sparql.tokens import tokens
 from kinlint.terms import literal_value
 from kinlint.text import SourceText, Span
 

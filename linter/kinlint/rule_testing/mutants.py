@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import count
 
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Element,
@@ -18,6 +17,7 @@ from kinlint.engine.compiler.syntax import (
     Union,
     render,
 )
+from kinlint.sparql.patterns import patterns
 from kinlint.vocabulary import SRC
 
 ONE_FILE = ((f"<{SRC}document>",), (f"<{SRC}describedIn>",))

@@ -12,13 +12,13 @@ from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.dialect import tuned
 from kinlint.engine.compiler.forbidden import OPTIONAL, forbidden
 from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.parse import parse
-from kinlint.engine.compiler.patterns import patterns, premises
 from kinlint.engine.compiler.prefixes import declared
 from kinlint.engine.compiler.probe import try_call
-from kinlint.engine.compiler.scope import projection, with_names
-from kinlint.engine.compiler.syntax import Clause, Group, Select, Triples, Union, render, walk
-from kinlint.engine.compiler.tokens import NotSparql, is_variable, tokens
+from kinlint.sparql.ast import Clause, Group, Select, Triples, Union, render, walk
+from kinlint.sparql.parser import parse
+from kinlint.sparql.patterns import patterns, premises
+from kinlint.sparql.scope import projection, with_names
+from kinlint.sparql.tokens import NotSparql, is_variable, tokens
 from kinlint.terms import is_literal, literal_value
 
 if TYPE_CHECKING:

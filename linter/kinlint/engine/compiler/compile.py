@@ -11,12 +11,12 @@ from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.graph import Source, read
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.narrow import implied, narrowed
-from kinlint.engine.compiler.patterns import literal_token
 from kinlint.engine.compiler.probe import try_out
 from kinlint.engine.compiler.shape import Shape, target_shapes
 from kinlint.engine.compiler.target import Target, target
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
+from kinlint.sparql.patterns import literal_token
 
 if TYPE_CHECKING:
     from kinlint.engine.compiler.frame import Frame, Violation

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinlint.engine.compiler.scope import variables, visible
-from kinlint.engine.compiler.syntax import Bind, Clause, Element, Filter, Group, Triples, Union
+from kinlint.sparql.ast import Bind, Clause, Element, Filter, Group, Triples, Union
+from kinlint.sparql.scope import variables, visible
 
 _BLOCK = (Triples, Filter)
 

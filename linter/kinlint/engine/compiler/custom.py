@@ -14,7 +14,7 @@ from kinlint.engine.compiler.literals import constant
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.shape import messages
 from kinlint.engine.compiler.sparql import query_for, rename, said, solutions
-from kinlint.engine.compiler.syntax import Group, Select, Union, render
+from kinlint.sparql.ast import Group, Select, Union, render
 from kinlint.terms import Term, iri_value, is_iri
 
 if TYPE_CHECKING:

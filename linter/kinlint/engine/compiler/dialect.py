@@ -11,10 +11,8 @@ from itertools import count
 
 from kinlint.engine.compiler.correlated import correlated
 from kinlint.engine.compiler.hoist import hoisted
-from kinlint.engine.compiler.patterns import Pattern, patterns
 from kinlint.engine.compiler.reach import reach
-from kinlint.engine.compiler.scope import certain, projection, variables
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Element,
@@ -25,7 +23,9 @@ from kinlint.engine.compiler.syntax import (
     Triples,
     Union,
 )
-from kinlint.engine.compiler.tokens import is_variable
+from kinlint.sparql.patterns import Pattern, patterns
+from kinlint.sparql.scope import certain, projection, variables
+from kinlint.sparql.tokens import is_variable
 
 
 def tuned(select: Select, bound: frozenset[str]) -> Select:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from kinlint.engine.compiler.scope import projection, words
-from kinlint.engine.compiler.syntax import Bind, Clause, Element, Group, Select, Values, walk
+from kinlint.sparql.ast import Bind, Clause, Element, Group, Select, Values, walk
+from kinlint.sparql.scope import projection, words
 
 OPTIONAL = ("?currentShape", "?shapesGraph")
 """Variables that SHACL lets an engine pre-bind, and sub-selects leave out."""

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from itertools import count
 
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.scope import variables, visible
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Clause,
     Filter,
     Group,
@@ -14,6 +12,8 @@ from kinlint.engine.compiler.syntax import (
     Triples,
     Union,
 )
+from kinlint.sparql.patterns import patterns
+from kinlint.sparql.scope import variables, visible
 
 
 def hoisted(group: Group, bound: frozenset[str], names: count[int]) -> Group:

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.frame import THIS
 from kinlint.engine.compiler.names import SUBCLASS, TYPE
-from kinlint.engine.compiler.patterns import patterns
-from kinlint.engine.compiler.scope import variables, words
-from kinlint.engine.compiler.syntax import Bind, Clause, Element, Filter, Group, Select, Triples
+from kinlint.sparql.ast import Bind, Clause, Element, Filter, Group, Select, Triples
+from kinlint.sparql.patterns import patterns
+from kinlint.sparql.scope import variables, words
 
 if TYPE_CHECKING:
     from kinlint.engine.compiler.target import Target

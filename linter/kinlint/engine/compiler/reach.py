@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from itertools import count
 
-from kinlint.engine.compiler.patterns import Pattern, patterns
-from kinlint.engine.compiler.scope import projection, variables, words
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Element,
@@ -17,7 +15,9 @@ from kinlint.engine.compiler.syntax import (
     Triples,
     Union,
 )
-from kinlint.engine.compiler.tokens import is_variable
+from kinlint.sparql.patterns import Pattern, patterns
+from kinlint.sparql.scope import projection, variables, words
+from kinlint.sparql.tokens import is_variable
 
 _PLAIN = (Triples, Bind, Union, Filter)
 

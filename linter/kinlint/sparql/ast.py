@@ -1,7 +1,7 @@
-"""The structure of a SPARQL query: its groups, patterns, filters and sub-selects.
+"""The abstract syntax tree of SPARQL: groups, patterns, filters and sub-selects.
 
 Only structure is read. Expressions stay tokens, with the groups of EXISTS among them, so what
-is not rewritten is written back as it stood. rdflib vouches for the grammar beforehand.
+is not rewritten is written back as it stood.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Reads tokens into the structure of `kinlint.engine.compiler.syntax`."""
+"""Reads tokens into the tree of `kinlint.sparql.ast`."""
 
 from __future__ import annotations
 
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Element,
@@ -14,7 +14,7 @@ from kinlint.engine.compiler.syntax import (
     Union,
     Values,
 )
-from kinlint.engine.compiler.tokens import NotSparql
+from kinlint.sparql.tokens import NotSparql
 
 _CLAUSES = {"OPTIONAL", "MINUS", "GRAPH", "SERVICE", "LATERAL"}
 _STARTS = {*_CLAUSES, "FILTER", "BIND", "VALUES", "{", "}"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import accumulate, count
 from typing import NamedTuple
 
-from kinlint.engine.compiler.tokens import NotSparql, is_variable
+from kinlint.sparql.tokens import NotSparql, is_variable
 from kinlint.terms import RDF, RDF_TYPE, XSD, Triple
 
 _FIRST, _REST, _NIL = f"<{RDF}first>", f"<{RDF}rest>", f"<{RDF}nil>"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kinlint.engine.compiler.syntax import (
+from kinlint.sparql.ast import (
     Bind,
     Clause,
     Element,
@@ -17,7 +17,7 @@ from kinlint.engine.compiler.syntax import (
     Union,
     Values,
 )
-from kinlint.engine.compiler.tokens import is_variable
+from kinlint.sparql.tokens import is_variable
 
 
 def words(part: Group | Element | Expression) -> list[str]:
