@@ -71,11 +71,30 @@ class Select:
     tail: Expression
 
 
+@dataclass(frozen=True)
+class Construct:
+    """`CONSTRUCT { template } WHERE { … }`; `tail` are its modifiers."""
+
+    template: Triples
+    group: Group
+    tail: Expression
+
+
+@dataclass(frozen=True)
+class Update:
+    """`DELETE { removed } INSERT { added } WHERE { … }`: SPARQL 1.1 Update, section 3.1.3."""
+
+    removed: Triples
+    added: Triples
+    group: Group
+
+
 Expression: TypeAlias = tuple["str | Group", ...]
 Element: TypeAlias = Triples | Filter | Bind | Union | Clause | Values | Select
+Query: TypeAlias = Select | Construct | Update
 
 
-def render(part: Group | Element | Expression | str) -> str:
+def render(part: Group | Element | Expression | Query | str) -> str:
     """*part* as SPARQL."""
     match part:
         case str():
@@ -94,9 +113,22 @@ def render(part: Group | Element | Expression | str) -> str:
             text = " UNION ".join(render(branch) for branch in branches)
         case Clause(head, group):
             text = f"{' '.join(head)} {render(group)}"
-        case Select(head, group, tail):
-            text = f"{render(head)} WHERE {render(group)} {render(tail)}".rstrip()
+        case _:
+            text = _query(part)
     return text
+
+
+def _query(part: Query) -> str:
+    match part:
+        case Select(head, group, tail):
+            text = f"{render(head)} WHERE {render(group)} {render(tail)}"
+        case Construct(template, group, tail):
+            text = f"CONSTRUCT {{ {render(template)} }} WHERE {render(group)} {render(tail)}"
+        case Update(removed, added, group):
+            changes = (("DELETE", removed), ("INSERT", added))
+            verbs = [f"{verb} {{ {render(each)} }}" for verb, each in changes if each.tokens]
+            text = f"{' '.join(verbs)} WHERE {render(group)}"
+    return text.rstrip()
 
 
 def _spaced(part: str | Group) -> str:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TypeVar
+
 from kinlint.sparql.ast import (
     Bind,
     Clause,
+    Construct,
     Element,
     Expression,
     Filter,
@@ -12,9 +16,10 @@ from kinlint.sparql.ast import (
     Select,
     Triples,
     Union,
+    Update,
     Values,
 )
-from kinlint.sparql.tokens import NotSparql
+from kinlint.sparql.tokens import NotSparql, split, written_out
 
 _CLAUSES = {"OPTIONAL", "MINUS", "GRAPH", "SERVICE", "LATERAL"}
 _STARTS = {*_CLAUSES, "FILTER", "BIND", "VALUES", "{", "}"}
@@ -22,12 +27,31 @@ _ENDS = {"GROUP", "HAVING", "ORDER", "LIMIT", "OFFSET", "VALUES"}
 
 
 def parse(tokens: tuple[str, ...]) -> Select:
-    """The SELECT or ASK query that *tokens* spell, its prologue removed."""
+    """Return the SELECT or ASK query that *tokens* spell, its prologue removed."""
     reader = _Reader(tokens)
-    select = reader.select()
-    if reader.at < len(tokens):
-        raise NotSparql(f"'{tokens[reader.at]}' stands after the end of the query")
-    return select
+    return reader.whole(reader.select())
+
+
+def parse_construct(text: str, prefixes: Mapping[str, str] | None = None) -> Construct:
+    """Return the CONSTRUCT query *text*, in full IRIs.
+
+    Prefixes that its prologue declares come before *prefixes*. Raises `NotSparql`.
+    """
+    reader = _Reader(written_out(split(text), prefixes or {}))
+    return reader.whole(reader.construct())
+
+
+def parse_update(text: str, prefixes: Mapping[str, str] | None = None) -> Update:
+    """Return the one `DELETE … INSERT … WHERE …` that *text* is, in full IRIs.
+
+    Either of DELETE and INSERT may be missing. Prefixes that its prologue declares come before
+    *prefixes*. Raises `NotSparql`, also for the other forms of updates.
+    """
+    reader = _Reader(written_out(split(text), prefixes or {}))
+    return reader.whole(reader.update())
+
+
+T = TypeVar("T")
 
 
 class _Reader:
@@ -35,16 +59,53 @@ class _Reader:
         self.tokens = tokens
         self.at = 0
 
+    def whole(self, part: T) -> T:
+        """Return *part*, if nothing but a semicolon is left after it."""
+        while self.at < len(self.tokens) and self.next == ";":
+            self.take()
+        if self.at < len(self.tokens):
+            raise NotSparql(f"'{self.next}' stands after the end of the query", self.at)
+        return part
+
+    def construct(self) -> Construct:
+        self.take("CONSTRUCT")
+        template = self.template()
+        if self.next.upper() == "WHERE":
+            self.take()
+        return Construct(template, self.group(), self.tail())
+
+    def update(self) -> Update:
+        changes = dict.fromkeys(("DELETE", "INSERT"), Triples(()))
+        verb = self.take("DELETE", "INSERT").upper()
+        changes[verb] = self.template()
+        if verb == "DELETE" and self.next.upper() == "INSERT":
+            self.take()
+            changes["INSERT"] = self.template()
+        self.take("WHERE")
+        return Update(changes["DELETE"], changes["INSERT"], self.group())
+
+    def template(self) -> Triples:
+        """Return the triples between braces, in which no group may stand."""
+        self.take("{")
+        start = self.at
+        while self.next != "}":
+            if self.take().upper() in _STARTS:
+                self.at -= 1
+                raise NotSparql(f"'{self.next}' stands in a template", self.at)
+        found = Triples(self.tokens[start : self.at])
+        self.take("}")
+        return found
+
     @property
     def next(self) -> str:
         if self.at >= len(self.tokens):
-            raise NotSparql("the query ends too early")
+            raise NotSparql("the query ends too early", self.at)
         return self.tokens[self.at]
 
     def take(self, *wanted: str) -> str:
         token = self.next
         if wanted and token.upper() not in wanted:
-            raise NotSparql(f"'{token}' stands where {' or '.join(wanted)} is due")
+            raise NotSparql(f"'{token}' stands where {' or '.join(wanted)} is due", self.at)
         self.at += 1
         return token
 
@@ -54,11 +115,14 @@ class _Reader:
             head.append(self.piece())
         if self.next.upper() == "WHERE":
             self.take()
-        group = self.group()
+        return Select(tuple(head), self.group(), self.tail())
+
+    def tail(self) -> Expression:
+        """Return the solution modifiers, and the VALUES clause, after a group."""
         tail: list[str | Group] = []
         while self.at < len(self.tokens) and self.next != "}":
             tail.append(self.piece() if self.next != "{" else self.block())
-        return Select(tuple(head), group, tuple(tail))
+        return tuple(tail)
 
     def block(self) -> str:
         """The braces of a VALUES clause, which hold no structure."""

@@ -6,7 +6,7 @@ from itertools import accumulate, count
 from typing import NamedTuple
 
 from kinlint.sparql.tokens import NotSparql, is_variable
-from kinlint.terms import RDF, RDF_TYPE, XSD, Triple
+from kinlint.terms import RDF, RDF_TYPE, XSD, Term, Triple, literal, literal_value
 
 _FIRST, _REST, _NIL = f"<{RDF}first>", f"<{RDF}rest>", f"<{RDF}nil>"
 _MODIFIERS = ("*", "+", "?")
@@ -48,6 +48,23 @@ def patterns(tokens: tuple[str, ...], names: count[int]) -> list[Pattern]:
     return [step for found in reader.found for step in _steps(found, names)]
 
 
+def template(tokens: tuple[str, ...], *, lists: bool = False) -> list[Triple]:
+    """Return the triples of a CONSTRUCT, INSERT or DELETE template, in the order of the text.
+
+    Terms are N-Triples tokens, variables with `?`, blank nodes without a label numbered `_:0`,
+    `_:1`, …; what is said of one comes after what leads to it. With *lists*, an object in
+    parentheses is one term, `( ?x ?y )`; without, it is spelled out as rdf:first and rdf:rest.
+    """
+    reader = _Template(tokens, count())
+    reader.lists = lists
+    while reader.at < len(tokens):
+        if not reader.skip("."):
+            reader.subject()
+    if path := next((path for _, path, _ in reader.found if len(path) > 1), None):
+        raise NotSparql(f"'{' '.join(path)}' is a path, which a template cannot have")
+    return [(s, RDF_TYPE if p == "a" else p, o) for s, (p,), o in reader.found]
+
+
 def literal_token(term: str) -> str:
     """A term of SPARQL as an N-Triples token: numbers and booleans written out."""
     if term in ("true", "false"):
@@ -56,6 +73,17 @@ def literal_token(term: str) -> str:
         return term
     kind = "double" if "e" in term.lower() else "decimal" if "." in term else "integer"
     return f'"{term}"^^<{XSD}{kind}>'
+
+
+def normalised(term: str) -> Term:
+    """Return a term of SPARQL as an N-Triples token: numbers, booleans and strings as there."""
+    if term[0] not in "\"'":
+        return literal_token(term)
+    quotes = term[:3] if term[:3] in ('"""', "'''") else term[0]
+    end = term.rindex(quotes)
+    tail = term[end + len(quotes) :]
+    value = literal_value(f'"{term[len(quotes) : end]}"')
+    return literal(value, tail[3:-1], "") if tail.startswith("^^") else literal(value, "", tail[1:])
 
 
 def premises(found: list[Pattern]) -> tuple[Triple, ...]:
@@ -143,11 +171,14 @@ class _Reader:
         while self.next not in ("", ".", "]"):
             path = self.path()
             while True:
-                self.found.append(Pattern(subject, path, self.node()))
+                self.state(subject, path)
                 if not self.skip(","):
                     break
             while self.skip(";"):
                 pass
+
+    def state(self, subject: str, path: tuple[str, ...]) -> None:
+        self.found.append(Pattern(subject, path, self.node()))
 
     def path(self) -> tuple[str, ...]:
         start = self.at
@@ -199,3 +230,30 @@ class _Reader:
         for cell, member, rest in zip(cells, members, [*cells[1:], _NIL], strict=True):
             self.found += [Pattern(cell, (_FIRST,), member), Pattern(cell, (_REST,), rest)]
         return cells[0]
+
+
+class _Template(_Reader):
+    """Reads a template, in which blank nodes are no variables and literals are values."""
+
+    lists = False
+
+    def state(self, subject: str, path: tuple[str, ...]) -> None:
+        at = len(self.found)
+        self.found.insert(at, Pattern(subject, path, self.node()))
+
+    def fresh(self) -> str:
+        return f"_:{next(self.names)}"
+
+    def node(self) -> str:
+        if self.next.startswith("_:"):
+            return self.take()
+        return normalised(super().node())
+
+    def collection(self) -> str:
+        if not self.lists:
+            return super().collection()
+        members: list[str] = []
+        while self.next != ")":
+            members.append(self.node())
+        self.take()
+        return f"( {' '.join(members)} )"

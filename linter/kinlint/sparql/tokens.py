@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 from urllib.parse import urljoin
 
 _LEXICON = re.compile(
@@ -28,30 +29,66 @@ _ESCAPED = re.compile(r"\\(.)")
 
 
 class NotSparql(Exception):
-    """The text breaks the grammar; the message says where."""
+    """A text breaks the grammar of SPARQL.
+
+    `at` is the number of the token that does not fit, counted after the prologue; None where the
+    message tells the place.
+    """
+
+    def __init__(self, cause: str, at: int | None = None) -> None:
+        super().__init__(cause)
+        self.at = at
+
+
+class Token(NamedTuple):
+    """A token as it stands in a text, from the offset `start` on, and its kind."""
+
+    kind: str
+    text: str
+    start: int
 
 
 def tokens(text: str, prefixes: Mapping[str, str]) -> tuple[str, ...]:
-    """The tokens of *text* after its prologue, joined by spaces the same query.
+    """Return the tokens of *text* after its prologue, joined by spaces the same query.
 
     Prefixed names and relative IRIs come as full IRIs, variables with `?`, keywords as written.
-    Prefixes that the text declares come before *prefixes*.
+    Prefixes that the text declares come before *prefixes*. Raises `NotSparql`.
     """
-    found = list(_split(text))
-    known, base = dict(prefixes), ""
-    at = 0
-    while at < len(found) and found[at][1].upper() in ("PREFIX", "BASE"):
-        if found[at][1].upper() == "BASE":
-            base = urljoin(base, found[at + 1][1][1:-1])
+    return written_out(split(text), prefixes)
+
+
+def written_out(found: Sequence[Token], prefixes: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the tokens *found* after their prologue, with names in full, as `tokens` does."""
+    body, known, base = _prologue(found)
+    known = {**prefixes, **known}
+    return tuple(_full(each, known, base, at) for at, each in enumerate(found[body:]))
+
+
+def prologue(text: str) -> dict[str, str]:
+    """Return the namespaces of the prefixes that *text* declares. Raises `NotSparql`."""
+    return _prologue(split(text))[1]
+
+
+def _prologue(found: Sequence[Token]) -> tuple[int, dict[str, str], str]:
+    """Return where the prologue of *found* ends, the namespaces by prefix, and the base."""
+    known: dict[str, str] = {}
+    base, at = "", 0
+    while at < len(found) and (word := found[at].text.upper()) in ("PREFIX", "BASE"):
+        kinds = [each.kind for each in found[at + 1 : at + 3]]
+        if word == "BASE" and kinds[:1] == ["iri"]:
+            base = urljoin(base, found[at + 1].text[1:-1])
             at += 2
-        else:
-            known[found[at + 1][1][:-1]] = urljoin(base, found[at + 2][1][1:-1])
+        elif word == "PREFIX" and kinds == ["name", "iri"] and found[at + 1].text[-1] == ":":
+            known[found[at + 1].text[:-1]] = urljoin(base, found[at + 2].text[1:-1])
             at += 3
-    return tuple(_full(kind, token, known, base) for kind, token in found[at:])
+        else:
+            raise NotSparql(f"{word} wants {'an' if word == 'BASE' else 'a name and an'} IRI", 0)
+    return at, known, base
 
 
-def _split(text: str) -> list[tuple[str, str]]:
-    found: list[tuple[str, str]] = []
+def split(text: str) -> list[Token]:
+    """Return the tokens of *text* as they are written, the prologue too. Raises `NotSparql`."""
+    found: list[Token] = []
     at = 0
     while at < len(text):
         match = _LEXICON.match(text, at)
@@ -59,12 +96,20 @@ def _split(text: str) -> list[tuple[str, str]]:
             line = text.count("\n", 0, at) + 1
             raise NotSparql(f"line {line}: {text[at : at + 20]!r} is not SPARQL")
         if (kind := str(match.lastgroup)) != "space":
-            found.append((kind, match.group()))
+            found.append(Token(kind, match.group(), at))
         at = match.end()
     return found
 
 
-def _full(kind: str, token: str, known: Mapping[str, str], base: str) -> str:
+def offset(text: str, at: int) -> int:
+    """Return where in *text* the token lies that has the number *at* after the prologue."""
+    found = split(text)
+    at += _prologue(found)[0]
+    return found[at].start if at < len(found) else len(text.rstrip())
+
+
+def _full(found: Token, known: Mapping[str, str], base: str, at: int) -> str:
+    kind, token, _ = found
     if kind == "variable":
         return "?" + token[1:]
     if kind == "iri":
@@ -73,7 +118,7 @@ def _full(kind: str, token: str, known: Mapping[str, str], base: str) -> str:
         return token
     prefix, _, local = token.partition(":")
     if prefix not in known:
-        raise NotSparql(f"the prefix '{prefix}:' is not declared")
+        raise NotSparql(f"the prefix '{prefix}:' is not declared", at)
     return f"<{known[prefix]}{_ESCAPED.sub(lambda m: m[1], local)}>"
 
 
