@@ -12,25 +12,19 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from kinlint.catalogue import rulebook
 from kinlint.engine.compiler import author
 
 COMPILED = "KINLINT_TESTS_CATALOGUE"
 
-TOGETHER = {
-    "tests/ci/test_pre_commit.py": "an environment of pre-commit",
-    "tests/facts/test_because.py": "faults",
-    "tests/fixes/test_real_fixes.py": "fixes for public robots",
-    "tests/lifting/test_pinocchio.py": "Pinocchio",
-    "tests/messages/test_messages.py": "messages",
-    "tests/test_real_models.py": "published models",
-    "tests/test_real_robots.py": "public robots",
-    "tests/test_rulebook.py": "rulebook",
-    "tests/test_sdf_verdicts.py": "public robots",
-    "tests/test_vendor.py": "vendor",
-}
-"""Files whose tests share what takes long to compute, with what that is."""
+# How long an example takes says nothing on a machine with other work. CI draws the same examples
+# each time; `--hypothesis-profile thorough` draws ten times as many, for a change that is risky.
+settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("ci", settings.get_profile("default"), derandomize=True)
+settings.register_profile("thorough", settings.get_profile("default"), max_examples=1_000)
+settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 
 def pytest_configure(config):
@@ -49,16 +43,12 @@ def pytest_configure(config):
     rulebook.SHIPPED = here
 
 
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config, log):
-    """Tests that share something long run in one process, and first; the others wherever."""
-    from xdist.scheduler import LoadScopeScheduling  # noqa: PLC0415
-
-    class Shared(LoadScopeScheduling):
-        def _split_scope(self, nodeid):
-            return TOGETHER.get(nodeid.partition("::")[0], nodeid)
-
-    return Shared(config, log)
+def pytest_terminal_summary(terminalreporter, config):
+    """Tell how to run what the tiers left out, where that is all there is."""
+    if config.option.collectonly:
+        return
+    if terminalreporter.stats.keys() - {""} == {"deselected"}:
+        terminalreporter.write_line("All of these tests are of the slower tiers: add -m ''.")
 
 
 def _remembered(file):

@@ -22,6 +22,8 @@ from kinlint.engine.reference import recording
 from kinlint.report import Report
 from kinlint.text import SourceText
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def catalogue() -> Rulebook:

@@ -13,6 +13,8 @@ from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.model import Severity
 
+pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("published models")]
+
 KEPT = Path(__file__).with_name("real_models.md")
 KINOVA = "kinova/gen3/7dof"
 

@@ -9,11 +9,14 @@ import csv
 from collections import Counter, defaultdict
 from pathlib import Path
 
+import pytest
 from data import locate_data
 from real_robots import files, findings, is_robot, page, short, warnings, with_error
 
 from kinlint.model import Severity
 from kinlint.resources import data
+
+pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("public robots")]
 
 TABLE = Path(__file__).with_name("urdf_verdicts.tsv")
 

@@ -12,6 +12,8 @@ from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.formats.registry import decode
 
+pytestmark = pytest.mark.xdist_group("rulebook")
+
 RULE = Path(__file__).parents[1] / "rules/units/missing-unit.ttl"
 
 SHAPE = """

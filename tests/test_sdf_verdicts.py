@@ -15,6 +15,8 @@ import pytest
 from data import locate_data
 from real_robots import report
 
+pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("public robots")]
+
 TABLE = Path(__file__).with_name("sdf_verdicts.tsv")
 WRONG = ("bad_", "invalid", "duplicate_sibling", "missing", "without", "_error", "noname")
 """What the names of broken files have in them."""

@@ -11,11 +11,11 @@ import pytest
 
 from kinlint.cli.main import main
 
-pytestmark = pytest.mark.usefixtures("rules_cache")
+pytestmark = [pytest.mark.xdist_group("vendor"), pytest.mark.usefixtures("rules_cache")]
 ROOT = Path(__file__).parents[1]
 SAMPLE = ROOT / "samples" / "vendor"
 FENCE = re.compile(r"^( *)```(\w+)\n(.*?)^\1```", re.DOTALL | re.MULTILINE)
-ENGINES = ("oxigraph", "pyshacl")
+ENGINES = ("oxigraph", pytest.param("pyshacl", marks=pytest.mark.oracle))
 
 FAULTS = [
     ("[ 0.0, 0.0, 0.42 ]", "[ 0.0, 0.42 ]", {"SHACL001"}),

@@ -10,6 +10,8 @@ from workflow import ACTION, ROOT
 
 from kinlint import __version__
 
+pytestmark = pytest.mark.external
+
 NAME = "a robot, [1]; 100%.urdf"
 
 

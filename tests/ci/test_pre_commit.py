@@ -81,6 +81,11 @@ def commit(directory):
     assert done.returncode == 0, done.stdout
 
 
+def installs(test):
+    """Mark a test that has pre-commit install the hooks: one environment for all of them."""
+    return pytest.mark.external(pytest.mark.xdist_group("environment of pre-commit")(test))
+
+
 @pytest.fixture(scope="module")
 def repository(tmp_path_factory):
     """A repository with what is in the working tree, but for what git ignores."""
@@ -135,6 +140,7 @@ def hook(repository, store, project):
     return run
 
 
+@installs
 def test_try_repo(repository, project, tmp_path):
     """All hooks at once: each finds the bad robot, none the good one."""
     (project / "bad arm.urdf").write_text(BAD, "utf-8")
@@ -147,6 +153,7 @@ def test_try_repo(repository, project, tmp_path):
     assert done.stdout.count("Failed") == len(HOOKS)
 
 
+@installs
 def test_a_good_project_passes(hook):
     """Also where JSON is no robot."""
     for name in ("kinlint", "kinlint-project"):
@@ -154,6 +161,7 @@ def test_a_good_project_passes(hook):
         assert (code, "Passed" in told) == (0, True), told
 
 
+@installs
 def test_an_exclude_holds(hook, project):
     """Although pre-commit names the file."""
     (project / "bad.urdf").write_text(BAD, "utf-8")
@@ -164,6 +172,7 @@ def test_an_exclude_holds(hook, project):
         assert code == 0, told
 
 
+@installs
 def test_a_fix_fails_the_run_once(hook, project):
     """As pre-commit wants it of a hook that changes files."""
     (project / "arm.urdf").write_text(AXIS, "utf-8")
@@ -175,6 +184,7 @@ def test_a_fix_fails_the_run_once(hook, project):
     assert code == 0, told
 
 
+@installs
 def test_thousands_of_files_give_the_findings_of_one_run(hook, project, monkeypatch, capsys):
     """pre-commit splits them; what lies in one is told once, and as if all were named."""
     folder = project / "a folder with a name that is long enough for command lines to be split"

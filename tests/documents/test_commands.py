@@ -10,6 +10,8 @@ from fenced import blocks, mentioned
 from kinlint.cli.commands import COMMANDS
 from kinlint.cli.options import parser
 
+pytestmark = pytest.mark.slow
+
 SHELL = blocks(language="sh")
 SHOWN = [block for block in blocks(language="text") if block.before in SHELL]
 ELSEWHERE = {"python3", "python", "pip", "pytest", "pyshacl"}

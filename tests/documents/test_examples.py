@@ -13,6 +13,8 @@ from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
 from kinlint.rule_testing import promises
 
+pytestmark = pytest.mark.slow
+
 ELSEWHERE = {
     ("README.md", "yaml"): "tests/ci",
     ("linter/README.md", "yaml"): "tests/ci",

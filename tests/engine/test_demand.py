@@ -30,6 +30,8 @@ from kinlint.references import references
 from kinlint.rule_testing import promises
 from kinlint.terms import RDF_TYPE, Term
 
+pytestmark = pytest.mark.slow
+
 BOOK = rulebook.load()
 OPTIONS = ReadOptions.of(Settings())
 JUDGED = {each.owner for each in BOOK.constraints}

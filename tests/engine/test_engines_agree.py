@@ -28,6 +28,8 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read as read_any
 from kinlint.text import SourceText
 
+pytestmark = pytest.mark.oracle
+
 CHECKOUT = Path(__file__).parents[2]
 SHAPES = resources.data("shapes")
 ONTOLOGY = sorted((SHAPES / "ontology").glob("*.ttl"))

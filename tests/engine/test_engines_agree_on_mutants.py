@@ -23,6 +23,8 @@ from kinlint.findings.account import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 
+pytestmark = pytest.mark.oracle
+
 TRIES = 8
 RULES = {file.stem: file for file in sorted(resources.data("rules").rglob("*.ttl"))}
 

@@ -23,6 +23,8 @@ from kinlint.terms import Triple
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS, OWL
 
+pytestmark = pytest.mark.oracle
+
 CHECKOUT = Path(__file__).parents[2]
 ONTOLOGY = sorted((resources.data("shapes") / "ontology").glob("*.ttl"))
 BOOK = rulebook.load()

@@ -14,6 +14,8 @@ from kinlint.lint import run
 from kinlint.model import Premise
 from kinlint.text import SourceText
 
+pytestmark = pytest.mark.xdist_group("faults")
+
 RULE = """
 @prefix kl:   <https://w3id.org/kinlint/ns#> .
 @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .

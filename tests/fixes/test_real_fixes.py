@@ -18,6 +18,8 @@ from kinlint.formats.decoding import decode, encode
 from kinlint.resources import data
 from kinlint.text import SourceText, Span
 
+pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("fixes for public robots")]
+
 SAMPLE = {"jsonld": 1, "urdf": 2, "xacro": 1, "srdf": 1, "sdf": 2}
 """How many shares of each format are tried here. `python tests/real_fixes.py` tries them all."""
 

@@ -16,6 +16,8 @@ from robot import ZERO, Inertia, Motion, Robot
 from kinlint.errors import SourceError
 from kinlint.facts.linear import scale
 
+pytestmark = [pytest.mark.oracle, pytest.mark.xdist_group("Pinocchio")]
+
 TOLERANCE = 1e-9
 CONFIGURATIONS = 3
 FEWEST = 250

@@ -17,6 +17,8 @@ from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.formats.registry import decode
 from kinlint.formats.xml.recognition import sniff
 
+pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("messages")]
+
 TABLES = sorted(Path(__file__).parent.glob("*.tsv"))
 COLUMNS = ["message", "rule", "example", "reason"]
 NONE = "-"
