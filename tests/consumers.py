@@ -19,7 +19,7 @@ from xml.etree import ElementTree as ET
 
 from pinocchio_robots import ROOT, configuration, silence
 
-from kinlint.contexts.library import Contexts
+from kinlint.contexts.context_library import Contexts
 from kinlint.files.packages import Packages
 
 CONFIGURATIONS = 2

@@ -6,9 +6,9 @@ import pytest
 
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.display import LONGEST, Display
 from kinlint.lint import run
 from kinlint.model import Finding
+from kinlint.term_format import LONGEST, Display
 from kinlint.terms import XSD, iri, literal
 from kinlint.text import SourceText
 

@@ -17,7 +17,7 @@ from kinlint.findings.grouping import grouped
 from kinlint.formats.registry import decode
 from kinlint.report import Report
 from kinlint.reporters.full import render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 RULE = """
     @prefix kl:   <https://w3id.org/kinlint/ns#> .

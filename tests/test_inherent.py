@@ -7,9 +7,9 @@ import pytest
 
 from kinlint import resources
 from kinlint.cli.main import main
+from kinlint.format_profile import lines, profile
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.inherent import lines, profile
 from kinlint.vocabulary import ATTRIBUTE, FMT
 
 ARM = """

@@ -13,8 +13,8 @@ import pytest
 from kinlint import lint, resources
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.contexts.declarations import PATH
-from kinlint.contexts.library import RELEASES, Contexts
 from kinlint.formats.jsonld.reader import read
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from kinlint.catalogue import rulebook
-from kinlint.inherent import profile
+from kinlint.format_profile import profile
 from kinlint.reporters.symptoms import FORMATS, SYMPTOMS, symptom_table
 
 RULES = rulebook.load().rules

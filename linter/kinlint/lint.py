@@ -9,29 +9,29 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kinlint.catalogue.applicability import applies, axioms_for, demand, possible
-from kinlint.catalogue.inquiry import Inquiry
+from kinlint.catalogue.rule_selection import Inquiry
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import TREES, Document
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.demand import behind, made
+from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
+from kinlint.engine.required_terms import behind, made
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.facts.compute import facts, hints
-from kinlint.findings.account import Account
+from kinlint.findings.finding_builder import Account
 from kinlint.findings.grouping import grouped
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.missing_files import STATED, references
 from kinlint.model import Finding
 from kinlint.phases import Phases
-from kinlint.references import STATED, references
 from kinlint.report import Report
 from kinlint.structure import Structure
-from kinlint.suppression import silence
+from kinlint.suppression import suppress
 from kinlint.terms import RDF_TYPE, Term
 from kinlint.text import SourceText
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
@@ -147,7 +147,7 @@ def concluded(
     """What *account* says of *documents*, which *joined* has with their companions."""
     policies = inquiry.policies
     judged = policies.judged(_meant(account.brief(), documents, joined))
-    silenced = silence.apply(judged, documents, policies, complete=not failed)
+    silenced = suppress.apply(judged, documents, policies, complete=not failed)
     told = grouped(silenced, account.detailed, _reused(joined))
     told.sort(key=lambda finding: finding.sort_key)
     unapplied = (each for each in documents if not speaks(each, inquiry.rulebook))

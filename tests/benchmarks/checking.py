@@ -19,14 +19,14 @@ from benchmarks.stages import parsed
 from benchmarks.timing import interleaved
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.compiler.graph import read as read_shapes
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.reference.nodes import graph, term
+from kinlint.engine.evaluate import check
+from kinlint.engine.literal_spelling import normal
+from kinlint.engine.ontology_index import Schema
+from kinlint.engine.reference.rdflib_terms import graph, term
 from kinlint.engine.result import Result
-from kinlint.engine.schema import Schema
-from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.terms import Term, iri, is_blank

@@ -12,11 +12,11 @@ from benchmarks import robot
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
+from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.findings.account import findings
+from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from kinlint.cache.entries import ABANDONED, Entries
+from kinlint.cache.directory_store import ABANDONED, Entries
 
 TEXT = "a text\n\u00e4 \U0001f916"
 
@@ -110,7 +110,7 @@ def test_many_at_once(entries):
 def test_who_is_killed_leaves_nothing_half(entries):
     """At whatever moment."""
     code = (
-        "import sys; from pathlib import Path; from kinlint.cache.entries import Entries\n"
+        "import sys; from pathlib import Path; from kinlint.cache.directory_store import Entries\n"
         "entries = Entries(Path(sys.argv[1])); print(flush=True)\n"
         "while True: entries.put('a', 'x' * 3_000_000)\n"
     )

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from kinlint.cache.notation import Unwritable, read, written
+from kinlint.cache.serialization import Unwritable, read, written
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.parallel.share import Job, lint
+from kinlint.parallel.shard import Job, lint
 from kinlint.report import Report
 from kinlint.text import SourceText, Span
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kinlint.cli.main import main
-from kinlint.files import surroundings
+from kinlint.files import environment
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 ROBOT = '<robot name="{0}"><link name="a"/><link name="b"/>{1}</robot>\n'
@@ -185,7 +185,7 @@ def test_days_pass(runs, write, monkeypatch):
     """What is excused until a day is looked at again on the next."""
     write("r.urdf", ROBOT.format("r", "<!-- kinlint: ignore[TOP] until 2027-01-01 later -->"))
     assert [runs.recalled("."), runs.recalled(".")] == [0, 1]
-    monkeypatch.setattr(surroundings.today, "__wrapped__", lambda: "2027-01-02")
+    monkeypatch.setattr(environment.today, "__wrapped__", lambda: "2027-01-02")
     assert runs.recalled(".") == 0
 
 

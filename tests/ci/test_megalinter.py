@@ -6,8 +6,8 @@ import yaml
 from ci_robots import BAD
 from workflow import ROOT
 
+from kinlint.cli.check_options import parser
 from kinlint.cli.main import main
-from kinlint.cli.options import parser
 from kinlint.files.discovery import SEARCHED
 
 DESCRIPTOR = yaml.safe_load(

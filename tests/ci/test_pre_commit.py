@@ -15,8 +15,8 @@ import yaml
 from ci_robots import AXIS, BAD, GOOD
 from workflow import ROOT
 
-from kinlint.cli.check import run as check
-from kinlint.cli.options import parser
+from kinlint.cli.check_command import run as check
+from kinlint.cli.check_options import parser
 from kinlint.files.discovery import SEARCHED
 
 MANIFEST = ROOT / ".pre-commit-hooks.yaml"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.cli import check
+from kinlint.cli import check_command
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Rule, Severity
@@ -74,6 +74,10 @@ class Pipeline:
 def install(monkeypatch):
     """Put the pipeline in the place of the true one."""
     pipeline = Pipeline()
-    monkeypatch.setattr(check.Run, "report", lambda run, *given: pipeline.report(run, *given))  # noqa: PLW0108  else it is bound
-    monkeypatch.setattr(check.rulebook, "load", lambda *_: BOOK)
+
+    def report(run, *given):
+        return pipeline.report(run, *given)
+
+    monkeypatch.setattr(check_command.Run, "report", report)
+    monkeypatch.setattr(check_command.rulebook, "load", lambda *_: BOOK)
     return pipeline

@@ -111,6 +111,6 @@ def test_a_bar_is_for_people_who_want_a_summary(kinlint, write, monkeypatch, arg
             seen.append(wanted)
             super().__init__(files, wanted=wanted)
 
-    monkeypatch.setattr("kinlint.cli.linting.Bar", Watched)
+    monkeypatch.setattr("kinlint.cli.lint_run.Bar", Watched)
     kinlint("r.urdf", "--isolated", *arguments)
     assert seen == [wanted]

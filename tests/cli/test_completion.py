@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.cli.completion.words import SHELLS, words
+from kinlint.cli.completion.grammar import SHELLS, words
 from kinlint.configuration.keys import KEYS, OUTPUT_FORMATS
 
 SOON = 60

@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 from pipeline import RULES
 
-from kinlint.cli import fixing
-from kinlint.cli.options import parser
-from kinlint.cli.outputs import Outputs
+from kinlint.cli import fix_files
+from kinlint.cli.check_options import parser
 from kinlint.cli.overrides import overrides
+from kinlint.cli.report_outputs import Outputs
 from kinlint.model import Applicability, Finding, Fix, TextEdit
 from kinlint.report import Report
 from kinlint.text import Location, SourceText, Span
@@ -154,7 +154,7 @@ def test_a_patch_has_the_byte_order_mark_of_its_file(capsys):
     before = SourceText("arm.urdf", "<a/>\n", bom=True)
     changed = [(before, replace(before, text="<b/>\n"))]
 
-    fixing.show(changed, "never")
+    fix_files.show(changed, "never")
     assert capsys.readouterr().out.endswith("-\ufeff<a/>\n+\ufeff<b/>\n")
-    fixing.show(changed, "always")
+    fix_files.show(changed, "always")
     assert "<a/>\x1b[0m\n" in capsys.readouterr().out

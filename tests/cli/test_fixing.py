@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from kinlint.cli import fixing
-from kinlint.files import replacement as files
+from kinlint.cli import fix_files
+from kinlint.files import atomic_write as files
 
 ARM = """<?xml version="1.0"?>\r
 <robot name="arm">\r
@@ -79,14 +79,14 @@ def test_standard_input_comes_out_mended(kinlint, here, capsys, monkeypatch):
 
 def test_a_file_that_changed_meanwhile_is_not_overwritten(kinlint, arm, monkeypatch):
     """It is reported, with exit code 2."""
-    mended = fixing.mended
+    mended = fix_files.mended
 
     def meanwhile(*given):
         outcome = mended(*given)
         arm.write_bytes(ARM.replace("base", "root").encode())
         return outcome
 
-    monkeypatch.setattr(fixing, "mended", meanwhile)
+    monkeypatch.setattr(fix_files, "mended", meanwhile)
     code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
 
     assert code == 2

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from kinlint.cli import step_summary
+from kinlint.cli import github_step_summary
 
 JOINT = """  <joint name="j{n}" type="fixed"><parent link="base"/><child link="l{n}"/></joint>
   <link name="l{n}"/>
@@ -127,12 +127,12 @@ def test_the_base_of_a_pull_request_decides(write, summary, monkeypatch):
 def test_it_stays_below_what_github_takes(write, summary, monkeypatch, workflow):
     """What there is no room for is said to be left out."""
     write("arm.urdf", robot("arm", faults=60))
-    monkeypatch.setattr(step_summary, "LIMIT", 2_000)
+    monkeypatch.setattr(github_step_summary, "LIMIT", 2_000)
     text = summary()
     assert "There is no room for the rest" in text
     assert workflow.stat().st_size < 2_000
     assert text.count("**error**") > 0
-    monkeypatch.setattr(step_summary, "LIMIT", 100)
+    monkeypatch.setattr(github_step_summary, "LIMIT", 100)
     assert summary() == text
 
 

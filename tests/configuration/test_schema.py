@@ -8,8 +8,8 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from kinlint.cli.main import main
+from kinlint.configuration.json_schema import schema
 from kinlint.configuration.keys import KEYS, check
-from kinlint.configuration.schema import schema
 from kinlint.errors import ConfigError
 
 FILE = Path(__file__).parents[2] / "linter/kinlint.schema.json"

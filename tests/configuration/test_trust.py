@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from kinlint.configuration.file import config_of
+from kinlint.configuration.config_file import config_of
+from kinlint.configuration.fix_trust import trust
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
-from kinlint.configuration.trust import trust
 from kinlint.errors import ConfigError, UsageError
 from kinlint.model import Applicability, Fix, Rule, Severity
 

@@ -13,7 +13,7 @@ import pytest
 from data import locate_data
 from pyld import jsonld
 
-from kinlint.contexts.library import COMPOSABLE, NEWEST, RELEASE_DATES, RELEASES, Contexts
+from kinlint.contexts.context_library import COMPOSABLE, NEWEST, RELEASE_DATES, RELEASES, Contexts
 from kinlint.errors import UsageError
 from kinlint.terms import RDF_TYPE, XSD
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS
@@ -287,7 +287,7 @@ def test_unknown_document() -> None:
 def test_light() -> None:
     """Contexts are read with the standard library alone."""
     script = (
-        "import sys; from kinlint.contexts.library import Contexts;"
+        "import sys; from kinlint.contexts.context_library import Contexts;"
         "Contexts.bundled().document('https://w3id.org/kinlint/composable.json');"
         "print({'pyld', 'rdflib', 'pyoxigraph', 'rich'} & set(sys.modules))"
     )

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.contexts.library import Contexts
+from kinlint.contexts.context_library import Contexts
 from kinlint.errors import ConfigError
 from kinlint.vocabulary import METAMODELS
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinlint.conversion.coverage import FORMATS, coverage
-from kinlint.conversion.readme import PATH, main, readme
+from kinlint.conversion.coverage_page import PATH, main, readme
 from kinlint.resources import data
 
 
@@ -32,7 +32,7 @@ def test_reasons_say_how_much_is_lifted():
 
 def test_readme_is_fresh(tmp_path, monkeypatch):
     told = (data("shapes") / PATH).read_text(encoding="utf-8")
-    assert told == readme(), "run python -m kinlint.conversion.readme"
+    assert told == readme(), "run python -m kinlint.conversion.coverage_page"
     monkeypatch.setattr("sys.argv", ["readme", str(tmp_path / "README.md")])
     main()
     assert (tmp_path / "README.md").read_text(encoding="utf-8") == told

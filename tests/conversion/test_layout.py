@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.conversion.layout import WIDTH, layout
+from kinlint.conversion.json_layout import WIDTH, layout
 
 SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 

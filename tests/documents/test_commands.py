@@ -7,8 +7,8 @@ import shutil
 import pytest
 from fenced import blocks, mentioned
 
+from kinlint.cli.check_options import parser
 from kinlint.cli.commands import COMMANDS
-from kinlint.cli.options import parser
 
 pytestmark = pytest.mark.slow
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from turtle_document import PREFIXES, document, ex
 
-from kinlint.engine.check import check
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.evaluate import check
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid

@@ -14,19 +14,19 @@ from kinlint.catalogue.applicability import applicability, applicable, applies, 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.demand import behind, relevant, terms
+from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import FORMATS, lift
+from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.xml.joining import join, partners
+from kinlint.missing_files import references
 from kinlint.model import Rule
-from kinlint.references import references
 from kinlint.rule_testing import promises
 from kinlint.terms import RDF_TYPE, Term
 

@@ -11,16 +11,16 @@ from kinlint import lint
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
+from kinlint.engine.evaluate import check
 from kinlint.engine.explanation import premises_of
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.findings.account import findings
+from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.model import Finding
-from kinlint.reporters.sarif.log import log
+from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import SourceText
 
 SAMPLES = Path(__file__).parents[1] / "samples"

@@ -10,17 +10,17 @@ from data import locate_data
 from kinlint import resources
 from kinlint.catalogue.rulebook import Rulebook, load
 from kinlint.configuration.settings import Settings
-from kinlint.contexts.library import RELEASES, Contexts
+from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
+from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
+from kinlint.engine.literal_spelling import normal
 from kinlint.engine.ontology import compile_axioms
 from kinlint.engine.reference.owl import owlrl_closure
 from kinlint.engine.reference.shacl import check_store
 from kinlint.engine.result import Result
-from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.jsonld.reader import read

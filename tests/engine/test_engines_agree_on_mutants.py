@@ -15,11 +15,11 @@ from test_engines_agree import BROKEN, CHECKOUT, ONTOLOGY, SHAPES, UNITS, closed
 from kinlint import resources
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.engine.check import check
 from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.evaluate import check
 from kinlint.engine.reference.shacl import check_store
 from kinlint.errors import SourceError
-from kinlint.findings.account import findings
+from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 

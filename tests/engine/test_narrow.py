@@ -6,7 +6,7 @@ import pytest
 from test_demand import compiled
 from turtle_document import document, ex
 
-from kinlint.engine.check import check
+from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 
 TARGETS = "sh:targetSubjectsOf :p , :q ; sh:targetObjectsOf :r ; sh:targetClass :C"

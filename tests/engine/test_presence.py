@@ -4,7 +4,7 @@ import pytest
 from turtle_document import document
 
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.presence import Presence
+from kinlint.engine.pruning import Presence
 from kinlint.engine.store import Store
 from kinlint.terms import RDF_TYPE
 from kinlint.vocabulary import FACT, RDFS

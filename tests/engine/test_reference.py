@@ -10,11 +10,11 @@ from turtle_document import PREFIXES, document, ex, triples
 
 from kinlint import resources
 from kinlint.document import Document
-from kinlint.engine.check import check as engine_check
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.reference.nodes import graph, node, term
+from kinlint.engine.evaluate import check as engine_check
 from kinlint.engine.reference.owl import owlrl_closure
+from kinlint.engine.reference.rdflib_terms import graph, node, term
 from kinlint.engine.reference.shacl import check, check_deferred, check_store
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from kinlint.files.contents import Unreadable, contents, head
+from kinlint.files.bounded_read import Unreadable, contents, head
 
 
 @pytest.fixture

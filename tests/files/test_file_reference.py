@@ -4,8 +4,8 @@ import os
 
 import pytest
 
+from kinlint.files.file_exists import AbsentDirectory, Missing, References, UnknownPackage
 from kinlint.files.packages import Packages
-from kinlint.files.reference import AbsentDirectory, Missing, References, UnknownPackage
 
 
 @pytest.fixture

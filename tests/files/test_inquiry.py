@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 
 import kinlint
-from kinlint.files import surroundings
-from kinlint.files.contents import Unreadable, contents, head
-from kinlint.files.inquiry import answer, recorded
+from kinlint.files import environment
+from kinlint.files.bounded_read import Unreadable, contents, head
+from kinlint.files.file_exists import References
 from kinlint.files.packages import Packages
-from kinlint.files.reference import References
+from kinlint.files.tracked_io import answer, recorded
 
 PACKAGE = Path(kinlint.__file__).parent
 LOOKING = {
@@ -28,7 +28,7 @@ LOOKING = {
     *("today", "now", "is_symlink", "lexists", "getmtime", "access"),
 }
 LINTING = ("facts", "findings", "fixes", "formats", "kinematics", "suppression", "engine/*.py")
-OWN_DATA = {"engine/lifting.py", "contexts/library.py"}
+OWN_DATA = {"engine/lifting.py", "contexts/context_library.py"}
 """What reads files of kinlint itself, or what is a ground of a report by its content."""
 
 
@@ -62,8 +62,8 @@ def test_questions_are_noted_with_their_answers(tmp_path):
     """Each once; the answer is the same until something changes."""
     file = tmp_path / "a.yaml"
     with recorded() as record:
-        assert surroundings.kind(file) is None
-        assert surroundings.listing(tmp_path) == {}
+        assert environment.kind(file) is None
+        assert environment.listing(tmp_path) == {}
         with pytest.raises(Unreadable):
             contents(file, file)
     assert len(record.answers) == 3
@@ -75,7 +75,7 @@ def test_questions_are_noted_with_their_answers(tmp_path):
 def test_nothing_is_noted_outside_of_a_record(tmp_path):
     """Nor what a question asks on its way."""
     (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
-    surroundings.kind(tmp_path)
+    environment.kind(tmp_path)
     with recorded() as record:
         Packages(workspace=tmp_path).find("p", Path("/nowhere"))
     names = [name for name, _ in record.answers]

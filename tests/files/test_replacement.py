@@ -11,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.files.replacement import replacement
+from kinlint.files.atomic_write import replacement
 
 WRITER = """
 import sys
 from pathlib import Path
-from kinlint.files.replacement import replacement
+from kinlint.files.atomic_write import replacement
 target, size = Path(sys.argv[1]), int(sys.argv[2])
 print("ready", flush=True)
 for letter in "ab" * 100_000:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from mending import book, repair
 
-from kinlint.cli import fixing
+from kinlint.cli import fix_files
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
 from kinlint.files.discovery import Input
@@ -98,7 +98,7 @@ def fix(rules, *names, streamed=()):
     """Mends the files of *names* on disk; the report of what is left, and the files written."""
     texts = sources(*names)
     outcome = mended(texts, (), Settings(), rules, Applicability.SAFE, None, streamed)
-    report = fixing.written(outcome, [Input(name, Path(name).absolute()) for name in names])
+    report = fix_files.written(outcome, [Input(name, Path(name).absolute()) for name in names])
     return report, [before.name for before, _ in outcome.changed]
 
 
@@ -232,7 +232,7 @@ def test_a_file_that_changed_meanwhile_stays(here, limits):
     outcome = mended(sources("arm.xacro"), (), Settings(), limits, Applicability.SAFE)
     put(macros__xacro=MACROS.replace("stays", "new"))
 
-    report = fixing.written(outcome, [Input("arm.xacro", here / "arm.xacro")])
+    report = fix_files.written(outcome, [Input("arm.xacro", here / "arm.xacro")])
 
     assert [str(error) for error in report.errors] == [
         "macros.xacro: not fixed: the file has changed since it was read"

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from reading import details, document, domain, losses
 
-from kinlint.contexts.library import NEWEST
+from kinlint.contexts.context_library import NEWEST
 from kinlint.terms import literal
 from kinlint.vocabulary import DOCUMENT_BASE, METAMODELS, SRC
 

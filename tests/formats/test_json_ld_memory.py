@@ -9,7 +9,7 @@ import pytest
 from reading import document, losses
 from test_json_ld_models import models
 
-from kinlint.contexts.library import RELEASES, Contexts
+from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.formats.jsonld.reader import read
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText

@@ -10,7 +10,7 @@ from data import locate_data
 from reading import document, domain, losses
 from test_json_ld_places import check_places, ours, theirs
 
-from kinlint.contexts.library import RELEASES, Contexts
+from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.document import Document
 from kinlint.terms import literal_value
 from kinlint.text import Span

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from pyld import jsonld
 from reading import document, domain, says
 
-from kinlint.contexts.library import Contexts
+from kinlint.contexts.context_library import Contexts
 from kinlint.document import Document
 from kinlint.terms import RDF, is_iri
 from kinlint.vocabulary import SRC

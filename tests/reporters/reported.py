@@ -19,7 +19,7 @@ from kinlint.model import (
     TextEdit,
 )
 from kinlint.report import Report
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
 INERTIA = Rule(

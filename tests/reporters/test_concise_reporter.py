@@ -9,7 +9,7 @@ from reported import BOTH, INERTIA_FINDING, SAFE, UNSAFE, here, report, reports,
 from kinlint.errors import SourceError
 from kinlint.report import Report
 from kinlint.reporters.concise import render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 LINE = re.compile(r"(.+?):(\d+):(\d+): (error|warning|info): (.*) \[([A-Z]{1,8}\d{3})\]")
 

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlint.reporters.diff import unified
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 texts = st.text("ab \n\r\t\u2028é😀\x0c", max_size=60)
 

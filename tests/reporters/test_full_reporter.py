@@ -10,9 +10,9 @@ from reported import BOTH, DYNAMICS, INERTIA_FINDING, PLAIN, at, here, report, r
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
-from kinlint.reporters.columns import shown, width
+from kinlint.reporters.display_width import shown, width
 from kinlint.reporters.full import render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
 ESCAPES = re.compile(r"\x1b\[[0-9;]*m|\x1b\]8;;.*?\x1b\\")

@@ -10,7 +10,7 @@ from kinlint.errors import SourceError
 from kinlint.model import Finding, Severity
 from kinlint.report import Report
 from kinlint.reporters.github import render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 
 @pytest.fixture(autouse=True)

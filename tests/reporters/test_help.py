@@ -28,7 +28,7 @@ from kinlint.edits import Edit, applied
 from kinlint.model import Fix, TextEdit
 from kinlint.reporters.full import render
 from kinlint.reporters.hunk import hunks, lines
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
 

@@ -17,7 +17,7 @@ from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters.html.page import render
 from kinlint.reporters.picture.formats import pieces
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None

@@ -31,7 +31,7 @@ from kinlint.errors import SourceError
 from kinlint.model import Related, Severity
 from kinlint.report import Report
 from kinlint.reporters.html.page import render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
 VOID = {"meta", "input", "br", "hr"}

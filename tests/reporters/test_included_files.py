@@ -13,7 +13,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.formats.decoding import decode
 from kinlint.lint import run
 from kinlint.report import Report
-from kinlint.reporters import registry
+from kinlint.reporters import reporter_registry
 
 ROBOT = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:include filename="parts/link.xacro"/>
@@ -49,7 +49,7 @@ def found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
 
 def text(report: Report, form: str) -> str:
     stream = io.StringIO()
-    registry.write(report, form, stream)
+    reporter_registry.write(report, form, stream)
     return stream.getvalue()
 
 

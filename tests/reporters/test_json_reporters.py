@@ -20,7 +20,7 @@ from reported import (
 from kinlint.errors import SourceError
 from kinlint.report import Report
 from kinlint.reporters import json_array, json_lines
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 PLACE = {"filename": "models/dynamics.jsonld"}
 

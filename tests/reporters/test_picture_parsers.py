@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from drawn import HOSTILE, about, chain, picture
 
-from kinlint.reporters.columns import shown
+from kinlint.reporters.display_width import shown
 from kinlint.reporters.picture.formats import pieces
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 ROBOTS = (chain(*HOSTILE, close=True), chain("a", "b", "c"))
 MODULES = os.environ.get("KINLINT_TESTS_NODE_MODULES", "")

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from reported import here, report, unit_finding
 
-from kinlint.reporters.sarif.log import log
-from kinlint.reporters.sarif.provenance import provenance, repository_top
+from kinlint.reporters.sarif.sarif_log import log
+from kinlint.reporters.sarif.version_control import provenance, repository_top
 
 REVISION = "d6084ce76a87f74ef24dcbfa0aa1708d15cf0bdc"
 CONFIG = '[core]\n\tbare = false\n[remote "origin"]\n\turl = {}\n\tfetch = +refs/*\n'

@@ -35,9 +35,9 @@ from kinlint.errors import SourceError
 from kinlint.model import Fix, TextEdit
 from kinlint.report import Report
 from kinlint.reporters.excerpt import bounds
-from kinlint.reporters.reviewdog import lines, result
+from kinlint.reporters.reviewdog import diagnostic_result, lines
 from kinlint.reporters.reviewdog.diagnostic import suggestion
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
 
@@ -84,7 +84,7 @@ RESULT = exactly({"source": SOURCE, "diagnostics": {"type": "array", "items": DI
 
 def diagnostics(made: Report, style: Style = PLAIN) -> list[dict[str, Any]]:
     """The diagnostics of the one format; those of the other are the same."""
-    whole = json.loads("".join(result.render(made, style)))
+    whole = json.loads("".join(diagnostic_result.render(made, style)))
     jsonschema.Draft202012Validator(RESULT).validate(whole)
     each = [json.loads(line) for line in "".join(lines.render(made, style)).split("\n")[:-1]]
     source = whole["source"]

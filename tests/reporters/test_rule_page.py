@@ -6,8 +6,8 @@ from reported import INERTIA, RULES
 
 from kinlint.model import Applicability, Example, Repair
 from kinlint.reporters import rule_page, rule_pages
-from kinlint.reporters.example import marked
-from kinlint.reporters.style import Style
+from kinlint.reporters.rule_example import marked
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import Span
 
 

@@ -35,8 +35,8 @@ from sarif_reader import (
 
 from kinlint.edits import Edit, applied
 from kinlint.model import Fix, TextEdit
-from kinlint.reporters.sarif.fix import anchored
-from kinlint.reporters.sarif.log import log
+from kinlint.reporters.sarif.sarif_fix import anchored
+from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import Location, SourceText, Span
 
 

@@ -25,8 +25,8 @@ from sarif_reader import (
 from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.reporters.sarif.line_hash import LineHashes
-from kinlint.reporters.sarif.log import log, render
-from kinlint.reporters.style import Style
+from kinlint.reporters.sarif.sarif_log import log, render
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import SourceText
 
 

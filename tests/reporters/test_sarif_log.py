@@ -25,8 +25,8 @@ from kinlint.errors import SourceError
 from kinlint.model import Premise, Related, Severity
 from kinlint.report import Report
 from kinlint.reporters.antipatterns import ANTIPATTERNS
-from kinlint.reporters.sarif.catalogue import friendly_name
-from kinlint.reporters.sarif.log import log
+from kinlint.reporters.sarif.rule_descriptors import friendly_name
+from kinlint.reporters.sarif.sarif_log import log
 
 
 def run(made: Report) -> dict[str, Any]:

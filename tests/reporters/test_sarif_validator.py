@@ -31,8 +31,8 @@ from reported import (
 from kinlint.errors import SourceError
 from kinlint.model import Finding
 from kinlint.report import Report
-from kinlint.reporters import registry
-from kinlint.reporters.sarif.log import log
+from kinlint.reporters import reporter_registry
+from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import Location, SourceText, Span
 
 TOOL = os.environ.get("KINLINT_SARIF_MULTITOOL", "")
@@ -80,7 +80,7 @@ def complaints(made: Report, directory: Path) -> list[str]:
     policy = directory / "policy.xml"
     policy.write_text(POLICY.format("".join(map(PROPERTIES.format, GITHUB))))
     with written.open("w", encoding="utf-8") as stream:
-        registry.write(made, "sarif", stream)
+        reporter_registry.write(made, "sarif", stream)
     command: list[str | Path] = [TOOL, "validate", written, "--rule-kind", "Sarif;Ghas"]
     levels = ["--level", "Error;Warning;Note", "--kind", "Fail;Open;Review"]
     output: list[str | Path] = ["-c", policy, "-o", judged, "--log", "ForceOverwrite"]

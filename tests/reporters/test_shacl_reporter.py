@@ -10,8 +10,8 @@ from reported import BOTH, DISPLAY, INERTIA_FINDING, PLAIN, UNSAFE, report, repo
 
 from kinlint.errors import SourceError
 from kinlint.report import Report
-from kinlint.reporters.shacl import PREFIXES, render
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
+from kinlint.reporters.validation_report import PREFIXES, render
 
 PREFIX = "".join(f"PREFIX {name}: <{iri}>\n" for name, iri in PREFIXES.items())
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from kinlint.reporters.style import Style, When, style_of
+from kinlint.reporters.terminal_style import Style, When, style_of
 
 
 class Stream(io.StringIO):

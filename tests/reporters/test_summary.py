@@ -8,9 +8,9 @@ from reported import BOTH, DISPLAY, INERTIA_FINDING, RULES, SAFE, UNSAFE, here, 
 from kinlint.errors import SourceError
 from kinlint.model import Fix, Severity
 from kinlint.report import Report
-from kinlint.reporters.fixed import listing, verdict
-from kinlint.reporters.style import Style
+from kinlint.reporters.applied_fixes import listing, verdict
 from kinlint.reporters.summary import hint, summary
+from kinlint.reporters.terminal_style import Style
 
 UNREAD = SourceError("bad.jsonld", "no JSON")
 WARNING = unit_finding(here("x", 0, 1))

@@ -7,7 +7,7 @@ import itertools
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.reporters.picture.tidy import tidy
+from kinlint.reporters.picture.tidy_tree import tidy
 
 GAP = 5.0
 

@@ -3,11 +3,11 @@
 import pytest
 from robots import GOOD, LEG
 
-from kinlint.server import bench
+from kinlint.server import session
 from kinlint.server.buffers import Buffer
-from kinlint.server.library import Library
-from kinlint.server.preferences import Preferences
-from kinlint.server.snapshot import Snapshot
+from kinlint.server.client_settings import Preferences
+from kinlint.server.frozen_state import Snapshot
+from kinlint.server.workspace import Library
 
 SRDF = '<robot name="leg"><group name="all"><link name="toe"/></group></robot>'
 
@@ -60,8 +60,8 @@ def test_only_models_with_open_files_are_examined(here, library):
 
 def test_open_files_of_a_large_model_come_first(here, library, monkeypatch):
     """They alone, as a part of a model; then all files."""
-    monkeypatch.setattr(bench, "LARGE", 0)
-    monkeypatch.setattr(bench, "MUCH", 1)
+    monkeypatch.setattr(session, "LARGE", 0)
+    monkeypatch.setattr(session, "MUCH", 1)
     now = moment(here, 1, ("leg.urdf", LEG))
 
     first, second, third = (library.step(now, never) for _ in range(3))
@@ -104,7 +104,7 @@ def test_a_fault_is_told_and_ends_nothing(here, library, monkeypatch):
             raise ZeroDivisionError
 
     with monkeypatch.context() as patch:
-        patch.setattr(bench, "Incremental", Broken)
+        patch.setattr(session, "Incremental", Broken)
         step = library.step(moment(here, 1, ("leg.urdf", LEG)), never)
         assert "ZeroDivisionError" in step.faults[0]
         assert library.step(moment(here, 1, ("leg.urdf", LEG)), never).done

@@ -6,7 +6,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.model import Finding, Rule, Severity
-from kinlint.suppression import silence
+from kinlint.suppression import suppress
 from kinlint.terms import iri, literal
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import KL, RULE
@@ -60,7 +60,7 @@ def finding(one, node=ARM, name="arm.jsonld", text="x" * 100, span=PLACE):
 
 def applied(findings, documents, *, complete=True, **settings):
     policies = Policies(Settings(**settings), RULES)
-    return silence.apply(findings, documents, policies, complete=complete, today=TODAY)
+    return suppress.apply(findings, documents, policies, complete=complete, today=TODAY)
 
 
 def told(outcome):

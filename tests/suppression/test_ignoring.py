@@ -8,7 +8,7 @@ from kinlint.edits import Edit, Unsayable, applied
 from kinlint.fixes.texts import Texts
 from kinlint.ignoring.proposal import Desk
 from kinlint.lint import examine
-from kinlint.suppression.nest import Nest
+from kinlint.suppression.interval_index import Nest
 from kinlint.text import SourceText, Span
 
 ARM = """<robot name="arm">

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.suppression.pointer import locate
+from kinlint.suppression.json_pointer import locate
 
 RFC = '{"foo": ["bar", "baz"], "": 0, "a/b": 1, "c%d": 2, "i\\\\j": 5, " ": 7, "m~n": 8}'
 

@@ -6,7 +6,7 @@ from suppressing import ARM, DROPPED, LEG, UNIT, applied, document, finding, kl,
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.model import Severity
-from kinlint.suppression import silence
+from kinlint.suppression import suppress
 from kinlint.terms import iri, literal
 from kinlint.text import Span
 
@@ -114,4 +114,4 @@ def test_a_catalogue_without_these_rules_says_nothing_of_suppressions():
     given = document((ARM, kl("ignore"), literal("UNI001")), (LEG, kl("ignore"), literal("LD001")))
     policies = Policies(Settings(), (UNIT, DROPPED))
 
-    assert told(silence.apply([finding(UNIT)], [given], policies)) == ["-UNI001"]
+    assert told(suppress.apply([finding(UNIT)], [given], policies)) == ["-UNI001"]

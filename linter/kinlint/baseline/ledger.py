@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from kinlint.baseline.identity import Known, Names, known
+from kinlint.baseline.entry_identity import Known, Names, known
 from kinlint.model import Finding
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 
-from kinlint.baseline.file import Baseline
-from kinlint.baseline.identity import Known
+from kinlint.baseline.baseline_file import Baseline
+from kinlint.baseline.entry_identity import Known
 from kinlint.baseline.ledger import Ledger
 from kinlint.model import Finding, Rule
 from kinlint.report import Report
-from kinlint.suppression.fault import UNUSED, filled
+from kinlint.suppression.diagnostics import UNUSED, filled
 from kinlint.text import Location
 
 

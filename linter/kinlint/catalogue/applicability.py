@@ -7,9 +7,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from kinlint.document import LIFTED_AS, Document, document_of
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.demand import relevant, terms
 from kinlint.engine.lifting import FORMATS, lifts
-from kinlint.engine.presence import Lookup, Presence
+from kinlint.engine.pruning import Lookup, Presence
+from kinlint.engine.required_terms import relevant, terms
 from kinlint.engine.result import Result
 from kinlint.facts.needs import sources
 from kinlint.model import Repair, Rule

@@ -5,24 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from importlib import import_module
 
-from kinlint.cli.parser import HelpShown
+from kinlint.cli.argument_parser import HelpShown
 from kinlint.suggestion import did_you_mean
 
 COMMANDS: Mapping[str, tuple[str, str]] = {
-    "check": ("kinlint.cli.check", "lint robot models (the default)"),
-    "clean": ("kinlint.cli.clean", "remove what earlier runs kept"),
-    "config": ("kinlint.cli.config", "tell what may stand in a configuration"),
-    "convert": ("kinlint.cli.convert", "write a URDF, xacro or SDF as composable JSON-LD"),
+    "check": ("kinlint.cli.check_command", "lint robot models (the default)"),
+    "clean": ("kinlint.cli.clean_command", "remove what earlier runs kept"),
+    "config": ("kinlint.cli.config_command", "tell what may stand in a configuration"),
+    "convert": ("kinlint.cli.convert_command", "write a URDF, xacro or SDF as composable JSON-LD"),
     "generate-shell-completion": (
         "kinlint.cli.completion.command",
         "have a shell complete what is typed",
     ),
-    "graph": ("kinlint.cli.graph", "draw the links and joints of robots, with the findings"),
-    "new": ("kinlint.cli.new", "begin a rule of your own"),
-    "rule": ("kinlint.cli.rule", "explain a rule, or all of them"),
-    "server": ("kinlint.cli.server", "tell editors, by the language server protocol"),
-    "test-rules": ("kinlint.cli.rule_tests", "test rules by the examples in their files"),
-    "version": ("kinlint.cli.version", "show the version"),
+    "graph": (
+        "kinlint.cli.graph_command",
+        "draw the links and joints of robots, with the findings",
+    ),
+    "new": ("kinlint.cli.new_command", "begin a rule of your own"),
+    "rule": ("kinlint.cli.rule_command", "explain a rule, or all of them"),
+    "server": ("kinlint.cli.server_command", "tell editors, by the language server protocol"),
+    "test-rules": ("kinlint.cli.test_rules_command", "test rules by the examples in their files"),
+    "version": ("kinlint.cli.version_command", "show the version"),
 }
 """The module of each subcommand, whose `run` takes the arguments and gives the exit code."""
 

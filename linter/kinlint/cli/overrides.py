@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.file import (
+from kinlint.configuration.config_file import (
     Config,
     Configs,
     PerFile,

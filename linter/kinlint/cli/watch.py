@@ -15,17 +15,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinlint.configuration.file import NAMES
+from kinlint.configuration.config_file import NAMES
 from kinlint.configuration.keys import OUTPUT_FORMATS
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError, UsageError
 from kinlint.files.discovery import GLOBBED
+from kinlint.files.file_exists import KINDS
 from kinlint.files.packages import REPOSITORY
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.files.pathname import shown
-from kinlint.files.reference import KINDS
 from kinlint.project.layers import cache_directory
-from kinlint.reporters.registry import FORMATS
+from kinlint.reporters.reporter_registry import FORMATS
 
 if TYPE_CHECKING:
     from watchfiles import Change

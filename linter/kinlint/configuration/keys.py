@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinlint.configuration.kinds import (
+from kinlint.configuration.value_kinds import (
     ONE_OR_MORE,
     SCALAR,
     STRING,

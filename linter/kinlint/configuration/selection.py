@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from kinlint.configuration.fix_trust import Trust, trust
 from kinlint.configuration.selectors import Catalogue, narrowed
 from kinlint.configuration.settings import Choice, Settings
-from kinlint.configuration.trust import Trust, trust
 from kinlint.model import Finding, Rule, Severity
 
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kinlint.contexts.library import RELEASES, bundled_source
-from kinlint.contexts.notation import context
+from kinlint.contexts.context_dsl import context
+from kinlint.contexts.context_library import RELEASES, bundled_source
 from kinlint.resources import data
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS, RDFS
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from urllib.parse import quote
 
-from kinlint.conversion.losses import Loss, losses
-from kinlint.conversion.nodes import Node, Order, Statements, named, nodes
+from kinlint.conversion.conversion_losses import Loss, losses
+from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, nodes
 from kinlint.conversion.published import contexts_of
 from kinlint.document import TREES, Document
 from kinlint.engine.lifting import lift

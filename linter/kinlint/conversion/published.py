@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
+from kinlint.contexts.context_dsl import UNCOERCED
+from kinlint.contexts.context_library import NEWEST, bundled_source
 from kinlint.contexts.declarations import terms
-from kinlint.contexts.library import NEWEST, bundled_source
-from kinlint.contexts.notation import UNCOERCED
 
 FIRST = (
     "geometry/structural-entities",

@@ -9,7 +9,7 @@ from typing import TypeAlias
 import pyoxigraph as ox
 
 from kinlint.engine.axioms import Axiom, Pattern, insertion, is_variable, unify
-from kinlint.engine.presence import Presence
+from kinlint.engine.pruning import Presence
 from kinlint.engine.store import Store
 from kinlint.terms import RDF_TYPE, Term, iri_value
 from kinlint.vocabulary import INFERRED_GRAPH, KINLINT

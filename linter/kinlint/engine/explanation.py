@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kinlint.engine.axioms import Axiom, Pattern, instantiate, is_variable, match
-from kinlint.engine.constraint import PLAIN, Constraint
-from kinlint.engine.origin import (
+from kinlint.engine.computed_from import (
     COMPUTED,
     COMPUTED_TOO,
     CONTRADICTED,
@@ -16,8 +15,9 @@ from kinlint.engine.origin import (
     sources,
     statements,
 )
+from kinlint.engine.constraint import PLAIN, Constraint
+from kinlint.engine.literal_spelling import normal
 from kinlint.engine.result import Result
-from kinlint.engine.spelling import normal
 from kinlint.engine.store import Store, rank
 from kinlint.terms import RDF_TYPE, Term, Triple
 

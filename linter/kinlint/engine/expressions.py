@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from itertools import count
 from typing import NamedTuple
 
-from kinlint.display import article
 from kinlint.engine.axioms import Axiom, Pattern, name
-from kinlint.engine.schema import Schema
+from kinlint.engine.ontology_index import Schema
+from kinlint.term_format import article
 from kinlint.terms import RDF_TYPE, Term, is_iri
 from kinlint.vocabulary import OWL
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from kinlint.engine.axioms import Axiom, name
 from kinlint.engine.expressions import Expressions
+from kinlint.engine.ontology_index import INVERSE, Schema
 from kinlint.engine.regularity import check_regular
-from kinlint.engine.schema import INVERSE, Schema
 from kinlint.engine.strata import stratified
 from kinlint.terms import Term, is_iri
 from kinlint.vocabulary import OWL, RDFS

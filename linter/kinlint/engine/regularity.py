@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.engine.axioms import name
-from kinlint.engine.schema import INVERSE, Schema
+from kinlint.engine.ontology_index import INVERSE, Schema
 from kinlint.engine.strata import components
 from kinlint.errors import RuleInvalid
 from kinlint.terms import Term

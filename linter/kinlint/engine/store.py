@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.spelling import Spellings, component
+from kinlint.engine.literal_spelling import Spellings, component
 from kinlint.errors import RuleInvalid
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal
 from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT, LIFTED_GRAPH

@@ -18,10 +18,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
-from kinlint.files.contents import head
-from kinlint.files.inquiry import question
+from kinlint.files.bounded_read import head
+from kinlint.files.environment import Environment, kind
 from kinlint.files.pathglob import absolute
-from kinlint.files.surroundings import Environment, kind
+from kinlint.files.tracked_io import question
 
 MANIFEST = "package.xml"
 REPOSITORY = ".git"

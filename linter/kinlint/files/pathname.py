@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from kinlint.files.inquiry import question
+from kinlint.files.tracked_io import question
 from kinlint.suggestion import nearest
 
 NOTHING = "no such file or directory"

@@ -8,14 +8,14 @@ from functools import cached_property
 from operator import itemgetter
 from urllib.parse import unquote
 
-from kinlint.display import Display
 from kinlint.document import FROM, TREES, Document, NodeSpans, document_of
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.findings.anonymous import AnonymousNodes
+from kinlint.findings.blank_node_names import AnonymousNodes
+from kinlint.term_format import Display
 from kinlint.terms import (
     RDF_TYPE,
     Term,

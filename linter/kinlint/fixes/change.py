@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinlint.edits import Delta
-from kinlint.engine.functions import MATH
+from kinlint.engine.math_functions import MATH
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank
 from kinlint.model import KNOWN, Repair

@@ -10,11 +10,11 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
+from kinlint.file_groups import models
 from kinlint.fixes.candidate import Candidate, Workshop
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, batches, tried
 from kinlint.fixes.wording import update
-from kinlint.independence import models
 from kinlint.lint import Examination, examine
 from kinlint.model import Applicability, Finding, Fix, Repair, TextEdit
 from kinlint.phases import Phases

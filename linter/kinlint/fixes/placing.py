@@ -8,7 +8,7 @@ from math import isfinite
 
 from kinlint.document import FROM, Document, document_of
 from kinlint.edits import Delta, Unsayable
-from kinlint.engine.spelling import normal
+from kinlint.engine.literal_spelling import normal
 from kinlint.engine.store import Store
 from kinlint.fixes.lowering import lowered
 from kinlint.terms import (

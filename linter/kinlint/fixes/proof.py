@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from kinlint.document import TREES, Document
 from kinlint.edits import Delta
-from kinlint.engine.spelling import normal
+from kinlint.engine.literal_spelling import normal
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_literal
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 

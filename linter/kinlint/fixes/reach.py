@@ -9,9 +9,9 @@ from pathlib import Path
 
 from kinlint.configuration.settings import Settings
 from kinlint.edits import Unsayable
+from kinlint.files.environment import kind, writable
 from kinlint.files.packages import SKIPPED
 from kinlint.files.pathname import real
-from kinlint.files.surroundings import kind, writable
 from kinlint.fixes.texts import Texts
 
 SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from kinlint.configuration.settings import Settings
-from kinlint.contexts.library import RELEASES, Contexts, Extra
+from kinlint.contexts.context_library import RELEASES, Contexts, Extra
 from kinlint.files.packages import Packages
 from kinlint.files.pathname import real
 from kinlint.text import SourceText

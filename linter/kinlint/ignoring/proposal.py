@@ -17,8 +17,8 @@ from kinlint.ignoring.comments import ELEMENT, comment
 from kinlint.ignoring.statements import APPENDED, appended, delta
 from kinlint.lint import Examination
 from kinlint.model import Finding, TextEdit
-from kinlint.suppression.fault import FAULTS
-from kinlint.suppression.nest import Nest
+from kinlint.suppression.diagnostics import FAULTS
+from kinlint.suppression.interval_index import Nest
 from kinlint.terms import Term, is_blank, is_iri
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import DOCUMENT_IRI, SRC

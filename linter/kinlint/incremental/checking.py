@@ -5,9 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from kinlint.engine.check import result, rows
 from kinlint.engine.constraint import FOCUS, Constraint
-from kinlint.engine.presence import Presence
+from kinlint.engine.evaluate import result, rows
+from kinlint.engine.pruning import Presence
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank, token
 from kinlint.incremental.change import Changes

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TypeAlias
 
 from kinlint.catalogue.applicability import possible
-from kinlint.catalogue.inquiry import Inquiry
+from kinlint.catalogue.rule_selection import Inquiry
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.compiler.names import SUBCLASS
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.demand import made
+from kinlint.engine.required_terms import made
 from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.rereading import Rereader
@@ -23,8 +23,8 @@ from kinlint.incremental.inference import followable
 from kinlint.incremental.model import Model
 from kinlint.incremental.said import Outline, Said, outline, valued, vocabulary_of
 from kinlint.lint import NOTHING, Examination, concluded, examine, gathered
+from kinlint.missing_files import STATED
 from kinlint.phases import Phases
-from kinlint.references import STATED
 from kinlint.terms import Term
 from kinlint.text import SourceText
 

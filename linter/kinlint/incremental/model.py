@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from kinlint.catalogue.applicability import applies, axioms_for, demand
-from kinlint.catalogue.inquiry import Inquiry
+from kinlint.catalogue.rule_selection import Inquiry
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.demand import behind
-from kinlint.findings.account import Account
+from kinlint.engine.required_terms import behind
+from kinlint.findings.finding_builder import Account
 from kinlint.formats.options import ReadOptions
 from kinlint.incremental.change import Changes
 from kinlint.incremental.checking import Checks
@@ -23,8 +23,8 @@ from kinlint.incremental.proofs import Proofs, WatchedStore
 from kinlint.incremental.said import vocabulary_of
 from kinlint.incremental.statements import assert_again
 from kinlint.lint import wanted_for
+from kinlint.missing_files import references
 from kinlint.phases import Phases
-from kinlint.references import references
 
 
 class Model:

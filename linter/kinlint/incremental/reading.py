@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from kinlint.engine.compiler.names import SUBCLASS
-from kinlint.engine.demand import ANY, HEAD, TERM
+from kinlint.engine.required_terms import ANY, HEAD, TERM
 from kinlint.sparql.tokens import tokens
 from kinlint.terms import RDF_TYPE, Term
 

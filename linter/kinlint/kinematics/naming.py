@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping, Sequence
 from urllib.parse import unquote
 
-from kinlint.display import Display
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.mechanics import ELEMENT
+from kinlint.term_format import Display
 from kinlint.terms import Term, is_blank
 
 REPEATED = re.compile(r";[0-9]+$")

@@ -11,7 +11,7 @@ from kinlint.navigation.element_names import named_elements
 from kinlint.navigation.graph_terms import terms
 from kinlint.navigation.json_terms import keys_and_names
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
-from kinlint.navigation.paths import Paths
+from kinlint.navigation.text_names import Paths
 from kinlint.navigation.xacro_names import xacro_names
 from kinlint.terms import RDF_TYPE, Triple
 

@@ -8,21 +8,21 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
-from kinlint.display import Display
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.extraction import structures
 from kinlint.lint import Examination
 from kinlint.model import Finding
-from kinlint.navigation.description import Descriptions
-from kinlint.navigation.entity_page import EntityPages
+from kinlint.navigation.entity_hover import EntityPages
+from kinlint.navigation.file_links import Link, links
 from kinlint.navigation.graph_model import GraphModel
 from kinlint.navigation.hover import ACROSS, Hover, on_findings, on_ignore
 from kinlint.navigation.index import Index
-from kinlint.navigation.links import Link, links
+from kinlint.navigation.node_at_offset import Surroundings
+from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
-from kinlint.navigation.texts import Surroundings
 from kinlint.suppression.directive import Directive, directives
+from kinlint.term_format import Display
 from kinlint.text import Location, SourceText, Span
 
 SPACES = frozenset({"2D", "3D", "Euclidean"})

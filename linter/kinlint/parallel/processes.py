@@ -10,9 +10,9 @@ from threading import Thread
 from typing import TYPE_CHECKING
 
 from kinlint.errors import SourceError
-from kinlint.parallel import share
-from kinlint.parallel.division import Model
-from kinlint.parallel.share import Job, Outcome
+from kinlint.parallel import shard
+from kinlint.parallel.partition import Model
+from kinlint.parallel.shard import Job, Outcome
 
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
@@ -91,4 +91,4 @@ def _end(pool: ProcessPoolExecutor) -> None:
 
 def _one(models: Sequence[Model]) -> list[Outcome]:
     job, errors = _jobs[-1]
-    return share.lint(models, errors, job)
+    return shard.lint(models, errors, job)

@@ -10,9 +10,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.file import Config, Configs
+from kinlint.configuration.config_file import Config, Configs
 from kinlint.configuration.settings import FileSettings, Ignore, Settings
-from kinlint.contexts.library import NEWEST, Contexts
+from kinlint.contexts.context_library import NEWEST, Contexts
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.discovery import SKIPPED, Input
 from kinlint.files.pathglob import Glob, absolute

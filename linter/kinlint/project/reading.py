@@ -9,7 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kinlint.configuration.settings import Settings
-from kinlint.contexts.library import Contexts, Extra
+from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
 from kinlint.formats.registry import decode, objection, recognise

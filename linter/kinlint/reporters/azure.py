@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 from kinlint.model import Severity
 from kinlint.report import STDIN_NAMES, Report
-from kinlint.reporters.paths import Paths
-from kinlint.reporters.style import Style
+from kinlint.reporters.repository_paths import Paths
+from kinlint.reporters.terminal_style import Style
 
 _TYPES = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "warning"}
 

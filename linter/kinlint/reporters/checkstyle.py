@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.columns import folded
-from kinlint.reporters.paths import Paths
-from kinlint.reporters.style import Style
+from kinlint.reporters.display_width import folded
+from kinlint.reporters.repository_paths import Paths
+from kinlint.reporters.terminal_style import Style
 from kinlint.reporters.xml_text import HEAD, tag
 
 VERSION = "4.3"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.reporters.columns import shown
-from kinlint.reporters.style import Ink, Style
+from kinlint.reporters.display_width import shown
+from kinlint.reporters.terminal_style import Ink, Style
 
 NO_LINE_END = "\\ No newline at end of file"
 _INKS: dict[str, Ink] = {"-": "removed", "+": "added", "@": "place"}

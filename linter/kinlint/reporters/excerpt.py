@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kinlint.reporters.columns import folded, shown, width
-from kinlint.reporters.style import Ink, Style
+from kinlint.reporters.display_width import folded, shown, width
+from kinlint.reporters.terminal_style import Ink, Style
 from kinlint.text import Location, SourceText, Span
 
 CONTEXT_LINES = 2

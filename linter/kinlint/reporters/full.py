@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
-from kinlint.reporters.columns import folded, shown
+from kinlint.reporters.display_width import folded, shown
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
-from kinlint.reporters.help import Help, last_line
-from kinlint.reporters.remedy import sign
-from kinlint.reporters.style import INK_OF, Style
+from kinlint.reporters.fix_preview import Help, last_line
+from kinlint.reporters.fixability import sign
 from kinlint.reporters.summary import counted, errors
+from kinlint.reporters.terminal_style import INK_OF, Style
 from kinlint.text import Location
 
 NEAR_LINES = 5

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Severity
 from kinlint.report import STDIN_NAMES, Report
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 ANNOTATIONS_OF_A_KIND = 10
 MESSAGE_LENGTH = 4_096

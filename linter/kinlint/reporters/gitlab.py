@@ -15,11 +15,11 @@ from typing import Any
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Severity
 from kinlint.report import Report
-from kinlint.reporters.columns import folded
-from kinlint.reporters.notation import json_text
-from kinlint.reporters.paths import Paths
+from kinlint.reporters.display_width import folded
+from kinlint.reporters.json_escape import json_text
+from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.sarif.fingerprint import DOCUMENT
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 UNREADABLE = "kinlint"
 """The name of the check that a file which cannot be read fails."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.columns import folded, shown
-from kinlint.reporters.style import INK_OF, Style
+from kinlint.reporters.display_width import folded, shown
+from kinlint.reporters.terminal_style import INK_OF, Style
 
 
 def render(report: Report, style: Style) -> Iterator[str]:

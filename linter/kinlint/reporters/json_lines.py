@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.notation import json_text
-from kinlint.reporters.objects import error_object, finding_object
-from kinlint.reporters.style import Style
+from kinlint.reporters.finding_object import error_object, finding_object
+from kinlint.reporters.json_escape import json_text
+from kinlint.reporters.terminal_style import Style
 
 
 def render(report: Report, style: Style) -> Iterator[str]:

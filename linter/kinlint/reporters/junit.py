@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 from kinlint.model import Severity
 from kinlint.report import Report
-from kinlint.reporters.columns import folded
-from kinlint.reporters.paths import Paths
-from kinlint.reporters.style import Style
+from kinlint.reporters.display_width import folded
+from kinlint.reporters.repository_paths import Paths
+from kinlint.reporters.terminal_style import Style
 from kinlint.reporters.xml_text import HEAD, content, tag
 
 PACKAGE = "org.kinlint"

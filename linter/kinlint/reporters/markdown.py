@@ -8,9 +8,9 @@ from typing import TypeAlias
 from kinlint.model import Finding
 from kinlint.report import STDIN_NAMES, Report
 from kinlint.reporters.markdown_text import address, escaped, link, table
-from kinlint.reporters.paths import Paths
-from kinlint.reporters.style import Style
+from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.summary import counts, verdict
+from kinlint.reporters.terminal_style import Style
 
 Address: TypeAlias = Callable[[str, int | None], str]
 """The URL of a line, or of all, of the file at a path."""

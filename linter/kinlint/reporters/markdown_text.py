@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from urllib.parse import quote
 
-from kinlint.reporters.columns import folded, sound
+from kinlint.reporters.display_width import folded, sound
 
 _MARKS = re.compile(r"[\\`*_\[\]#|~$>]|:(?=[^\s\d])")
 _ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", "@": "&#64;"})

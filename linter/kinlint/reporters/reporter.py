@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from kinlint.report import Report
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 
 
 class Reporter(Protocol):

@@ -10,10 +10,10 @@ from urllib.parse import quote
 
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
-from kinlint.reporters.example import Marked, marked
-from kinlint.reporters.repair import heading, repair_object
-from kinlint.reporters.style import Style
+from kinlint.reporters.rule_example import Marked, marked
+from kinlint.reporters.rule_fix_section import heading, repair_object
 from kinlint.reporters.symptoms import SYMPTOMS
+from kinlint.reporters.terminal_style import Style
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {"jsonld": "json", "turtle": "turtle", "urdf": "xml", "sdf": "xml", "mjcf": "xml"}
@@ -48,7 +48,7 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
 def _drawn(rule: Rule, style: Style) -> str:
     from rich.markdown import Markdown  # noqa: PLC0415
 
-    from kinlint.reporters.drawing import drawn  # noqa: PLC0415
+    from kinlint.reporters.rich_render import drawn  # noqa: PLC0415
 
     page = Markdown(markdown(rule), code_theme="ansi_dark", hyperlinks=True)
     return drawn(page, style)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint import resources
 from kinlint.model import Rule
-from kinlint.reporters.repair import furthest
+from kinlint.reporters.rule_fix_section import furthest
 from kinlint.reporters.rule_page import section, title_of
 from kinlint.reporters.symptoms import symptom_table
 

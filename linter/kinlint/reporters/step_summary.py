@@ -10,12 +10,12 @@ from collections.abc import Iterator, Sequence
 from html import escape
 
 from kinlint.report import Report
-from kinlint.reporters.columns import folded, sound
+from kinlint.reporters.display_width import folded, sound
 from kinlint.reporters.github import annotated
 from kinlint.reporters.markdown import Address, by_rule, head, listing, unread
-from kinlint.reporters.paths import Paths
-from kinlint.reporters.picture.marks import Marks, marks
+from kinlint.reporters.picture.finding_badges import Marks, marks
 from kinlint.reporters.picture.mermaid import lines
+from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.summary import counted, counts
 from kinlint.structure import Structure
 

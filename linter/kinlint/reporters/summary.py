@@ -8,9 +8,9 @@ from dataclasses import replace
 
 from kinlint.model import Finding
 from kinlint.report import Report
-from kinlint.reporters.columns import shown
-from kinlint.reporters.remedy import FIXABLE, WITH_CARE, fixable
-from kinlint.reporters.style import Style
+from kinlint.reporters.display_width import shown
+from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable
+from kinlint.reporters.terminal_style import Style
 
 _NOT_APPLIED = "0 rules applied: no known vocabulary"
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from kinlint.inherent import profile
+from kinlint.format_profile import profile
 from kinlint.model import Rule
 
 SYMPTOMS = {

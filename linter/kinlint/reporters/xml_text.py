@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from xml.sax.saxutils import escape, quoteattr
 
-from kinlint.reporters.columns import sound
-from kinlint.reporters.style import Style
+from kinlint.reporters.display_width import sound
+from kinlint.reporters.terminal_style import Style
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
 _REFUSED = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ufffe\uffff]")

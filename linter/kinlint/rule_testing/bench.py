@@ -9,7 +9,6 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
-from kinlint.engine.check import check
 from kinlint.engine.closure import close
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.compiler.graph import ShapesGraph
@@ -17,16 +16,17 @@ from kinlint.engine.compiler.graph import read as read_shapes
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.prefixes import declared
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.facts.compute import facts
-from kinlint.findings.account import findings
+from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.xml.joining import join, partners
+from kinlint.missing_files import references
 from kinlint.model import Rule
-from kinlint.references import references
 from kinlint.rule_testing.mutants import mutants
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse

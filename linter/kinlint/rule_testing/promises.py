@@ -14,7 +14,7 @@ from kinlint import lint, resources
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.catalogue.scaffold import unfilled
 from kinlint.configuration.settings import Choice, FileSettings, Settings
-from kinlint.engine.check import check
+from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions

@@ -18,14 +18,14 @@ from kinlint import __version__
 from kinlint.incremental.examiner import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of
+from kinlint.server.client_settings import Preferences
 from kinlint.server.diagnostics import Told
-from kinlint.server.examiner import Examiner
-from kinlint.server.library import Library, Outdated, Step
-from kinlint.server.preferences import Preferences
+from kinlint.server.frozen_state import Snapshot
 from kinlint.server.protocol import Protocol
-from kinlint.server.snapshot import Snapshot
-from kinlint.server.view import View
+from kinlint.server.request_context import View
+from kinlint.server.scheduler import Examiner
 from kinlint.server.worker import Worker
+from kinlint.server.workspace import Library, Outdated, Step
 
 T = TypeVar("T")
 NAME = "kinlint"

@@ -15,7 +15,7 @@ from lsprotocol.types import (
 
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.server.measure import MARK, Measure
+from kinlint.server.position_codec import MARK, Measure
 from kinlint.text import SourceText
 
 Change = TextDocumentContentChangePartial | TextDocumentContentChangeWholeDocument

@@ -13,9 +13,9 @@ from lsprotocol import types
 from kinlint.errors import SourceError
 from kinlint.lint import Examination
 from kinlint.model import Finding, Severity
-from kinlint.reporters.sarif.catalogue import web_address
-from kinlint.server.bench import Bench
-from kinlint.server.view import Places
+from kinlint.reporters.sarif.rule_descriptors import web_address
+from kinlint.server.request_context import Places
+from kinlint.server.session import Bench
 from kinlint.text import Location, SourceText, Span
 
 SOURCE = "kinlint"

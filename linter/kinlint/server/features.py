@@ -8,14 +8,14 @@ from kinlint.server.app import KinlintServer
 
 FEATURES = (
     "kinlint.server.lifecycle",
-    "kinlint.server.synchronisation",
-    "kinlint.server.actions",
-    "kinlint.server.commands",
-    "kinlint.server.hover",
-    "kinlint.server.references",
-    "kinlint.server.outline",
-    "kinlint.server.links",
-    "kinlint.server.lenses",
+    "kinlint.server.text_sync",
+    "kinlint.server.code_actions",
+    "kinlint.server.workspace_commands",
+    "kinlint.server.hover_request",
+    "kinlint.server.find_references",
+    "kinlint.server.document_symbols",
+    "kinlint.server.document_links",
+    "kinlint.server.code_lens",
 )
 """Modules whose `register(server)` adds what they have."""
 

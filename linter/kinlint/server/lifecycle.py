@@ -10,12 +10,12 @@ from pathlib import Path
 
 from lsprotocol import types
 
-from kinlint.configuration.file import NAMES
+from kinlint.configuration.config_file import NAMES
 from kinlint.files.discovery import GLOBBED
-from kinlint.server import publishing, pulling
+from kinlint.server import publish_diagnostics, pull_diagnostics
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
-from kinlint.server.preferences import Preferences
+from kinlint.server.client_settings import Preferences
 
 SECTION = "kinlint"
 WATCHED = (
@@ -35,7 +35,7 @@ def register(server: KinlintServer) -> None:
         _settle(server, _roots(params))
         server.preferences = Preferences.of(params.initialization_options)
         known = params.capabilities.text_document
-        (pulling if known and known.diagnostic else publishing).register(server)
+        (pull_diagnostics if known and known.diagnostic else publish_diagnostics).register(server)
         if params.process_id:
             server.watch = asyncio.ensure_future(_outlive_nobody(params.process_id))
 

@@ -8,7 +8,7 @@ from typing import TypeVar
 from kinlint.lint import Examination
 from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
-from kinlint.server.view import View
+from kinlint.server.request_context import View
 
 T = TypeVar("T")
 MOST = 4

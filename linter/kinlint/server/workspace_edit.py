@@ -9,7 +9,7 @@ from lsprotocol import types
 
 from kinlint.edits import Edit
 from kinlint.model import TextEdit
-from kinlint.server.view import Places
+from kinlint.server.request_context import Places
 from kinlint.text import Location, SourceText, Span
 
 MOST_LINES = 2_000

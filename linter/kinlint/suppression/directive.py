@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.selectors import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
-from kinlint.files import surroundings
+from kinlint.files import environment
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.text import Location, Span
 from kinlint.vocabulary import KL, RULE, SRC
@@ -162,6 +162,6 @@ def _lasts(until: str, today: date | None) -> bool:
     from datetime import date  # noqa: PLC0415  few models have such a day
 
     try:
-        return (today or date.fromisoformat(surroundings.today())) <= date.fromisoformat(until)
+        return (today or date.fromisoformat(environment.today())) <= date.fromisoformat(until)
     except ValueError:
         return False

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
+from kinlint.cli.argument_parser import Parser
 from kinlint.cli.completion import bash, fish, zsh
-from kinlint.cli.completion.words import SHELLS, Words, words
-from kinlint.cli.parser import Parser
-from kinlint.configuration.kinds import unknown
+from kinlint.cli.completion.grammar import SHELLS, Words, words
+from kinlint.configuration.value_kinds import unknown
 from kinlint.errors import UsageError
 from kinlint.project.layers import cache_directory
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.cli.completion.words import Command, Value, Words
+from kinlint.cli.completion.grammar import Command, Value, Words
 
 HEAD = """\
 # Completion of kinlint for fish. Made by: kinlint generate-shell-completion fish

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.cli.completion.words import Command, Option, Value, Words
+from kinlint.cli.completion.grammar import Command, Option, Value, Words
 
 HEAD = """\
 #compdef kinlint

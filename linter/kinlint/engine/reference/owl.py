@@ -9,9 +9,9 @@ from rdflib import Graph
 from rdflib.term import Node
 
 from kinlint.engine.expressions import NOTHING
-from kinlint.engine.reference.nodes import graph, node, term
-from kinlint.engine.schema import Schema
-from kinlint.engine.spelling import normal
+from kinlint.engine.literal_spelling import normal
+from kinlint.engine.ontology_index import Schema
+from kinlint.engine.reference.rdflib_terms import graph, node, term
 from kinlint.terms import (
     RDF,
     RDF_TYPE,

@@ -21,7 +21,7 @@ from rdflib.plugins.sparql.processor import SPARQLProcessor
 from rdflib.plugins.sparql.sparql import Query
 from rdflib.term import Node
 
-from kinlint.engine.reference import expressions
+from kinlint.engine.reference import rdflib_expressions
 
 DEPTH = 20_000
 """Python's recursion limit meanwhile: rdflib walks a path of n steps with n nested calls."""
@@ -82,10 +82,10 @@ def recorded() -> Iterator[dict[Node, Record]]:
         setattr(*GROUPS, lambda context, part: _groups(groups, context, part))
         setattr(
             *EXPRESSIONS,
-            lambda part, context=None: expressions.evaluated(evaluated, part, context or {}),
+            lambda part, context=None: rdflib_expressions.evaluated(evaluated, part, context or {}),
         )
         for place in NUMBERS:
-            setattr(*place, lambda term: expressions.numeric(numeric, term))
+            setattr(*place, lambda term: rdflib_expressions.numeric(numeric, term))
         with warnings.catch_warnings():
             # rdflib warns of every literal that is not in the lexical space of its datatype.
             warnings.simplefilter("ignore")

@@ -14,11 +14,11 @@ from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.compiler.sparql import formats, severity
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.reference.nodes import graph, term
+from kinlint.engine.ontology_index import Schema
 from kinlint.engine.reference.owl import owlrl_closure
+from kinlint.engine.reference.rdflib_terms import graph, term
 from kinlint.engine.reference.recording import Record, recorded
 from kinlint.engine.result import Result
-from kinlint.engine.schema import Schema
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.terms import Term, Triple, iri_value, is_blank, is_iri

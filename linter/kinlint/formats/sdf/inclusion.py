@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from kinlint.files.contents import head
+from kinlint.files.bounded_read import head
+from kinlint.files.environment import kind, listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
-from kinlint.files.surroundings import kind, listing
 
 MANIFESTS = ("model.config", "manifest.xml")
 DEFAULT = "model.sdf"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.files.contents import Unreadable, contents
+from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown

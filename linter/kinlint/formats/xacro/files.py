@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from kinlint.files.contents import Unreadable, contents
+from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.decoding import decode

@@ -19,10 +19,10 @@ from typing import Any
 from xml.dom import minidom
 
 from kinlint.errors import SourceError
-from kinlint.files.contents import Unreadable
+from kinlint.files.bounded_read import Unreadable
+from kinlint.files.environment import listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
-from kinlint.files.surroundings import listing
 from kinlint.formats.xacro import yaml_table
 from kinlint.formats.xacro.bounds import Bounds, Refused, TooMuch
 from kinlint.formats.xacro.comments import inherit, removing

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from kinlint.files.surroundings import variable
+from kinlint.files.environment import variable
 from kinlint.formats.xacro.bounds import Refused
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from kinlint.files.contents import Unreadable
+from kinlint.files.bounded_read import Unreadable
 from kinlint.formats.xacro.bounds import Bounds, TooMuch
 from kinlint.formats.xacro.expression import evaluate
 from kinlint.formats.xacro.failure import Failure, Malformed, said

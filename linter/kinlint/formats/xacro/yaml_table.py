@@ -8,7 +8,7 @@ from typing import Any
 
 import yaml
 
-from kinlint.files.contents import Unreadable
+from kinlint.files.bounded_read import Unreadable
 from kinlint.formats.xacro.bounds import Bounds, TooMuch
 from kinlint.formats.xacro.symbols import dotted
 

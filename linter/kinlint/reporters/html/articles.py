@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.model import Finding, Premise
 from kinlint.report import Report
-from kinlint.reporters.columns import folded
+from kinlint.reporters.display_width import folded
+from kinlint.reporters.fixability import sign
 from kinlint.reporters.html.excerpts import excerpts
 from kinlint.reporters.html.patches import fixes
 from kinlint.reporters.html.tables import chip, rule_id
-from kinlint.reporters.picture.markup import element, text
-from kinlint.reporters.remedy import sign
+from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.summary import counted
 
 OPEN = 25

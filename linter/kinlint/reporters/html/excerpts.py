@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kinlint.model import Finding
-from kinlint.reporters.columns import folded
+from kinlint.reporters.display_width import folded
 from kinlint.reporters.excerpt import CONTEXT_LINES, Cut, Mark, bounds, cut
-from kinlint.reporters.picture.markup import element, text
-from kinlint.reporters.style import Style
+from kinlint.reporters.picture.escape import element, text
+from kinlint.reporters.terminal_style import Style
 from kinlint.text import SourceText
 
 NEAR = 5

@@ -10,14 +10,14 @@ from pathlib import Path
 from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters.html.articles import Articles
-from kinlint.reporters.html.robots import robots
+from kinlint.reporters.html.robot_pictures import robots
 from kinlint.reporters.html.rules import rules
 from kinlint.reporters.html.tables import tables
 from kinlint.reporters.picture import svg
-from kinlint.reporters.picture.marks import sign
-from kinlint.reporters.picture.markup import element, text
-from kinlint.reporters.style import Style
+from kinlint.reporters.picture.escape import element, text
+from kinlint.reporters.picture.finding_badges import sign
 from kinlint.reporters.summary import counted, verdict
+from kinlint.reporters.terminal_style import Style
 
 HERE = Path(__file__).parent
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from kinlint.report import Report
 from kinlint.reporters.html.tables import rule_id
-from kinlint.reporters.picture.markup import element, text
+from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.rule_page import help_markdown
 
 

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from kinlint.model import Finding, Severity
 from kinlint.report import Report
 from kinlint.reporters.antipatterns import ANTIPATTERNS
-from kinlint.reporters.picture.marks import sign
-from kinlint.reporters.picture.markup import element, text
-from kinlint.reporters.remedy import fixable
+from kinlint.reporters.fixability import fixable
+from kinlint.reporters.picture.escape import element, text
+from kinlint.reporters.picture.finding_badges import sign
 
 FILES = 200
 """Of more files only those with the most findings have a row."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from kinlint.model import Finding
-from kinlint.reporters.columns import shown, width
+from kinlint.reporters.display_width import shown, width
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import limits, mimics, origin
-from kinlint.reporters.picture.marks import Badge, Marks, badge
 from kinlint.structure import Frame, Joint, Link, Structure
 
 Kind: TypeAlias = Literal["link", "absent", "joint", "loop", "frame"]

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kinlint.model import Severity
-from kinlint.reporters.columns import shown
+from kinlint.reporters.display_width import shown
+from kinlint.reporters.picture.finding_badges import Marks, badge
 from kinlint.reporters.picture.labels import heading, limits, mimics, origin
-from kinlint.reporters.picture.marks import Marks, badge
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Link, Part, Structure
 
 BEYOND = re.compile("[^\u0000-\uffff]")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kinlint.reporters.picture.arrangement import CHANNEL, MARGIN, Layout, Place
 from kinlint.reporters.picture.boxes import CLEAR, Box
-from kinlint.reporters.picture.markup import empty, number
+from kinlint.reporters.picture.escape import empty, number
+from kinlint.reporters.picture.placement import CHANNEL, MARGIN, Layout, Place
 
 STRAY = 5.0
 """How far apart lines run that go from one column to the next."""

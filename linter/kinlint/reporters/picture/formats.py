@@ -7,14 +7,14 @@ from importlib import import_module
 from typing import Protocol, TypeAlias, cast
 
 from kinlint.report import Report
-from kinlint.reporters.picture.marks import Marks, paired
-from kinlint.reporters.style import Style
+from kinlint.reporters.picture.finding_badges import Marks, paired
+from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Structure
 
 Pairs: TypeAlias = Sequence[tuple[Structure, Marks]]
 """Robots, each with what is found of its parts."""
 
-FORMATS: Mapping[str, str] = {"svg": "svg", "mermaid": "mermaid", "dot": "dot", "text": "outline"}
+FORMATS: Mapping[str, str] = {"svg": "svg", "mermaid": "mermaid", "dot": "dot", "text": "text_tree"}
 """The module of each format."""
 SUFFIXES: Mapping[str, str] = {
     "": "text",

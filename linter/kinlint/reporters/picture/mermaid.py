@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kinlint.reporters.columns import shown
+from kinlint.reporters.display_width import shown
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import heading, mimics, origin
-from kinlint.reporters.picture.marks import Badge, Marks, badge
-from kinlint.reporters.style import Style
+from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Link, Part, Structure
 
 SPECIAL = re.compile(r"[^\w .,:+\-×✖▲●∞−]", re.ASCII)  # noqa: RUF001

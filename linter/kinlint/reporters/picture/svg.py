@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from kinlint.model import Finding
-from kinlint.reporters.picture.arrangement import MARGIN, Place, layout
 from kinlint.reporters.picture.boxes import (
     CLEAR,
     LABEL_LINE,
@@ -19,10 +18,11 @@ from kinlint.reporters.picture.boxes import (
     span,
 )
 from kinlint.reporters.picture.edges import edges, loops
+from kinlint.reporters.picture.escape import attributes, element, empty, number, text
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, sign, told
 from kinlint.reporters.picture.labels import heading
-from kinlint.reporters.picture.marks import Badge, Marks, badge, sign, told
-from kinlint.reporters.picture.markup import attributes, element, empty, number, text
-from kinlint.reporters.style import Style
+from kinlint.reporters.picture.placement import MARGIN, Place, layout
+from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Structure
 
 NAMESPACE = "http://www.w3.org/2000/svg"

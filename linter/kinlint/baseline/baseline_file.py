@@ -1,0 +1,107 @@
+"""The file of a baseline: JSON in a fixed order, so that two of them differ where findings do."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NoReturn
+
+from kinlint.baseline.entry_identity import Known
+from kinlint.errors import SourceError, UsageError
+from kinlint.files.atomic_write import replacement
+from kinlint.files.pathname import missing, shown
+from kinlint.formats.decoding import decode
+from kinlint.formats.json_text.parser import parse
+from kinlint.formats.json_text.values import Array, Object, Text
+from kinlint.text import SourceText, Span
+
+DEFAULT = "kinlint-baseline.json"
+VERSION = 1
+FIELDS = ("path", "rule", "entity", "message", "fingerprint")
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """What a file at `path` remembers; `source` is its text."""
+
+    path: Path
+    source: SourceText
+    entries: tuple[Known, ...] = ()
+
+
+def read(path: Path, origin: str) -> Baseline:
+    """The baseline at *path*, which *origin* asks for.
+
+    Raises UsageError with the place and the cause where there is none.
+    """
+    name = shown(path)
+    try:
+        if path.is_dir():
+            raise UsageError(f"{origin}: {name}: is a directory")
+        source = decode(name, path.read_bytes())
+    except FileNotFoundError:
+        raise UsageError(f"{origin}: {name}: {missing(path)}") from None
+    except OSError as error:
+        raise UsageError(f"{origin}: {name}: {error.strerror or error}") from None
+    except SourceError as error:
+        raise UsageError(f"{origin}: {error}") from None
+    try:
+        entries = tuple(_entries(source, parse(source).value))
+    except SourceError as error:
+        raise UsageError(f"{origin}: {error}") from None
+    return Baseline(path, source, entries)
+
+
+def _entries(source: SourceText, said: Any) -> Iterator[Known]:
+    if source.misread:
+        _fail(source, source.misread[0][0], "not UTF-8")
+    whole = Span(0, 0)
+    if not isinstance(said, Object) or "findings" not in said:
+        _fail(source, whole, "not a baseline: expected an object with version and findings")
+    if said.get("version") != VERSION or said["version"] is True:
+        _fail(source, said.span, f"expected version {VERSION} of the format of baselines")
+    if not isinstance(said["findings"], Array):
+        _fail(source, said.span, "findings: expected an array")
+    for number, one in enumerate(said["findings"]):
+        if not isinstance(one, Object):
+            _fail(source, said["findings"].element_span(number), "expected a finding, an object")
+        yield _entry(source, one)
+
+
+def _entry(source: SourceText, said: Object) -> Known:
+    texts = []
+    for name in FIELDS:
+        value = said.get(name)
+        if not isinstance(value, Text):
+            key = said.key(name)
+            wrong = f"{name}: expected a string" if key else f"a finding without '{name}'"
+            _fail(source, key.span if key else said.span, wrong)
+        texts.append(str(value))
+    entity = said["entity"]
+    path, rule, about, message, fingerprint = texts
+    return Known(path, rule, about, message, fingerprint, span=Span(entity.start, entity.end))
+
+
+def _fail(source: SourceText, span: Span, cause: str) -> NoReturn:
+    place = source.position(span.start)
+    raise SourceError(source.name, cause, place.line, place.column)
+
+
+def write(path: Path, entries: Iterable[Known]) -> None:
+    """Write *entries* to the file at *path*, as a whole or not at all.
+
+    Raises UsageError where that cannot be.
+    """
+    ordered = sorted(entries, key=lambda one: one.key)
+    listed = [{name: getattr(one, name) for name in FIELDS} for one in ordered]
+    said = {"version": VERSION, "findings": listed}
+    data = f"{json.dumps(said, indent=2, ensure_ascii=False)}\n".encode("utf-8", "replace")
+    try:
+        if path.is_file() and path.read_bytes() == data:
+            return
+        with replacement(path) as stream:
+            stream.write(data)
+    except OSError as error:
+        raise UsageError(f"cannot write {shown(path)}: {error.strerror or error}") from None

@@ -1,0 +1,132 @@
+"""What a report follows from, as a digest: texts, rules, settings, and kinlint itself."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from kinlint import __version__, resources
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import FileSettings, Settings
+from kinlint.contexts.context_library import Contexts, Extra
+from kinlint.formats.registry import recognise
+from kinlint.text import SourceText
+
+PLAIN = frozenset({"urdf", "sdf"})
+"""Formats whose files include others by elements of that name alone, if at all."""
+LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacro")
+"""What reads and judges models beside kinlint."""
+
+
+@dataclass(frozen=True)
+class Grounds:
+    """What all reports of a run follow from; with *fixing*, they have the fixes on offer."""
+
+    settings: Settings
+    book: Rulebook
+    fixing: bool
+    _base: str = field(init=False, repr=False)
+    _known: dict[int, str] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        wide = replace(self.settings, files={}, cache=None, verbose=False)
+        extra: Sequence[Extra] = (
+            *wide.context_directories,
+            *wide.extra_contexts.items(),
+        )
+        said = [
+            __version__,
+            sys.version,
+            sys.platform,
+            *_libraries(),
+            _code(),
+            os.getcwd(),  # noqa: PTH109  a text
+            self.book.digest,
+            self.fixing,
+            plain(wide),
+            dict(Contexts.bundled(wide.contexts, extra).further) if extra else {},
+        ]
+        object.__setattr__(self, "_base", _digest(said))
+
+    def of(self, sources: Sequence[SourceText], *, complete: bool) -> str:
+        """What the report of *sources* follows from.
+
+        *complete* tells that nothing is known that could not be read.
+        """
+        each = [[plain(one), self._file(self.settings.of(one.name))] for one in sources]
+        others = [] if all(map(alone, sources)) else self._special()
+        return _digest([self._base, complete, each, others])
+
+    def _special(self) -> list[list[str]]:
+        """The settings of files that are not governed like those that a model only includes."""
+        usual = self._file(self.settings.default)
+        files = self.settings.files.items()
+        return [[name, own] for name, one in files if (own := self._file(one)) != usual]
+
+    def _file(self, settings: FileSettings) -> str:
+        if id(settings) not in self._known:
+            self._known[id(settings)] = _digest(plain(settings))
+        return self._known[id(settings)]
+
+
+def alone(source: SourceText) -> bool:
+    """Whether *source* surely includes no other file."""
+    return "include" not in source.text and recognise(source.name, source.text) in PLAIN
+
+
+def plain(value: Any) -> Any:
+    """*value*, made of frozen data, as JSON that differs where it does; of texts, a digest."""
+    if isinstance(value, SourceText):
+        data = value.text.encode("utf-8", "surrogatepass")
+        more = [[one.name, getattr(value, one.name)] for one in fields(value) if one.name != "text"]
+        return [sha256(data).hexdigest(), repr(more)]
+    if is_dataclass(value):
+        return [type(value).__name__, *(plain(getattr(value, one.name)) for one in fields(value))]
+    if isinstance(value, Mapping):
+        return [[plain(key), plain(one)] for key, one in value.items()]
+    if isinstance(value, tuple):
+        return [plain(one) for one in value]
+    return value if value is None or isinstance(value, bool) else f"{type(value).__name__} {value}"
+
+
+def _digest(value: Any) -> str:
+    return sha256(json.dumps(value).encode()).hexdigest()
+
+
+def _code() -> str:
+    """A digest of kinlint itself, which in a checkout changes without its version."""
+    digest = sha256()
+    for top, suffixes in (
+        (Path(__file__).parents[1], (".py",)),
+        (resources.data("shapes"), (".json", ".rq", ".ttl", ".tsv", ".csv")),
+    ):
+        for folder, folders, names in os.walk(top):
+            folders.sort()
+            for name in sorted(names):
+                if name.endswith(suffixes):
+                    path = Path(folder, name)
+                    digest.update(f"\0{name}\0".encode())
+                    digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def _libraries() -> list[str]:
+    """The versions of `LIBRARIES`, without loading what could tell them better."""
+    found = []
+    for entry in sys.path:
+        try:
+            names = os.listdir(entry or ".")  # noqa: PTH208  as few steps as can be
+        except OSError:
+            continue
+        found += [
+            name
+            for name in names
+            if name.endswith(".dist-info") and name.partition("-")[0].lower() in LIBRARIES
+        ]
+    return sorted(found)

@@ -1,0 +1,37 @@
+"""Removes what kinlint keeps from one run for the next, and nothing else."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.cache.directory_store import Entries
+from kinlint.cache.report_cache import FOLDER
+from kinlint.catalogue.rulebook import STORED
+
+
+@dataclass(frozen=True)
+class Cleared:
+    """How many reports and compiled catalogues were removed, and their bytes."""
+
+    reports: int = 0
+    catalogues: int = 0
+    size: int = 0
+
+
+def clear(directory: Path) -> Cleared:
+    """Remove the cache in *directory*, and the directory itself if nothing else is in it.
+
+    Raises OSError if something cannot be removed.
+    """
+    reports, size = Entries(directory / FOLDER).clear()
+    catalogues = 0
+    for pattern in STORED:
+        for path in directory.glob(pattern):
+            size += path.lstat().st_size
+            path.unlink(missing_ok=True)
+            catalogues += 1
+    with suppress(OSError):
+        directory.rmdir()
+    return Cleared(reports, catalogues, size)

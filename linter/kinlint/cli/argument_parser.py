@@ -1,0 +1,122 @@
+"""argparse with errors that are ours: one line, a suggestion, and no usage text in front."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NoReturn
+
+from kinlint.configuration.value_kinds import unknown
+from kinlint.errors import UsageError
+from kinlint.suggestion import did_you_mean
+
+
+class HelpShown(Exception):
+    """The user asked for help and got it."""
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser without abbreviations that raises `UsageError` with a suggestion."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(allow_abbrev=False, formatter_class=Formatter, add_help=False, **options)
+        self._rest: str | None = None
+        self._bare: set[str] = set()
+        self.helping = self.add_argument_group("Help")
+        self.helping.add_argument("-h", "--help", action="help", help="show this help")
+
+    def read(self, arguments: Sequence[str]) -> argparse.Namespace:
+        """The options in *arguments*, which may stand between the words of `rest`.
+
+        What follows `--` is no option.
+        """
+        end = arguments.index("--") if "--" in arguments else len(arguments)
+        words = [f"{word}=" if word in self._bare else word for word in arguments[:end]]
+        options, strange = self.parse_known_intermixed_args(words)
+        words = [word for word in strange if not word.startswith("-")] + list(arguments[end + 1 :])
+        wrong = next((word for word in strange if word.startswith("-")), None)
+        if wrong is not None:
+            name = wrong.partition("=")[0]
+            suggestion = did_you_mean(name, self._option_string_actions) if name[1:2] == "-" else ""
+            self.error(f"unknown option '{name}'{suggestion or f'; {self.prog} --help lists them'}")
+        if words and self._rest is None:
+            self.error(f"unexpected argument '{words[0]}'")
+        if self._rest is not None:
+            setattr(options, self._rest, [*getattr(options, self._rest), *words])
+        return options
+
+    def rest(self, name: str, metavar: str, text: str) -> None:
+        """Take any number of words that are no options, as *name*."""
+        self.add_argument(name, nargs="*", metavar=metavar, help=text)
+        self._rest = name
+
+    @property
+    def actions(self) -> Sequence[argparse.Action]:
+        """All that may be given, in the order of the help."""
+        return self._actions
+
+    def bare(self, option: str) -> None:
+        """Have *option* take its value behind `=` alone; without one it is empty."""
+        self._bare.add(option)
+
+    def error(self, message: str) -> NoReturn:
+        """Raise `UsageError`."""
+        message = message.removeprefix("argument ")
+        raise UsageError(message.replace("ignored explicit argument", "takes no value, but has"))
+
+    def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
+        """Raise `HelpShown`: nothing but help leaves the parser this way."""
+        del status, message
+        raise HelpShown
+
+
+class Formatter(argparse.RawDescriptionHelpFormatter):
+    """Help with options at the left and their texts in one column."""
+
+    def __init__(self, prog: str) -> None:
+        super().__init__(prog, max_help_position=30)
+
+
+def one_of(
+    choices: tuple[str, ...], aliases: Mapping[str, str] | None = None
+) -> Callable[[str], str]:
+    """A type for arguments that must be one of *choices*, or of *aliases* for some of them."""
+
+    def read(text: str) -> str:
+        text = (aliases or {}).get(text, text)
+        if problem := unknown(text, choices):
+            raise argparse.ArgumentTypeError(problem)
+        return text
+
+    _choices[read] = choices
+    return read
+
+
+_choices: dict[object, tuple[str, ...]] = {}
+
+
+def choices(kind: object) -> tuple[str, ...]:
+    """What arguments of *kind* must be one of, if it is such a type."""
+    return _choices.get(kind, ())
+
+
+def filled(text: str) -> str:
+    """A type for arguments that may not be empty."""
+    if not text:
+        raise argparse.ArgumentTypeError("expected a value, got ''")
+    return text
+
+
+def listed(text: str) -> list[str]:
+    """A type for arguments with several values, at least one, separated by commas."""
+    parts = [part for each in text.split(",") if (part := each.strip())]
+    if not parts:
+        raise argparse.ArgumentTypeError(f"expected a value, got '{text}'")
+    return parts
+
+
+def count(text: str) -> int:
+    """A type for arguments that are a number from 0 up."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"expected a number, got '{text}'")
+    return int(text)

@@ -1,0 +1,222 @@
+"""`kinlint check`: finds, reads, lints and reports."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from kinlint import __version__
+from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.cli.check_options import parser
+from kinlint.cli.commands import hint
+from kinlint.cli.lint_run import Run
+from kinlint.cli.option_conflicts import check_together
+from kinlint.cli.overrides import configs, overrides
+from kinlint.cli.report_destinations import check_destinations, destinations
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.errors import SourceError, UsageError
+from kinlint.files.discovery import Found, Search
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import shown
+from kinlint.model import Severity
+from kinlint.phases import Phases
+from kinlint.project.layers import Layers, cache_directory
+from kinlint.report import Report
+
+if TYPE_CHECKING:
+    from kinlint.cli.new_findings import Knowledge
+
+CLEAN, FOUND, ABNORMAL = 0, 1, 2
+THRESHOLD = "warning"
+COMPARING = (
+    "baseline",
+    "write_baseline",
+    "prune_baseline",
+    "new_from_rev",
+    "new_from_merge_base",
+)
+"""The options that ask for what is new."""
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Lint what *arguments* name; the exit code."""
+    options = parser().read(arguments)
+    if options.version:
+        sys.stdout.write(f"kinlint {__version__}\n")
+        return CLEAN
+    check_together(options)
+    if options.watch:
+        from kinlint.cli.watch import watch  # noqa: PLC0415  few runs stay
+
+        return watch(options, checked)
+    return checked(options)
+
+
+def checked(options: Namespace, settled: Callable[[Settings], None] | None = None) -> int:
+    """Lint what *options* name, once; the exit code. *settled* is told by which settings."""
+    layers = Layers(configs(options), overrides(options))
+    found = _find(options, layers)
+    if options.show_files or options.profile:
+        _warn(found)
+        return _show_files(found) if options.show_files else _show_inherent(options, layers, found)
+    settings = _settings(options, layers, found)
+    project = layers.project(found.inputs)
+    fail_on = project.fail_on or THRESHOLD
+    outputs = destinations(options, project)
+    settings = replace(settings, drawn=outputs.shows_structure)
+    if settled is not None:
+        settled(settings)
+    known = [path for path in (options.baseline, project.baseline) if path]
+    read = (*_paths(found), *settings.rules, *settings.shapes, *map(Path, known))
+    check_destinations(outputs, read)
+    phases = Phases()
+    with phases.phase("rules"):
+        book = rulebook.load(settings.rules, settings.shapes, settings.cache)
+    Policies(settings, book.rules).check()
+    if options.show_settings:
+        more = {"output-format": outputs.main, "fail-on": fail_on}
+        more |= {"baseline": shown(Path(known[0]))} if known else {}
+        return _show_settings(settings, more, found, book)
+    if options.verbose:
+        _tell(account().before(settings, book, map(layers.origin, found.inputs)))
+    knowledge = _knowledge(options, layers, found, settings, book)
+    wanted = None if knowledge is None else knowledge.new
+    report = Run(settings, found, book, phases, outputs.watched).report(options, outputs, wanted)
+    report = report if knowledge is None else knowledge.told(report)
+    if options.verbose:
+        _tell(account().after(report, settings, book))
+    if not options.silent:
+        _warn(found)
+    if options.show_suppressed:
+        both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
+        report = replace(report, findings=tuple(both), suppressed=())
+    with phases.phase("reporting"):
+        streamed = any(one.path is None for one in found.inputs)
+        fixing = options.fix or options.fix_only or options.add_ignore is not None
+        outputs.emit(report, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
+    if options.statistics and options.verbose:
+        from kinlint.reporters import time_profile  # noqa: PLC0415
+
+        sys.stderr.writelines(time_profile.render(phases.seconds))
+    if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
+        return FOUND
+    left = replace(report, findings=()) if options.fix_only or options.diff else report
+    return exit_code(left, fail_on, exit_zero=options.exit_zero)
+
+
+def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
+    """0, 1 or 2: whether something could not be read, or is at least as bad as *fail_on*."""
+    if report.errors:
+        return ABNORMAL
+    if exit_zero or fail_on == "none":
+        return CLEAN
+    least = Severity[fail_on.upper()]
+    return FOUND if any(one.severity >= least for one in report.open) else CLEAN
+
+
+def _find(options: Namespace, layers: Layers) -> Found:
+    stdin = options.stdin_filename
+    search = Search(
+        layers.excluding,
+        force=options.force_exclude,
+        stdin=shown(absolute(stdin), stdin) if stdin else "<stdin>",
+    )
+    paths = options.paths or (["-"] if stdin else ["."])
+    _no_command(paths[0])
+    found = search.find(paths)
+    if not options.in_project or options.show_files or options.profile:
+        return found
+    from kinlint.cli.project_mode import amid  # noqa: PLC0415  few runs look beyond what is named
+
+    return amid(found, search.find(["."]))
+
+
+def _no_command(word: str) -> None:
+    """Raise `UsageError` if *word* is no path but may be the slip of a command."""
+    if not os.path.lexists(word) and (meant := hint(word)):
+        raise UsageError(f"'{word}' is neither a command nor a path{meant}")
+
+
+def _paths(found: Found) -> Iterator[Path]:
+    return (one.path for one in found.inputs if one.path is not None)
+
+
+def _warn(found: Found) -> None:
+    for given in found.barren:
+        sys.stderr.write(f"kinlint: warning: no robot models found in '{given}'\n")
+
+
+def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
+    cache = None if options.no_cache else options.cache_dir or cache_directory(os.environ)
+    return layers.settings(
+        found.inputs,
+        rules=tuple(absolute(path) for path in options.rules or ()),
+        shapes=tuple(absolute(path) for path in options.shapes or ()),
+        cache=None if cache is None else Path(cache),
+        ignore_suppressions=options.ignore_suppressions,
+        verbose=options.verbose,
+    )
+
+
+def _knowledge(
+    options: Namespace, layers: Layers, found: Found, settings: Settings, book: Rulebook
+) -> Knowledge | None:
+    """What was known before, if anybody asks for what is new."""
+    project = layers.project(found.inputs)
+    if project.baseline is None and not any(getattr(options, name) for name in COMPARING):
+        return None
+    from kinlint.cli.new_findings import Knowledge, baseline_of  # noqa: PLC0415  most runs tell all
+
+    baseline, before = baseline_of(options, project), None
+    if options.new_from_rev or options.new_from_merge_base:
+        from kinlint.cli.new_from_revision import History, revision_of  # noqa: PLC0415
+
+        def settings_of(then: Found) -> Settings:
+            return _settings(options, layers, then)
+
+        revision = revision_of(options, found.inputs)
+        before = History(revision, found, layers, book, settings_of).ledger(options)
+    return Knowledge(settings, book.rules, baseline, before, options)
+
+
+def account() -> ModuleType:
+    """What speaks for `-v`, which few ask for."""
+    return import_module("kinlint.cli.verbose")
+
+
+def _tell(lines: Iterable[str]) -> None:
+    sys.stderr.writelines(f"kinlint: {line}\n" for line in lines)
+
+
+def _show_files(found: Found) -> int:
+    for one in found.inputs:
+        sys.stdout.write(f"{one.name}\n")
+    for error in found.errors:
+        sys.stderr.write(f"kinlint: error: {error}\n")
+    return ABNORMAL if found.errors else CLEAN
+
+
+def _show_inherent(options: Namespace, layers: Layers, found: Found) -> int:
+    from kinlint.cli.profile_page import page  # noqa: PLC0415  front ends are slow to import
+
+    errors: list[SourceError] = []
+    sys.stdout.writelines(page(found, _settings(options, layers, found), errors))
+    for error in errors:
+        sys.stderr.write(f"kinlint: error: {error}\n")
+    return ABNORMAL if errors else CLEAN
+
+
+def _show_settings(settings: Settings, run: Mapping[str, str], found: Found, book: Rulebook) -> int:
+    from kinlint.cli.show_settings import pages  # noqa: PLC0415
+
+    sys.stdout.writelines(pages(settings, run, book.rules, found.inputs))
+    return CLEAN

@@ -1,0 +1,98 @@
+"""What may stand where on the command line, as the parsers of the subcommands say."""
+
+from __future__ import annotations
+
+from argparse import Action
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Literal, TypeAlias
+
+from kinlint.cli.argument_parser import Parser, choices, listed
+from kinlint.cli.commands import COMMANDS
+from kinlint.configuration.keys import KEYS, TARGETS
+from kinlint.contexts.context_library import RELEASES
+
+Kind: TypeAlias = Literal["files", "folders", "rules", "words", "anything"]
+
+SHELLS = ("bash", "zsh", "fish")
+KINDS: Mapping[str, Kind] = {
+    "DIR": "folders",
+    "F": "files",
+    "FILE": "files",
+    "GLOB": "files",
+    "PATH": "files",
+    "PATH|KEY=VALUE": "files",
+    "R": "rules",
+}
+"""What is meant by the names that help texts have for values."""
+KNOWN: Mapping[str, Sequence[str]] = {
+    "contexts": (*RELEASES, "newest"),
+    "keys": tuple(KEYS),
+    "shell": SHELLS,
+    "target": TARGETS,
+}
+"""The values of what takes one of a few words, but other words, too."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """What an option or a command takes: `words` where it is one of these; or several by commas."""
+
+    kind: Kind
+    words: tuple[str, ...] = ()
+    several: bool = False
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option by all its `names`; one without a `value` is either there or not."""
+
+    names: tuple[str, ...]
+    text: str
+    value: Value | None = None
+
+
+@dataclass(frozen=True)
+class Command:
+    """A subcommand: what it does, its options, and what else it takes."""
+
+    name: str
+    text: str
+    options: tuple[Option, ...]
+    rest: Value | None = None
+
+
+@dataclass(frozen=True)
+class Words:
+    """All subcommands, of which the first is meant where none is named, and names of rules."""
+
+    commands: tuple[Command, ...]
+    rules: tuple[str, ...]
+
+
+def words(rules: Iterable[str]) -> Words:
+    """What may stand on the command line; *rules* is what selectors may be."""
+    return Words(tuple(_command(*each) for each in COMMANDS.items()), tuple(rules))
+
+
+def _command(name: str, about: tuple[str, str]) -> Command:
+    parser: Parser = import_module(about[0]).parser()
+    actions = parser.actions
+    rest = next((_value(one) for one in actions if not one.option_strings), None)
+    return Command(name, about[1], tuple(_options(actions)), rest)
+
+
+def _options(actions: Iterable[Action]) -> Iterator[Option]:
+    for one in actions:
+        if one.option_strings:
+            flag = one.nargs == 0 or str(one.metavar).startswith("[")
+            text = " ".join((one.help or "").split())
+            yield Option(tuple(one.option_strings), text, None if flag else _value(one))
+
+
+def _value(action: Action) -> Value:
+    several = action.type is listed
+    if said := choices(action.type) or KNOWN.get(action.dest):
+        return Value("words", tuple(said), several)
+    return Value(KINDS.get(str(action.metavar), "anything"), (), several)

@@ -1,0 +1,174 @@
+"""`kinlint graph`: draws the kinematic structure of robots, with what is found of each part."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import Namespace
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from kinlint.catalogue import rulebook
+from kinlint.cli import check_options as linting
+from kinlint.cli.argument_parser import Parser, filled, one_of
+from kinlint.cli.overrides import configs, overrides
+from kinlint.cli.report_outputs import replacing
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.errors import SourceError, UsageError
+from kinlint.files.discovery import Found, Search
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import shown
+from kinlint.model import Severity
+from kinlint.project.layers import Layers, cache_directory
+from kinlint.report import Report
+from kinlint.reporters.picture.formats import FORMATS, SUFFIXES, pieces
+from kinlint.reporters.reporter_registry import put
+from kinlint.reporters.terminal_style import Style, style_of
+
+STDOUT = "-"
+PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")
+"""Options that mean what they mean to `kinlint check`."""
+
+DESCRIPTION = """\
+Draw the links and joints of robots as roboticists do: links are boxes, joints ellipses, and what
+closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about."""
+
+EPILOG = "Exit code: 0 drawn, whatever was found; 2 if a file cannot be read or has no robot."
+
+
+def parser() -> Parser:
+    """The parser of `kinlint graph`."""
+    made = Parser(
+        prog="kinlint graph",
+        description=DESCRIPTION,
+        epilog=EPILOG,
+        usage="kinlint graph FILE... [options]",
+    )
+    made.rest("paths", "FILE", "the robots; - is standard input")
+    add = made.add_argument
+    add(
+        "--output-format",
+        type=one_of(tuple(FORMATS)),
+        metavar="|".join(FORMATS),
+        help="the format (default: by the end of the name of the output file, or text)",
+    )
+    add(
+        "-o",
+        "--output-file",
+        type=filled,
+        metavar="FILE",
+        default=STDOUT,
+        help="write there; -, the default, is standard output",
+    )
+    add("--frames", **linting.FLAG, help="draw the frames of links, too")
+    add("--no-findings", **linting.FLAG, help="draw the robots only, and judge nothing")
+    add("--select", metavar="R", **linting.LISTS, help="mark only what these rules find")
+    add("--extend-select", metavar="R", **linting.LISTS, help="mark what these rules find, too")
+    add("--ignore", metavar="R", **linting.LISTS, help="mark nothing that these rules find")
+    add("--target", metavar="NAME", **linting.LISTS, help="judge for this consumer, too")
+    add("--rules", metavar="DIR", **linting.TEXTS, help="add the rule files in DIR")
+    add("--config", metavar="PATH|KEY=VALUE", **linting.TEXTS, help="this configuration, or key")
+    add("--isolated", **linting.FLAG, help="without configuration files")
+    add("--package", metavar="NAME=DIR", **linting.TEXTS, help="where the ROS package NAME lies")
+    add("--xacro-arg", metavar="NAME:=VALUE", **linting.TEXTS, help="an argument for xacro files")
+    add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
+    add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
+    add("--no-cache", "-n", **linting.FLAG, help="compile the rules anew")
+    add(
+        "--color",
+        type=one_of(("auto", "always", "never")),
+        metavar="auto|always|never",
+        default="auto",
+        help="colour text (default: on a terminal)",
+    )
+    return made
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Draw what *arguments* name; the exit code."""
+    options = parser().read(arguments)
+    if not options.paths and not options.stdin_filename:
+        raise UsageError("name the file of a robot to draw, or - for standard input")
+    output = options.output_file
+    path = None if output == STDOUT else Path(output)
+    form = options.output_format or _format_of(path)
+    found, settings = _found(options)
+    _check(path, found)
+    report = _report(found, settings, options)
+    frames = options.frames
+    if path is None:
+        put(pieces(report, form, style_of(sys.stdout, options.color), frames=frames), sys.stdout)
+    else:
+        with replacing(path) as stream:
+            put(pieces(report, form, Style(), frames=frames), stream)
+    return 0
+
+
+def _format_of(path: Path | None) -> str:
+    """The format that the name of a file stands for; UsageError if nobody can tell."""
+    suffix = "" if path is None else path.suffix.lower()
+    if suffix not in SUFFIXES:
+        formats = "|".join(FORMATS)
+        raise UsageError(
+            f"-o: no format is called '{suffix}'; --output-format {formats} says which"
+        )
+    return SUFFIXES[suffix]
+
+
+def _found(options: Namespace) -> tuple[Found, Settings]:
+    """The files that *options* name, and how `kinlint check` would lint them."""
+    said = [
+        f"--{name.replace('_', '-')}={each}"
+        for name in PASSED
+        for each in getattr(options, name) or ()
+    ]
+    paths = options.paths or [STDOUT]
+    same = linting.parser().read([*said, *["--isolated"] * options.isolated, "--", *paths])
+    layers = Layers(configs(same), overrides(same))
+    name = options.stdin_filename
+    stdin = shown(absolute(name), name) if name else "<stdin>"
+    found = Search(layers.excluding, stdin=stdin).find(paths)
+    cache = None if options.no_cache else options.cache_dir or cache_directory(os.environ)
+    settings = layers.settings(
+        found.inputs,
+        rules=tuple(absolute(path) for path in options.rules or ()),
+        cache=None if cache is None else Path(cache),
+    )
+    return found, replace(settings, drawn=True)
+
+
+def _check(output: Path | None, found: Found) -> None:
+    """Raise `UsageError` where nothing is to be read, or where it would be written over."""
+    if not found.inputs and not found.errors:
+        raise UsageError(f"no robot found in '{found.barren[0]}'")
+    taken = {one.path.resolve() for one in found.inputs if one.path is not None}
+    if output is not None and output.resolve() in taken:
+        raise UsageError(f"-o: {output} is read in this run, and would be lost")
+
+
+def _report(found: Found, settings: Settings, options: Namespace) -> Report:
+    """What is to be drawn. Raises `SourceError` for what cannot be read or has no robot."""
+    from kinlint import lint  # noqa: PLC0415  engines are slow to import
+    from kinlint.project.reading import beside, read  # noqa: PLC0415
+
+    sources, errors = read(found.inputs, settings)
+    for error in (*found.errors, *errors):
+        raise error
+    book = rulebook.load(settings.rules, settings.shapes, settings.cache)
+    Policies(settings, book.rules).check()
+    if options.no_findings:
+        book = replace(book, rules=(), constraints=())
+    report = lint.run([*sources, *beside(sources, settings)], (), settings, book)
+    for error in report.errors:
+        raise error
+    if not report.structures:
+        what = "it describes no link and no joint"
+        if len(sources) > 1:
+            raise UsageError(f"no robot to draw in {len(sources):,} files: no link and no joint")
+        wrong = (one for one in report.findings if one.severity is Severity.ERROR)
+        if (first := next(wrong, None)) is not None:
+            what += f" ({first.rule.code}: {first.message})"
+        raise SourceError(sources[0].name if sources else str(options.paths[0]), what)
+    return report

@@ -1,0 +1,127 @@
+"""Makes the report of what was found: reads it, lints it, mends it if asked."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import Namespace
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.cli.progress import Bar
+from kinlint.cli.report_outputs import Outputs
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.errors import SourceError
+from kinlint.files.discovery import Found
+from kinlint.phases import Phases
+from kinlint.report import Report
+from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.fixes.offers import Sieve
+
+
+@dataclass(frozen=True)
+class Run:
+    """What to lint, how, and by which rules; if *watched*, somebody waits for what it says."""
+
+    settings: Settings
+    found: Found
+    book: Rulebook
+    phases: Phases
+    watched: bool = False
+
+    def report(self, options: Namespace, outputs: Outputs, wanted: Sieve | None = None) -> Report:
+        """The report for *outputs*; with `--fix` and its like, of what is left.
+
+        Only findings that are *wanted* are mended.
+        """
+        asides, new = self.found.asides, wanted
+        if asides:
+            from kinlint.cli import project_mode  # noqa: PLC0415  few runs leave files aside
+
+            wanted = project_mode.named(wanted, asides)
+        if options.add_ignore is not None:
+            report = self._silenced(options, wanted)
+        elif options.fix or options.fix_only or options.diff:
+            report = self._mended(options, wanted)
+        else:
+            fixing = outputs.tells_fixes
+            report = self.linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
+        if asides:
+            report = project_mode.within(report, asides, new)
+        return replace(report, unsafe=self.settings.unsafe_fixes, catalogue=self.book.digest)
+
+    def _read(self, bar: Bar | None = None) -> tuple[list[SourceText], list[SourceError]]:
+        """The texts that were found, with what they were written for, and what cannot be read."""
+        with self.phases.phase("imports"):
+            from kinlint.project.reading import beside, read  # noqa: PLC0415
+
+        with self.phases.phase("decoding"):
+            inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
+            sources, errors = read(inputs, self.settings)
+            if asides := self.found.asides:
+                from kinlint.cli.project_mode import concerning  # noqa: PLC0415
+
+                sources = concerning(sources, asides, self.settings)
+            more = beside(sources, self.settings)
+            return [*sources, *more], [*self.found.errors, *errors]
+
+    def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:
+        from kinlint.cli import fix_files  # noqa: PLC0415  most runs change nothing
+
+        sources, failed = self._read()
+        inputs = self.found.inputs
+        least = fix_files.least(self.settings)
+        streamed = {one.name for one in inputs if one.path is None}
+        mended = fix_files.mended(
+            sources,
+            failed,
+            self.settings,
+            self.book,
+            least,
+            self.phases,
+            streamed,
+            self.found.asides,
+            wanted or fix_files.every,
+        )
+        if mended.restless and not options.silent:
+            sys.stderr.write(f"kinlint: warning: {fix_files.unending(mended.restless)}\n")
+        if options.diff:
+            fix_files.show(mended.changed, options.color)
+            return mended.report
+        report = fix_files.written(mended, inputs)
+        fix_files.pass_on(sources, mended.changed, inputs)
+        return report
+
+    def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:
+        from kinlint.cli.add_ignore import silenced  # noqa: PLC0415  most runs write nothing
+        from kinlint.fixes.offers import every  # noqa: PLC0415
+
+        sources, failed = self._read()
+        return silenced(
+            options, sources, failed, self.found, self.settings, self.book, wanted or every,
+            self.phases,
+        )  # fmt: skip
+
+    def linted(self, jobs: int, *, fixing: bool) -> Report:
+        """The report of *jobs* processes; if *fixing*, with the fixes that are offered."""
+        with self.phases.phase("imports"):
+            from kinlint.cache.report_cache import Memory  # noqa: PLC0415
+            from kinlint.parallel.runner import Survey  # noqa: PLC0415
+            from kinlint.parallel.shard import Job  # noqa: PLC0415  loads the readers
+
+        job = Job(self.settings, self.book, fixing)
+        kept = not any(one.path is None for one in self.found.inputs)
+        memory = Memory.of(self.settings, self.book, fixing=fixing) if kept else None
+        with Bar(len(self.found.inputs), wanted=self.watched) as bar:
+            sources, failed = self._read(bar)
+            survey = Survey(job, jobs, memory, self.phases, bar.advance)
+            report = survey.report(sources, failed)
+        if report.files:
+            return report
+        # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
+        asked = Policies(self.settings, self.book.rules).enabled([""])
+        return replace(report, rules=tuple(rule for rule in self.book.rules if rule.code in asked))

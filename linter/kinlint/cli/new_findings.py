@@ -1,0 +1,138 @@
+"""What was known before a run: reports what is new, and keeps the baseline."""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from kinlint.baseline.baseline_file import DEFAULT, Baseline, read, write
+from kinlint.baseline.entry_identity import Known, Names, known
+from kinlint.baseline.ledger import Ledger
+from kinlint.baseline.stale import reported, stale
+from kinlint.configuration.config_file import Config
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.errors import UsageError
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import real, shown
+from kinlint.model import Finding, Rule
+from kinlint.report import Report
+from kinlint.reporters.summary import counted
+from kinlint.text import SourceText
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """What was known: what the `baseline` has, and what was found at a revision, `before`.
+
+    `options` tell whether the baseline is to be written, or pruned.
+    """
+
+    settings: Settings
+    rules: Sequence[Rule]
+    baseline: Baseline | None
+    before: Ledger | None
+    options: Namespace
+
+    def new(self, findings: Sequence[Finding]) -> Sequence[Finding]:
+        """Those of *findings* that were not known."""
+        if self.baseline is not None and not self.options.write_baseline:
+            findings = ledger(self.baseline).new(findings)
+        return findings if self.before is None else self.before.new(findings)
+
+    def told(self, report: Report) -> Report:
+        """*report* with what is new, and how much of the rest there is.
+
+        Entries of the baseline that are found no more are reported, or forgotten.
+        """
+        findings, aged = list(report.findings), list[Finding]()
+        if self.baseline is not None:
+            findings, left = ledger(self.baseline).compared(report.findings)
+            old = stale(left, report, ledger(self.baseline), self._searched(self.baseline))
+            if self.options.write_baseline:
+                self._write(self.baseline, report, left, old)
+                findings = []
+            elif self.options.prune_baseline:
+                self._prune(self.baseline, left, old)
+            elif not self.settings.partial:
+                aged = list(reported(old, self.baseline, report.rules))
+        if self.before is not None:
+            findings = self.before.new(findings)
+        number = len(report.findings) - len(findings)
+        judged = Policies(self.settings, self.rules).judged(aged)
+        both = sorted((*findings, *judged), key=lambda one: one.sort_key)
+        return replace(report, findings=tuple(both), baseline=number)
+
+    def _searched(self, baseline: Baseline) -> Callable[[str], bool]:
+        """Tells whether the run would have found a file at a path, as *baseline* writes it."""
+        if self.options.in_project:
+            return lambda _path: False
+        root = real(baseline.path).parent
+        tops = {real(absolute(each)) for each in self.options.paths or ["."]}
+        return lambda path: not tops.isdisjoint(real(root / path).parents)
+
+    def _write(
+        self, baseline: Baseline, report: Report, left: Sequence[Known], old: Sequence[Known]
+    ) -> None:
+        if report.errors:
+            told = counted(len(report.errors), "file")
+            raise UsageError(f"{shown(baseline.path)}: not written: {told} could not be read")
+        names, kept = ledger(baseline).names, self._lasting(left, old)
+        write(baseline.path, [*(known(each, names) for each in report.findings), *kept])
+        self._say(f"{counted(len(report.findings), 'finding')} written to {shown(baseline.path)}")
+
+    def _prune(self, baseline: Baseline, left: Sequence[Known], old: Sequence[Known]) -> None:
+        lost = len(left) - len(kept := self._lasting(left, old, prune=True))
+        forgotten = set(map(id, left)) - set(map(id, kept))
+        if lost:
+            write(baseline.path, [one for one in baseline.entries if id(one) not in forgotten])
+        entries = "entry" if lost == 1 else "entries"
+        self._say(f"{lost:,} stale {entries} dropped from {shown(baseline.path)}")
+
+    def _lasting(
+        self, left: Sequence[Known], old: Sequence[Known], *, prune: bool = False
+    ) -> list[Known]:
+        """The entries *left* that are not *old*, nor, to *prune* them, of files that are gone."""
+        dropped = set(map(id, old))
+        if prune or self.options.prune_baseline:
+            assert self.baseline is not None
+            gone = ledger(self.baseline).gone
+            dropped |= {id(one) for one in left if gone(one.path)}
+        return [one for one in left if id(one) not in dropped]
+
+    def _say(self, text: str) -> None:
+        if not self.options.silent:
+            sys.stderr.write(f"kinlint: {text}\n")
+
+
+def ledger(baseline: Baseline) -> Ledger:
+    """What *baseline* knows; its paths start where it lies."""
+    root = real(baseline.path).parent
+    return Ledger(baseline.entries, Names(root), lambda path: not (root / path).exists())
+
+
+def baseline_of(options: Namespace, project: Config) -> Baseline | None:
+    """The baseline that *options* or *project* name, or that is to be written.
+
+    Raises UsageError if it cannot be read.
+    """
+    origin, path = _named(options, project)
+    if path is None:
+        return None
+    if options.write_baseline and not path.exists():
+        return Baseline(path, SourceText(shown(path), ""))
+    return read(path, origin)
+
+
+def _named(options: Namespace, project: Config) -> tuple[str, Path | None]:
+    if options.baseline:
+        return "--baseline", absolute(options.baseline)
+    if project.baseline is not None:
+        return f"{project.origin}: baseline", project.baseline
+    if options.write_baseline or options.prune_baseline:
+        option = "--write-baseline" if options.write_baseline else "--prune-baseline"
+        return option, absolute(DEFAULT)
+    return "", None

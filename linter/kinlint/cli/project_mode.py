@@ -1,0 +1,99 @@
+"""Lints files as parts of their project: reads all its models, and reports what lies in the files.
+
+What is found in a file then depends on the project alone, and not on which others were named with
+it: hooks that get the files of a commit in portions find what one run finds.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from kinlint.configuration.settings import Settings
+from kinlint.files.discovery import Found, Input, speaks_of_context
+from kinlint.model import Finding
+from kinlint.report import Report
+from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.fixes.offers import Sieve
+
+UNREADABLE = "<!DOCTYPE"
+"""What no reader of XML takes: a file with it counts for what is said of others in the run."""
+
+
+def amid(given: Found, project: Found) -> Found:
+    """All of *project*, in its order, then what else is *given*; what is not given is aside.
+
+    A `.json` file that a search passes over is passed over here, too.
+    """
+    meant = {_identity(one): one for one in given.inputs}
+    known = {error.name for error in given.errors}
+    inputs, errors, asides = list[Input](), list(given.errors), set[str]()
+    for one in project.inputs:
+        own = meant.pop(_identity(one), None)
+        inputs.append(one if own is None else replace(own, named=one.named))
+        asides |= {one.name} if own is None else set()
+    for error in project.errors:
+        if error.name not in known:
+            errors.append(error)
+            asides.add(error.name)
+    inputs += [one for one in meant.values() if not _passed_over(one)]
+    return Found(inputs, errors, given.barren, frozenset(asides))
+
+
+def concerning(
+    sources: Sequence[SourceText], asides: Collection[str], settings: Settings
+) -> list[SourceText]:
+    """Those of *sources* that may say something of one that is not among *asides*."""
+    if all(source.name in asides for source in sources):
+        return []
+    from kinlint.file_groups import models  # noqa: PLC0415
+    from kinlint.parallel.partition import divisible  # noqa: PLC0415  loads every reader
+
+    if not divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):
+        return list(sources)
+    groups = (group for group in models(sources) if any(one.name not in asides for one in group))
+    names = {source.name for group in groups for source in group}
+    return [source for source in sources if source.name in names]
+
+
+def named(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
+    """What is *wanted* of findings, without those in files that are among *asides*."""
+
+    def sieve(findings: Sequence[Finding]) -> Sequence[Finding]:
+        own = [one for one in findings if one.location.source.name not in asides]
+        return own if wanted is None else wanted(own)
+
+    return sieve
+
+
+def within(report: Report, asides: frozenset[str], wanted: Sieve | None) -> Report:
+    """*report* without what lies in files that are among *asides*; what is *wanted* is counted."""
+
+    def kept(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+        return tuple(one for one in findings if one.location.source.name not in asides)
+
+    others = [one for one in report.findings if one.location.source.name in asides]
+    return replace(
+        report,
+        findings=kept(report.findings),
+        suppressed=kept(report.suppressed),
+        files=tuple(name for name in report.files if name not in asides),
+        unapplied=tuple(name for name in report.unapplied if name not in asides),
+        errors=tuple(error for error in report.errors if error.name not in asides),
+        unfixed=tuple(each for each in report.unfixed if kept(each[:1])),
+        structures=tuple(one for one in report.structures if not asides.issuperset(one.files)),
+        elsewhere=len(others if wanted is None else wanted(others)),
+    )
+
+
+def _identity(one: Input) -> str:
+    return os.path.realpath(one.path or one.name)
+
+
+def _passed_over(one: Input) -> bool:
+    path = one.path
+    return path is not None and path.suffix.lower() == ".json" and not speaks_of_context(path)

@@ -1,0 +1,68 @@
+"""Where the options say that reports go, refused before any work if they cannot go there."""
+
+from __future__ import annotations
+
+import os
+from argparse import Namespace
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from kinlint.cli.report_outputs import Outputs
+from kinlint.configuration.config_file import Config
+from kinlint.configuration.keys import OUTPUT_FORMATS
+from kinlint.configuration.value_kinds import unknown
+from kinlint.errors import UsageError
+
+STDOUT = "-"
+
+
+def destinations(options: Namespace, project: Config) -> Outputs:
+    """What to write and where: options first, then the environment, then *project*."""
+    said = os.environ.get("KINLINT_OUTPUT_FORMAT")
+    if said and (problem := unknown(said, OUTPUT_FORMATS)):
+        raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")
+    path = options.output_file or os.environ.get("KINLINT_OUTPUT_FILE") or STDOUT
+    return Outputs(
+        main=options.output_format or said or project.output_format or "full",
+        path=None if path == STDOUT else Path(path),
+        copies=tuple(_copies(options)),
+        color=options.color,
+        statistics=options.statistics,
+        quiet=options.quiet,
+        silent=options.silent,
+        verbose=options.verbose,
+        show_fixes=options.show_fixes,
+        only_fixes=options.fix_only or options.diff,
+        would=options.diff,
+    )
+
+
+def check_destinations(outputs: Outputs, read: Iterable[Path]) -> None:
+    """Raise `UsageError` if two of *outputs* are one file, or one is a file that is *read*.
+
+    Also if its directory is not there. Devices, such as `/dev/null`, take everything.
+    """
+    taken = {os.path.realpath(path): "is read in this run, and would be lost" for path in read}
+    main = [("--output-file", outputs.path)] if outputs.path is not None else []
+    for option, path in (*main, *((f"--{name}-output", path) for name, path in outputs.copies)):
+        real = Path(os.path.realpath(path))
+        if path.exists() and not path.is_file() and not path.is_dir():
+            continue
+        if (reason := taken.get(str(real))) is not None:
+            raise UsageError(f"{option}: {path} {reason}")
+        if real.is_dir():
+            raise UsageError(f"{option}: cannot write {path}: Is a directory")
+        if not real.parent.is_dir():
+            raise UsageError(f"{option}: cannot write {path}: there is no directory {path.parent}")
+        taken[str(real)] = "is written by another option, too"
+
+
+def _copies(options: Namespace) -> Iterator[tuple[str, Path]]:
+    for name in OUTPUT_FORMATS:
+        file = getattr(options, f"{name.replace('-', '_')}_output")
+        if file == STDOUT:
+            raise UsageError(
+                f"--{name}-output: '-' is no file; for standard output, --output-format {name}"
+            )
+        if file:
+            yield name, Path(file)

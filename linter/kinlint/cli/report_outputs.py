@@ -1,0 +1,163 @@
+"""Where a report goes: one format to standard output or a file, others to files of their own."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from io import TextIOWrapper
+from pathlib import Path
+from typing import TextIO
+
+from kinlint.errors import UsageError
+from kinlint.files.atomic_write import replacement
+from kinlint.report import Report
+from kinlint.reporters.display_width import shown
+from kinlint.reporters.reporter_registry import (
+    FORMATS,
+    write,
+    write_fixed,
+    write_statistics,
+    write_summary,
+    write_verdict,
+)
+from kinlint.reporters.terminal_style import Style, When, style_of
+
+SUMMARY = "GITHUB_STEP_SUMMARY"
+"""The variable that names the file in which GitHub expects the summary of a step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """What to write: `main` to `path`, or to standard output; `copies` by format to files.
+
+    `only_fixes` leaves unsaid what was not fixed. `would` tells that fixes were shown, not made.
+    """
+
+    main: str
+    path: Path | None = None
+    copies: tuple[tuple[str, Path], ...] = ()
+    color: When = "auto"
+    statistics: bool = False
+    quiet: bool = False
+    silent: bool = False
+    verbose: bool = False
+    show_fixes: bool = False
+    only_fixes: bool = False
+    would: bool = False
+
+    @property
+    def tells_fixes(self) -> bool:
+        """Whether anything that is written tells how findings can be fixed."""
+        told = any(FORMATS[name].fixes for name in self._written)
+        return told or (self.statistics and not self.silent)
+
+    @property
+    def watched(self) -> bool:
+        """Whether the report is for people, who may want to hear meanwhile how far it is."""
+        return not (self._machine or self.quiet or self.silent)
+
+    @property
+    def shows_structure(self) -> bool:
+        """Whether anything that is written shows how robots are built."""
+        return self._summarises or any(FORMATS[name].drawn for name in self._written)
+
+    def emit(self, report: Report, out: TextIO | None = None) -> None:
+        """Write *report* everywhere; what a machine format leaves unsaid goes to stderr.
+
+        *out* is standard output, or what takes its place where it has something else. A file that
+        cannot be written raises `UsageError` when the others are.
+        """
+        out = out or sys.stdout
+        told = replace(report, findings=()) if self.only_fixes else report
+        failures: list[UsageError] = []
+        for name, path in self.copies:
+            try:
+                with replacing(path) as stream:
+                    write(told, name, stream, self._style(stream), summarise=False)
+                    if not FORMATS[name].machine:
+                        self._conclude(report, stream)
+            except UsageError as error:
+                failures.append(error)
+        if self.path is not None:
+            with replacing(self.path) as stream:
+                self._main(report, told, stream)
+        elif not self.silent:
+            self._main(report, told, out)
+        self._aside(report, told, out)
+        if self._summarises:
+            from kinlint.cli.github_step_summary import append  # noqa: PLC0415  only on GitHub
+
+            append(told, Path(os.environ[SUMMARY]))
+        if failures:
+            raise failures[0]
+
+    def _main(self, report: Report, told: Report, stream: TextIO) -> None:
+        if self.statistics and not self._machine:
+            write_statistics(told, stream, self._style(stream))
+        else:
+            write(told, self.main, stream, self._style(stream), summarise=False)
+        if not self._machine:
+            self._conclude(report, stream)
+
+    def _aside(self, report: Report, told: Report, out: TextIO) -> None:
+        """What standard error is told: all that standard output leaves unsaid."""
+        if self.path is not None or self.silent or self._machine or self.statistics:
+            for error in report.errors:
+                sys.stderr.write(f"kinlint: error: {shown(str(error))}\n")
+        if self.silent or not self._machine or (self.path is None and out is sys.stderr):
+            return
+        if self.statistics:
+            write_statistics(told, sys.stderr, self._style(sys.stderr))
+        self._conclude(report, sys.stderr)
+
+    def _conclude(self, report: Report, stream: TextIO) -> None:
+        """Say what was fixed, if that is asked for, and what the run amounts to."""
+        style = self._style(stream)
+        if self.show_fixes:
+            write_fixed(report, stream, style, would=self.would)
+        if self.quiet or self.silent:
+            return
+        if self.only_fixes:
+            write_verdict(report, stream, would=self.would)
+        else:
+            write_summary(report, stream, style, verbose=self.verbose)
+
+    def _style(self, stream: TextIO) -> Style:
+        return style_of(stream, self._color(stream))
+
+    def _color(self, stream: TextIO) -> When:
+        return self.color if stream in (sys.stdout, sys.stderr) else "auto"
+
+    @property
+    def _written(self) -> list[str]:
+        copies = [name for name, _ in self.copies]
+        return copies if self.path is None and self.silent else [self.main, *copies]
+
+    @property
+    def _summarises(self) -> bool:
+        """Whether GitHub shows a summary of this step beside the annotations."""
+        return "github" in self._written and bool(os.environ.get(SUMMARY))
+
+    @property
+    def _machine(self) -> bool:
+        return FORMATS[self.main].machine
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[TextIO]:
+    """A stream whose text replaces the file at *path* once it is complete, or not at all.
+
+    Raises `UsageError` if that cannot be.
+    """
+    try:
+        with replacement(path) as stream:
+            text = TextIOWrapper(stream, "utf-8", newline="\n")
+            yield text
+            text.detach()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise UsageError(f"cannot write {path}: {error.strerror or error}") from None

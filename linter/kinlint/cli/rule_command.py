@@ -1,0 +1,95 @@
+"""`kinlint rule`: explains rules from their own files."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from kinlint.catalogue import rulebook
+from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.configuration.selectors import Catalogue
+from kinlint.errors import UsageError
+from kinlint.files.atomic_write import replacement
+from kinlint.files.pathglob import absolute
+from kinlint.model import Rule
+from kinlint.project.layers import cache_directory
+from kinlint.reporters.reporter_registry import put
+from kinlint.reporters.rule_page import markdown, rule_object, text
+from kinlint.reporters.rule_pages import catalogue, pages
+from kinlint.reporters.terminal_style import style_of
+
+FORMATS = ("text", "markdown", "json")
+
+
+def parser() -> Parser:
+    """The parser of `kinlint rule`."""
+    made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
+    made.rest("names", "R", "code, name, beginning of codes, or anti-pattern")
+    made.add_argument("--all", action="store_true", help="every rule")
+    made.add_argument(
+        "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
+    )
+    made.add_argument(
+        "--output-directory",
+        metavar="DIR",
+        help="write all as Markdown: an index, and a page for each family",
+    )
+    made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
+    made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
+    return made
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Print the pages that *arguments* ask for; the exit code."""
+    options = parser().read(arguments)
+    if not options.names and not options.all:
+        raise UsageError("name a rule, such as UNI002, or use --all")
+    extra = [absolute(path) for path in options.rules or ()]
+    book = rulebook.load(extra, (), cache_directory(os.environ))
+    known = Catalogue(book.rules)
+    if options.all and options.names:
+        raise UsageError(f"--all is every rule, '{options.names[0]}' among them: give one of both")
+    wanted = options.names or ["ALL"]
+    codes = frozenset[str]().union(*(known.find(each)[1] for each in wanted))
+    rules = [rule for rule in book.rules if rule.code in codes]
+    if options.output_directory is not None:
+        if options.output_format == "json":
+            raise UsageError("--output-directory writes Markdown: leave --output-format json out")
+        return _write(rules, absolute(options.output_directory))
+    single = len(wanted) == 1 and wanted[0] in known.exact
+    if options.all and options.output_format == "markdown":
+        put(catalogue(rules), sys.stdout)
+    elif options.output_format == "json":
+        pages = [rule_object(rule) for rule in rules]
+        written = json.dumps(pages[0] if single else pages, indent=2, ensure_ascii=False)
+        put(iter([written, "\n"]), sys.stdout)
+    else:
+        put(_pages(rules, options.output_format, options.color), sys.stdout)
+    return 0
+
+
+def _write(rules: Sequence[Rule], directory: Path) -> int:
+    """Write the pages of *rules* below *directory*."""
+    for name, page in pages(rules).items():
+        path = directory / name
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with replacement(path) as stream:
+                stream.write(page.encode())
+        except OSError as error:
+            raise UsageError(f"{path}: {error.strerror}") from error
+    return 0
+
+
+def _pages(rules: Sequence[Rule], form: str, color: str) -> Iterator[str]:
+    style = style_of(sys.stdout, color)  # type: ignore[arg-type]
+    for number, rule in enumerate(rules):
+        if number:
+            yield "\n" if form == "markdown" else "\n" + "-" * 80 + "\n\n"
+        if form == "markdown":
+            yield markdown(rule)
+        else:
+            yield from text(rule, style)

@@ -1,0 +1,54 @@
+"""`kinlint test-rules`: holds rules to what their own files promise."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from kinlint.catalogue import rulebook
+from kinlint.cli.argument_parser import Parser
+from kinlint.errors import UsageError
+from kinlint.files.pathglob import absolute
+from kinlint.project.layers import cache_directory
+from kinlint.reporters.summary import counted
+from kinlint.rule_testing import promises
+
+
+def parser() -> Parser:
+    """The parser of `kinlint test-rules`."""
+    made = Parser(
+        prog="kinlint test-rules",
+        description="Test rules: each bad example is found where it is marked, each good one is"
+        " left alone, and the file says all that a rule file must say.",
+    )
+    made.rest("paths", "DIR", "rule files (default: the built-in)")
+    made.add_argument("-q", "--quiet", action="store_true", help="only what fails")
+    return made
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Test the rules that *arguments* name; 0 if all keep their promises, else 1."""
+    options = parser().read(arguments)
+    given = [absolute(path) for path in options.paths]
+    book = rulebook.load(given, (), cache_directory(os.environ))
+    rules = [rule for rule in book.rules if not given or _below(Path(rule.path), given)]
+    if not rules:
+        raise UsageError(f"no rules found in {', '.join(options.paths)}")
+    failed = 0
+    for rule in rules:
+        problems = list(promises.failures(rule, book))
+        failed += bool(problems)
+        for problem in problems:
+            sys.stdout.write(f"{rule.code} {rule.name}: {problem}\n")
+    if not options.quiet:
+        examples = sum(len(rule.examples) for rule in rules)
+        verdict = f"{failed} of them fail" if failed else "all keep their promises"
+        told = f"{counted(len(rules), 'rule')} with {counted(examples, 'example')}"
+        sys.stdout.write(f"{told}: {verdict}.\n")
+    return 1 if failed else 0
+
+
+def _below(path: Path, given: Sequence[Path]) -> bool:
+    return any(absolute(path).is_relative_to(each) for each in given)

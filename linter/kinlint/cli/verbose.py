@@ -1,0 +1,61 @@
+"""What `-v` tells of a run: what it goes by before, and what it came to after."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+
+from kinlint import __version__
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.contexts.context_library import RELEASE_DATES
+from kinlint.report import Report
+from kinlint.reporters.summary import counted
+
+ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
+
+
+def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterator[str]:
+    """Lines that say by what a run goes; *origins* are the configurations it found."""
+    files = [origin for origin in dict.fromkeys(origins) if origin != "defaults"]
+    python = ".".join(map(str, sys.version_info[:3]))
+    release = settings.contexts or ""
+    yield f"kinlint {__version__}, Python {python} on {sys.platform}"
+    yield f"configuration: {', '.join(files) or 'none, so the defaults hold'}"
+    yield f"contexts: release {release} ({RELEASE_DATES.get(release, 'of unknown date')})"
+    yield f"engine: {', '.join(map(_version, ENGINES[settings.engine]))}"
+    cache = f"kept in {settings.cache}" if settings.cache else "compiled anew"
+    counts = counted(len(book.rules), "rule"), counted(len(book.constraints), "constraint")
+    yield f"catalogue: {counts[0]} with {counts[1]}, {cache}"
+    if settings.engine == "oxigraph":
+        for each in book.constraints:
+            if each.deferred is not None:
+                yield f"deferred to pySHACL: a constraint of {each.owner}, {each.deferred}"
+
+
+def after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:
+    """Lines that say what was read, applied and spent."""
+    asked = {rule.code for rule in report.rules}
+    silent = [rule.code for rule in book.rules if rule.code not in asked]
+    read = counted(len(report.files), "file"), counted(report.triples, "triple")
+    unread = f"; {counted(len(report.errors), 'file')} could not be read" if report.errors else ""
+    yield f"read: {read[0]} with {read[1]}{unread}"
+    if report.recalled is not None:
+        yield f"recalled: {report.recalled:,} of these, from {settings.cache}"
+    off = f"; not {', '.join(silent)}" if silent else ""
+    yield f"applied: {report.applied:,} of {counted(len(book.rules), 'rule')}{off}"
+    for finding, repair, why in report.unfixed:
+        source, start = finding.location.source, finding.location.start
+        place = f"{source.name}:{start.line}:{start.column}"
+        yield f"{finding.rule.code} at {place} has no fix '{repair.title}': {why}"
+    if report.seconds is not None:
+        yield f"time: {report.seconds:.3f} s"
+
+
+def _version(distribution: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415  slow, rare
+
+    try:
+        return f"{distribution} {version(distribution)}"
+    except PackageNotFoundError:
+        return distribution

@@ -1,0 +1,276 @@
+"""Configuration files: where they are, what they say, and what they extend.
+
+`.kinlint.toml`, `kinlint.toml` or `pyproject.toml` with `[tool.kinlint]`: the first of these in
+the nearest directory upwards governs a file. Others are not merged in, unless it says `extend`.
+Relative paths and patterns start at the directory of the file that says them.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+from kinlint.configuration.config_text import ConfigText, quoted, read
+from kinlint.configuration.keys import check
+from kinlint.configuration.settings import Choice
+from kinlint.configuration.value_kinds import ALIASES
+from kinlint.errors import ConfigError
+from kinlint.files.pathglob import Glob, absolute
+from kinlint.files.pathname import missing, shown
+from kinlint.model import Severity
+from kinlint.text import SourceText, Span
+
+NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")
+
+
+@dataclass(frozen=True, slots=True)
+class PerFile:
+    """An entry of `per-file-ignores`: selectors for files, a place in files, or an entity."""
+
+    key: str
+    origin: str
+    glob: Glob
+    selectors: tuple[str, ...]
+    pointer: str | None = None
+    iri: str | None = None
+    place: tuple[SourceText, Span] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class XacroArgument:
+    """The value of an argument of xacro files; of those that `glob` covers, if there is one."""
+
+    name: str
+    value: str
+    glob: Glob | None = None
+
+
+ADDING = ("choices", "packages", "xacro_args")
+"""What adds up like the lists that extend."""
+
+
+@dataclass(frozen=True)
+class Config:
+    """What one configuration says, with all that it extends; None where it says nothing.
+
+    `choices` are layers of rule selection, the lowest first. `home` is where the file lies that
+    says it. Of `packages` and `xacro_args`, later ones count.
+    """
+
+    origin: str
+    choices: tuple[Choice, ...] = ()
+    exclude: tuple[Glob, ...] | None = None
+    extend_exclude: tuple[Glob, ...] = ()
+    per_file_ignores: tuple[PerFile, ...] | None = None
+    extend_per_file_ignores: tuple[PerFile, ...] = ()
+    require_reason: bool | None = None
+    target: tuple[str, ...] | None = None
+    srdf: tuple[tuple[Glob, Path], ...] | None = None
+    unsafe_fixes: bool | None = None
+    fail_on: str | None = None
+    output_format: str | None = None
+    contexts: str | None = None
+    extra_contexts: Mapping[str, Path] | None = None
+    context_directories: tuple[Path, ...] | None = None
+    rules: tuple[Path, ...] | None = None
+    shapes: tuple[Path, ...] | None = None
+    partial: bool | None = None
+    engine: str | None = None
+    baseline: Path | None = None
+    home: Path | None = None
+    packages: tuple[tuple[str, Path], ...] = ()
+    xacro_args: tuple[XacroArgument, ...] = ()
+
+    def under(self, above: Config) -> Config:
+        """The two as one, *above* on top: lists that extend add up, the rest replaces.
+
+        `origin` stays, since it names the file.
+        """
+        changes: dict[str, Any] = {}
+        for one in fields(self):
+            mine, theirs = getattr(self, one.name), getattr(above, one.name)
+            if one.name in ADDING or one.name.startswith("extend_"):
+                changes[one.name] = (*mine, *theirs)
+            elif theirs is not None and one.name != "origin":
+                changes[one.name] = theirs
+        return replace(self, **changes)
+
+
+def config_of(
+    values: Mapping[str, Any], origin: str, root: Path, source: SourceText | None = None
+) -> Config:
+    """The configuration that *values* state, read from *origin*; paths start at *root*.
+
+    *source* is the text of a file that states them. Raises `ConfigError` for unknown keys and
+    values of the wrong kind.
+    """
+    said = check(values, origin)
+    contexts = said.get("extra-contexts")
+    ignores, more = (
+        _per_file(said.get(key), origin, root, source)
+        for key in ("per-file-ignores", "extend-per-file-ignores")
+    )
+    return Config(
+        origin=origin,
+        choices=_choices(said, origin),
+        exclude=_globs(said.get("exclude"), root),
+        extend_exclude=_globs(said.get("extend-exclude"), root) or (),
+        per_file_ignores=ignores,
+        extend_per_file_ignores=more or (),
+        require_reason=said.get("require-reason"),
+        target=tuple(said["target"]) if "target" in said else None,
+        srdf=_partners(said.get("srdf"), root),
+        unsafe_fixes=said.get("unsafe-fixes"),
+        fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
+        output_format=said.get("output-format"),
+        contexts=said.get("contexts"),
+        extra_contexts=_table(contexts, root) if isinstance(contexts, dict) else None,
+        context_directories=None if isinstance(contexts, dict) else _paths(contexts, root),
+        rules=_paths(said.get("rules"), root),
+        shapes=_paths(said.get("shapes"), root),
+        partial=said.get("partial"),
+        engine=said.get("engine"),
+        baseline=_path(said["baseline"], root) if said.get("baseline") else None,
+        home=None if source is None else root,
+        packages=tuple(_table(said.get("packages", {}), root).items()),
+        xacro_args=tuple(_arguments(said.get("xacro-args", {}), root)),
+    )
+
+
+def _choices(said: Mapping[str, Any], origin: str) -> tuple[Choice, ...]:
+    choice = Choice(
+        origin=origin,
+        select=tuple(said["select"]) if "select" in said else None,
+        extend_select=tuple(said.get("extend-select", ())),
+        ignore=tuple(said.get("ignore", ())),
+        fixable=tuple(said["fixable"]) if "fixable" in said else None,
+        unfixable=tuple(said.get("unfixable", ())),
+        extend_safe_fixes=tuple(said.get("extend-safe-fixes", ())),
+        extend_unsafe_fixes=tuple(said.get("extend-unsafe-fixes", ())),
+        severity=tuple(
+            (selector, Severity[ALIASES.get(word, word).upper()])
+            for selector, word in said.get("severity", {}).items()
+        ),
+    )
+    return () if choice == Choice(origin=origin) else (choice,)
+
+
+def _globs(patterns: list[str] | None, root: Path) -> tuple[Glob, ...] | None:
+    return None if patterns is None else tuple(Glob(root, pattern) for pattern in patterns)
+
+
+def _paths(said: str | list[str] | None, root: Path) -> tuple[Path, ...] | None:
+    if said is None:
+        return None
+    listed = [said] if isinstance(said, str) else said
+    return tuple(_path(path, root) for path in listed)
+
+
+def _partners(said: Mapping[str, str] | None, root: Path) -> tuple[tuple[Glob, Path], ...] | None:
+    """The URDF for the SRDF files that a pattern covers."""
+    if said is None:
+        return None
+    return tuple((Glob(root, pattern), _path(path, root)) for pattern, path in said.items())
+
+
+def _table(said: Mapping[str, str], root: Path) -> Mapping[str, Path]:
+    return {iri: _path(path, root) for iri, path in said.items()}
+
+
+def _arguments(said: Mapping[str, Any], root: Path) -> Iterator[XacroArgument]:
+    """Arguments for all files, and below a pattern those for the files it matches."""
+    for key, value in said.items():
+        if isinstance(value, dict):
+            glob = Glob(root, key)
+            yield from (XacroArgument(name, written(one), glob) for name, one in value.items())
+        else:
+            yield XacroArgument(key, written(value))
+
+
+def written(value: str | float) -> str:
+    """*value* of a configuration as a xacro file would write it."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _path(said: str, root: Path) -> Path:
+    return absolute(root / os.path.expanduser(said))  # noqa: PTH111  never fails
+
+
+def _per_file(
+    said: Mapping[str, list[str]] | None, origin: str, root: Path, source: SourceText | None
+) -> tuple[PerFile, ...] | None:
+    if said is None:
+        return None
+    entries = (per_file(key, tuple(sels), origin, root) for key, sels in said.items())
+    return tuple(
+        replace(entry, place=None if source is None else (source, quoted(source, entry.key)))
+        for entry in entries
+    )
+
+
+def per_file(key: str, selectors: tuple[str, ...], origin: str, root: Path) -> PerFile:
+    """What *key* means: `<iri>`, `glob#/json/pointer`, `glob` or `!glob`."""
+    if key.startswith("<") and key.endswith(">"):
+        return PerFile(key, origin, Glob(root, "/**"), selectors, iri=key[1:-1])
+    pattern, mark, pointer = key.partition("#/")
+    place = f"/{pointer}" if mark else None
+    return PerFile(key, origin, Glob(root, pattern), selectors, pointer=place)
+
+
+@dataclass
+class Configs:
+    """The configuration that governs a directory, each file read once.
+
+    With `fixed`, that one governs everywhere.
+    """
+
+    fixed: Config | None = None
+    _nearest: dict[Path, Config | None] = field(default_factory=dict)
+
+    def of(self, directory: Path) -> Config | None:
+        """The nearest configuration at or above *directory*, which is absolute."""
+        if self.fixed is not None:
+            return self.fixed
+        if directory not in self._nearest:
+            found = _in(directory)
+            above = directory.parent
+            self._nearest[directory] = found or (None if above == directory else self.of(above))
+        return self._nearest[directory]
+
+
+def _in(directory: Path) -> Config | None:
+    for name in NAMES:
+        path = directory / name
+        if path.is_file() and (said := read(path)) is not None:
+            return _extended(path, said, ())
+    return None
+
+
+def load(path: Path) -> Config:
+    """The configuration in the file at *path*, which must have one."""
+    said = read(path)
+    if said is None:
+        raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
+    return _extended(path, said, ())
+
+
+def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
+    """The configuration that *said* states on top of what it extends; *seen* came before."""
+    config = config_of(said.values, shown(path), path.parent, said.source)
+    if "extend" not in said.values:
+        return config
+    base = _path(said.values["extend"], path.parent)
+    origin = f"{shown(path)}: extend"
+    if base in (*seen, path):
+        raise ConfigError(f"{origin}: '{said.values['extend']}' extends itself")
+    if not base.is_file():
+        cause = "not a file" if base.exists() else missing(base)
+        raise ConfigError(f"{origin}: {shown(base)}: {cause}")
+    more = read(base)
+    if more is None:
+        raise ConfigError(f"{origin}: {shown(base)} has no [tool.kinlint]")
+    below = _extended(base, more, (*seen, path))
+    return replace(below.under(config), origin=config.origin)

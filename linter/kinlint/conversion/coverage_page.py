@@ -1,0 +1,95 @@
+"""Tells in shapes/lifting/README.md what the lifting queries make, and what they leave out."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from kinlint.conversion.coverage import FORMATS, Coverage, Reason, coverage
+from kinlint.resources import data
+
+PATH = "lifting/README.md"
+"""Where below shapes/ the tables stand."""
+
+HEAD = """\
+# Lifting
+
+Each `FORMAT/NAME.rq` is a SPARQL CONSTRUCT query that makes a part of the composable model of the
+paper out of what a file in an XML format says: bodies, frames and poses, joints with their axes,
+limits on what drives them, inertias, couplings, references to shapes. What the documentation of
+the format implies stands in the query and is explicit in the result: metres, kilograms and
+radians, the frames that numbers are seen by, turns about fixed axes, the values of what is not
+written. Every node says by `src:from` which element it comes from.
+
+`kinlint` runs the queries that its rules need, `kinlint convert` all of them. A query starts from
+the elements and never searches for a name; it resolves a reference by building its IRI. An element
+`{doc}#/link/base` is the body `{doc}#link/base`, whose frame is `{doc}#link/base/frame`. Where a
+value is malformed, nothing is made that would need it. Of an element that may stand once the first
+counts.
+
+`left-out.tsv` has the reasons. The tables are made by `python -m kinlint.conversion.coverage_page`
+from it, from the queries and from what the format knows (`../formats`).
+"""
+
+NAMES = {"urdf": "URDF", "srdf": "SRDF", "sdf": "SDF"}
+
+
+def readme() -> str:
+    """The whole file."""
+    return HEAD + "".join(text for form in FORMATS for text in _format(form))
+
+
+def _format(form: str) -> Iterator[str]:
+    yield f"\n## {NAMES[form]}\n\n| query | what it makes |\n|---|---|\n"
+    for file in sorted((data("shapes") / "lifting" / form).glob("*.rq")):
+        yield f"| `{file.stem}` | {_comment(file)} |\n"
+    known = coverage(form)
+    yield "\n| lifted in part | when, or how |\n|---|---|\n"
+    yield from _rows((one.why, [_place(one.path, one.attribute)]) for one in _partly(known))
+    yield "\n| not lifted | why |\n|---|---|\n"
+    yield from _rows(
+        (reason.why, [_place(path[-2:], attribute)])
+        for path, attribute in known.left_out()
+        if (reason := known.reason(path, attribute)) is not None
+    )
+
+
+def _partly(known: Coverage) -> Iterator[Reason]:
+    return (one for one in reversed(known.reasons) if one.lifted == "part")
+
+
+def _rows(entries: Iterable[tuple[str, list[str]]]) -> Iterator[str]:
+    """One row for each reason, with all it holds for."""
+    grouped: dict[str, dict[str, None]] = {}
+    for why, places in entries:
+        grouped.setdefault(why, {}).update(dict.fromkeys(places))
+    for why, found in grouped.items():
+        yield f"| {', '.join(f'`{place}`' for place in found)} | {why} |\n"
+
+
+def _place(path: tuple[str, ...], attribute: str) -> str:
+    """An element by its tag and that of its parent; an attribute as XPath has it."""
+    return "/".join(path) + (f"/@{attribute}" if attribute else "")
+
+
+def _comment(file: Path) -> str:
+    """What the first lines of a query say it makes."""
+    lines = file.read_text(encoding="utf-8").splitlines()
+    head = []
+    for line in lines:
+        if not line.startswith("#"):
+            break
+        head.append(line.lstrip("# "))
+    return re.sub(r"\|", "\\|", " ".join(head))
+
+
+def main() -> None:
+    """Write the file, or to the one that the command line names."""
+    place = Path(sys.argv[1]) if len(sys.argv) > 1 else data("shapes") / PATH
+    place.write_text(readme(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

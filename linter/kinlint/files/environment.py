@@ -1,0 +1,75 @@
+"""What is there: files, directories, the environment, the day. Each is a question."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from kinlint.files.tracked_io import question
+
+WRITING = 0o222
+"""What the mode of a file has if somebody may write it."""
+
+
+@question
+def variable(name: str) -> str | None:
+    """What the variable *name* of the environment holds; None if there is none."""
+    return os.environ.get(name)
+
+
+class Environment(Mapping[str, str]):
+    """The variables of the environment, each of which is a question."""
+
+    def __getitem__(self, name: str) -> str:
+        found = variable(name)
+        if found is None:
+            raise KeyError(name)
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(os.environ)
+
+    def __len__(self) -> int:
+        return len(os.environ)
+
+
+@question
+def today() -> str:
+    """The day, as in `2027-01-01`."""
+    from datetime import date  # noqa: PLC0415  few models ask
+
+    return date.today().isoformat()  # noqa: DTZ011  the day where the user is
+
+
+@question
+def kind(path: Path) -> str | None:
+    """What there is at *path*, links followed: `file`, `directory`, `other`, or None: nothing."""
+    try:
+        if path.is_dir():
+            return "directory"
+        if path.is_file():
+            return "file"
+        return "other" if path.exists() else None
+    except (OSError, ValueError):
+        return None
+
+
+@question
+def listing(directory: Path) -> dict[str, bool]:
+    """The names in *directory*, sorted, and whether each is a directory; none if it is none."""
+    try:
+        with os.scandir(directory) as entries:
+            return {each.name: each.is_dir() for each in sorted(entries, key=lambda one: one.name)}
+    except (OSError, ValueError):
+        return {}
+
+
+@question
+def writable(path: Path) -> bool:
+    """Whether the file at *path* may be written, and be replaced by another."""
+    try:
+        mode = path.stat().st_mode
+    except OSError:
+        return False
+    return bool(mode & WRITING) and os.access(path, os.W_OK) and os.access(path.parent, os.W_OK)

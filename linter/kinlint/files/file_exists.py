@@ -1,0 +1,156 @@
+"""Whether the files that a model names are there, by looking at each directory once."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import TypeAlias
+
+from kinlint.files.environment import listing
+from kinlint.files.packages import DEPTH, DIRECTORIES, SKIPPED, Packages
+from kinlint.files.pathglob import absolute
+from kinlint.suggestion import nearest
+
+PACKAGED = re.compile(r"((?:package|model)://([^/]+)/)/*")
+ELSEWHERE = re.compile(r"[\w+.-]+:|[/\\~]|.*(?:\$[({]|\\)", re.DOTALL)
+"""How a reference begins that leads into no package and not from the file on: it is left alone."""
+KINDS = (
+    frozenset({".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".vtk", ".off", ".wrl", ".usd"}),
+    frozenset({".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".bmp", ".gif", ".dds", ".hdr"}),
+)
+"""Suffixes of meshes, and of textures."""
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A file that is not there, though the place for it is; `resembles` is what may be meant."""
+
+    resembles: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownPackage:
+    """No package, or model, of this name is known."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class AbsentDirectory:
+    """The files of this kind are not here at all: their directory is not, or it has none."""
+
+    name: str
+
+
+Fault: TypeAlias = Missing | UnknownPackage | AbsentDirectory
+
+
+@dataclass
+class References:
+    """Looks up what files name; remembers what it saw, so it is to be used for one run."""
+
+    packages: Packages
+    _names: dict[Path, Mapping[str, bool]] = field(default_factory=dict)
+    _below: dict[Path, Mapping[str, list[str]]] = field(default_factory=dict)
+    _faults: dict[tuple[str, Path], Fault | None] = field(default_factory=dict)
+
+    def fault(self, written: str, near: Path) -> Fault | None:
+        """What is wrong with the reference *written* in a file in *near*; None if nothing is.
+
+        Nothing is said of absolute paths and of addresses, which mean something elsewhere.
+        """
+        key = written, near
+        if key not in self._faults:
+            self._faults[key] = self._look(written, near)
+        return self._faults[key]
+
+    def _look(self, written: str, near: Path) -> Fault | None:
+        packaged = PACKAGED.match(written)
+        if packaged is None:
+            if not written.strip() or ELSEWHERE.match(written):
+                return None
+            return self._missing("", near, absolute(near / written))
+        if "$" in written:
+            return None
+        prefix, name = packaged[1], packaged[2]
+        root = self.packages.resolve(prefix, near)
+        target = self.packages.resolve(prefix + written[packaged.end() :], near)
+        if root is None or target is None:
+            return UnknownPackage(name)
+        return self._missing(prefix, root, target)
+
+    def _missing(self, prefix: str, root: Path, target: Path) -> Fault | None:
+        """What is wrong with *target*, a file that should be in or about *root*."""
+        start = Path(os.path.commonpath([root, target]))
+        at, spelt = start, True
+        for part in target.relative_to(start).parts:
+            name = self._entry(at, part)
+            if name is None:
+                absent = at / part
+                break
+            at, spelt = at / name, spelt and name == part
+        else:
+            return None if spelt else Missing(_written(prefix, root, at))
+        found = self._below_of(root).get(target.name.casefold(), [])
+        if len(found) == 1:
+            return Missing(prefix + found[0])
+        if absent == target:
+            files = (name for name, folder in self._listing(at).items() if not folder)
+            if alike := _of_kind(files, target.suffix):
+                similar = nearest(target.name, alike)
+                return Missing(similar and _written(prefix, root, at / similar))
+        return AbsentDirectory(_written(prefix, root, at if absent == target else absent))
+
+    def _entry(self, directory: Path, name: str) -> str | None:
+        """How *directory* spells the entry *name*, whatever the case; None if it has none."""
+        names = self._listing(directory)
+        if name in names:
+            return name
+        alike = [each for each in names if each.casefold() == name.casefold()]
+        return alike[0] if len(alike) == 1 else None
+
+    def _listing(self, directory: Path) -> Mapping[str, bool]:
+        """The entries of *directory*, and whether each is a directory."""
+        if directory not in self._names:
+            self._names[directory] = listing(directory)
+        return self._names[directory]
+
+    def _below_of(self, root: Path) -> Mapping[str, list[str]]:
+        """The files in and below *root* by name, whatever the case, as paths from there."""
+        if root not in self._below:
+            found: dict[str, list[str]] = {}
+            for path in self._files(root):
+                found.setdefault(path.name.casefold(), []).append(str(path))
+            self._below[root] = found
+        return self._below[root]
+
+    def _files(self, root: Path) -> Iterator[PurePosixPath]:
+        level, seen = [PurePosixPath()], 0
+        for _ in range(DEPTH):
+            below: list[PurePosixPath] = []
+            for directory in level:
+                seen += 1
+                if seen > DIRECTORIES:
+                    return
+                for name, folder in self._listing(root / directory).items():
+                    if not folder:
+                        yield directory / name
+                    elif name not in SKIPPED and not name.startswith("."):
+                        below.append(directory / name)
+            level = below
+
+
+def _of_kind(names: Iterable[str], suffix: str) -> list[str]:
+    """Those of *names* that are files of the kind that *suffix* is of."""
+    own = suffix.lower()
+    kind = next((kind for kind in KINDS if own in kind), {own})
+    return [name for name in names if PurePosixPath(name).suffix.lower() in kind]
+
+
+def _written(prefix: str, root: Path, path: Path) -> str:
+    """How a model names *path* that names the rest of *root* by *prefix*."""
+    below = Path(os.path.relpath(path, root)).as_posix()
+    return (prefix.rstrip("/") if below == "." else prefix + below) or "."

@@ -1,0 +1,203 @@
+"""Turns results of an engine into findings: where they lie, what they say, what they rest on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import TypeAlias
+
+from kinlint.catalogue.rule_file import SEVERITIES
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.document import Document
+from kinlint.engine.computed_from import is_fact, items
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.explanation import Step, because
+from kinlint.engine.result import Result
+from kinlint.engine.store import Store
+from kinlint.findings.duplicates import identity
+from kinlint.findings.grouping import COUNT, PLACEHOLDER
+from kinlint.findings.locator import Locator
+from kinlint.model import Finding, Premise, Related, Rule, Severity
+from kinlint.term_format import Display
+from kinlint.terms import (
+    RDF_TYPE,
+    Term,
+    Triple,
+    iri,
+    iri_value,
+    is_blank,
+    is_iri,
+    is_literal,
+)
+from kinlint.text import Location
+from kinlint.vocabulary import DOCUMENT_IRI, FACT
+
+FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
+Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
+
+CONSTRAINT = "ConstraintComponent"
+ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot", "message"})
+
+
+def findings(
+    results: Iterable[Result], documents: Sequence[Document], store: Store, rulebook: Rulebook
+) -> list[Finding]:
+    """One finding for each of *results*, in their order; what says the same twice comes once."""
+    account = Account(results, documents, store, rulebook)
+    return list(map(account.detailed, account.brief()))
+
+
+class Account:
+    """What results of an engine come to: first in brief, and for those that are told in detail.
+
+    *proofs* tells what a result rests on; by default it is found out when it is told.
+    """
+
+    def __init__(
+        self,
+        results: Iterable[Result],
+        documents: Sequence[Document],
+        store: Store,
+        rulebook: Rulebook,
+        proofs: Proofs | None = None,
+    ) -> None:
+        self.rulebook = rulebook
+        self._proofs = proofs or partial(because, store, rulebook.axioms)
+        self._locator = Locator(documents, store)
+        self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
+        for result in results:
+            finding = _finding(result, self._locator, rulebook)
+            self._told.setdefault(identity(finding), (finding, []))[1].append(result)
+
+    def brief(self) -> list[Finding]:
+        """One finding for each result, without `related` and `because`; what says the same once."""
+        return [finding for finding, _ in self._told.values()]
+
+    def results(self, finding: Finding) -> Sequence[Result]:
+        """What the engine found, if *finding* is one of these; what says the same is several."""
+        told = self._told.get(identity(finding))
+        return told[1] if told is not None else ()
+
+    def filled(self, template: str, finding: Finding) -> str:
+        """*template* with what *finding* has for its placeholders, as its file abbreviates."""
+        told = (each for one in (finding, *finding.members) for each in self.results(one))
+        terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
+        display = self._locator.display(finding.location)
+        return PLACEHOLDER.sub(lambda match: _word(terms.get(match[1]), display), template)
+
+    def detailed(self, finding: Finding) -> Finding:
+        """*finding*, if it is one of these, with what else it speaks of and what it rests on."""
+        if (told := self._told.get(identity(finding))) is None:
+            return finding
+        result, location = told[1][0], finding.location
+        display = self._locator.display(location)
+        return replace(
+            finding,
+            related=tuple(_related(result, location, self._locator, display)),
+            because=tuple(_because(result, self._locator, self._proofs, display)),
+        )
+
+
+def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
+    rule = rulebook.by_iri[result.constraint.owner]
+    location = locator.of(result, rulebook.axioms)
+    display = locator.display(location)
+    template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
+    terms = dict(_terms(result))
+    names = list(dict.fromkeys(PLACEHOLDER.findall(template)))
+    shown = {name: _word(terms.get(name), display) for name in names}
+    if rule.group_by and COUNT in shown:
+        shown[COUNT] = "1"
+    about = locator.about(result.focus)
+    return Finding(
+        rule=rule,
+        severity=_severity(result.constraint, rule),
+        message=PLACEHOLDER.sub(lambda match: shown[match[1]], template),
+        location=location,
+        iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
+        focus=result.focus,
+        path=result.path,
+        value=result.value,
+        template=template,
+        arguments=tuple(shown.values()),
+        meant=tuple(_meant(terms.get(name), word) for name, word in shown.items()),
+        group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
+    )
+
+
+def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
+    """What placeholders of a message may stand for, by name."""
+    yield from result.bindings.items()
+    yield from (("this", result.focus), ("path", result.path), ("value", result.value))
+
+
+def _word(term: Term | None, display: Display) -> str:
+    return display.term(term) if term else ""
+
+
+def _meant(term: Term | None, word: str) -> str:
+    """What *word*, written for *term*, stands for; the name of a file of elements is left out."""
+    if term is None or not is_iri(term):
+        return word
+    file, mark, way = iri_value(term).partition("#")
+    if not file.startswith(DOCUMENT_IRI):
+        return iri_value(term)
+    return f"{DOCUMENT_IRI}{mark}{way}" if mark else word
+
+
+def _severity(constraint: Constraint, rule: Rule) -> Severity:
+    """That of the constraint where it stands in the rule itself, and not in a shape within."""
+    if constraint.shape != iri(rule.iri):
+        return rule.severity
+    return SEVERITIES.get(constraint.severity, rule.severity)
+
+
+def _said(result: Result, rule: Rule) -> str:
+    """What to say for a shape without a message."""
+    broken = re.split(r"[#/]", result.constraint.component)[-1].removesuffix(CONSTRAINT)
+    what = "'{?value}' of '{$this}'" if result.value not in (None, result.focus) else "'{$this}'"
+    return f"{what} breaks {broken} of shape {rule.name}."
+
+
+def _related(
+    result: Result, location: Location, locator: Locator, display: Display
+) -> Iterator[Related]:
+    """The other things that a result names, where they are written and described."""
+    named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
+    terms = [*named.values(), *([result.value] if result.value is not None else ())]
+    for term in dict.fromkeys(terms):
+        said = locator.triple(result.focus, result.path if is_literal(term) else None, term)
+        if said is not None and said[0] != location and said[1] != RDF_TYPE:
+            yield Related(said[0], f"'{display.term(said[1])}' is given here")
+        described = None if is_literal(term) or term == result.focus else locator.node(term)
+        if described is not None and described != location:
+            yield Related(described, f"'{display.term(locator.about(term))}' is described here")
+
+
+def _because(
+    result: Result, locator: Locator, proofs: Proofs, display: Display
+) -> Iterator[Premise]:
+    """The proof of a result in which something inferred or computed took part; else nothing."""
+    constraint = result.constraint
+    if not locator.may_be_inferred(constraint) and not any(map(is_fact, constraint.premises)):
+        return
+    steps = proofs(result.constraint, result)
+    if not any(step.axiom for step in steps) and not any(map(is_fact, constraint.premises)):
+        return
+    for step in steps:
+        place = None if step.axiom else locator.premise(step.triple)
+        if place is not None or step.axiom:
+            yield Premise(
+                _phrase(step.triple, locator.store, display), place, step.axiom, step.depth
+            )
+
+
+def _phrase(triple: Triple, store: Store, display: Display) -> str:
+    """*triple* in three words, with lists, facts and their nodes, which files do not name."""
+    if is_blank(triple[2]) and (listed := items(store, triple[2])):
+        written = ", ".join(map(display.term, listed))
+        return f"{display.term(triple[0])} {display.term(triple[1])} [{written}]"
+    words = display.triple(triple)
+    return FACT_NODE.sub(r"\1 \2", words.replace(FACT, "")) if is_fact(triple) else words

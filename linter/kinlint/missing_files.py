@@ -1,0 +1,74 @@
+"""States which files that models refer to are not there, as the rules about references ask."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator
+
+from kinlint.document import Document
+from kinlint.files.file_exists import AbsentDirectory, Fault, Missing, References, UnknownPackage
+from kinlint.files.packages import Packages
+from kinlint.files.pathglob import absolute
+from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_literal, literal, literal_value
+from kinlint.vocabulary import ATTRIBUTE, SDF, SRC, URDF
+
+FILENAME, TEXT = iri(f"{ATTRIBUTE}filename"), iri(f"{SRC}text")
+NAMED_BY = {
+    **{iri(f"{URDF}{tag}"): FILENAME for tag in ("mesh", "texture")},
+    iri(f"{SDF}mesh"): iri(f"{SDF}uri"),
+}
+"""The elements that refer to a file, by their property, and what of them names it."""
+CLASSES = {
+    Missing: iri(f"{SRC}MissingFile"),
+    UnknownPackage: iri(f"{SRC}UnresolvedPackage"),
+    AbsentDirectory: iri(f"{SRC}AbsentDirectory"),
+}
+NODE, NAME, RESEMBLES = (iri(f"{SRC}{name}") for name in ("node", "name", "resembles"))
+STATED = frozenset({*CLASSES.values(), NODE, NAME, RESEMBLES})
+"""The properties and classes of what is said of a file that is not found."""
+
+
+def references(
+    documents: Iterable[Document],
+    packages_of: Callable[[str], Packages],
+    wanted: Collection[Term] | None = None,
+) -> Iterator[Triple]:
+    """A node for each reference in *documents* to a file that is not found, saying why not.
+
+    *packages_of* has the packages that the file of a name can name. With *wanted*, nothing is
+    looked up unless one of these terms is such a reason.
+    """
+    if wanted is not None and not set(wanted) & set(CLASSES.values()):
+        return
+    lookups: dict[int, References] = {}
+    for document in documents:
+        near = absolute(document.source.name).parent
+        packages = packages_of(document.source.name)
+        known = lookups.setdefault(id(packages), References(packages))
+        for element, _, written in named_files(document):
+            fault = known.fault(literal_value(written), near)
+            if fault is not None:
+                yield from _stated(element, fault)
+
+
+def named_files(document: Document) -> Iterator[Triple]:
+    """The statements of *document* whose value names the file of a mesh or a texture."""
+    expected: dict[Term, Term] = {}
+    for subject, predicate, value in document.statements:
+        if predicate in NAMED_BY:
+            expected[value] = NAMED_BY[predicate]
+        elif expected.get(subject) == predicate:
+            if is_literal(value):
+                yield subject, predicate, value
+            else:
+                expected[value] = TEXT
+
+
+def _stated(element: Term, fault: Fault) -> Iterator[Triple]:
+    node = iri(f"{iri_value(element)};file")
+    yield node, RDF_TYPE, CLASSES[type(fault)]
+    yield node, NODE, element
+    if isinstance(fault, Missing):
+        if fault.resembles is not None:
+            yield node, RESEMBLES, literal(fault.resembles)
+    else:
+        yield node, NAME, literal(fault.name)

@@ -1,0 +1,56 @@
+"""Divides the files of a run into models, and models into shares that are linted together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from kinlint.cache.cache_key import alone
+from kinlint.configuration.settings import Settings
+from kinlint.file_groups import models
+from kinlint.text import SourceText
+
+Model: TypeAlias = Sequence[SourceText]
+"""Files that are judged together."""
+MOST = 8
+"""How many models a share has at most. Each share loads what all models need; each query of a share
+goes through all its models: of small robots, eight take the least time."""
+
+
+def divided(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
+    """*sources* in models that can be judged apart, which may be one."""
+    return [*models(sources)] if sources and _separable(settings) else [list(sources)]
+
+
+def divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
+    """Whether *sources* are several models that can be judged apart."""
+    return len(divided(sources, settings)) > 1
+
+
+def _separable(settings: Settings) -> bool:
+    """Whether nothing is said of an entity that several models might have."""
+    every = (settings.default, *settings.files.values())
+    ignores = [ignore for each in every for ignore in each.ignores]
+    return not any(each.iri is not None or each.pointer is not None for each in ignores)
+
+
+def shares(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
+    """The numbers of the models *found*, in *least* shares or more, the largest first.
+
+    A model that may include other files is a share of its own, so that what it depends on is known.
+    """
+    joint = [n for n, each in enumerate(found) if not settings.drawn and all(map(alone, each))]
+    apart = set(range(len(found))).difference(joint)
+    count = min(len(joint), max(least - len(apart), -(-len(joint) // MOST)))
+    made: list[list[int]] = [[] for _ in range(count)]
+    sizes = [0] * count
+    for number in sorted(joint, key=lambda one: -_size(found[one])):
+        smallest = min(range(count), key=lambda one: (len(made[one]) >= MOST, sizes[one]))
+        made[smallest].append(number)
+        sizes[smallest] += _size(found[number])
+    every = [*([n] for n in apart), *(sorted(each) for each in made)]
+    return sorted(every, key=lambda share: -sum(_size(found[one]) for one in share))
+
+
+def _size(model: Model) -> int:
+    return sum(len(source.text) for source in model)

@@ -1,0 +1,120 @@
+"""A run over the files of several models: recalls what is known of them, and lints the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from time import perf_counter
+
+from kinlint.cache.report_cache import Memory
+from kinlint.errors import SourceError
+from kinlint.parallel import processes, shard
+from kinlint.parallel.merge_reports import merged
+from kinlint.parallel.partition import Model, divided, shares
+from kinlint.parallel.shard import Job, Outcome
+from kinlint.phases import Phases
+from kinlint.report import Report
+from kinlint.suppression.diagnostics import UNUSED
+from kinlint.text import SourceText
+
+SHARES = 4
+"""How many shares each process gets, so that none waits long for the last one."""
+
+
+def _nobody(_files: int) -> None:
+    """Hears of progress where nobody watches it."""
+
+
+@dataclass(frozen=True)
+class Survey:
+    """How to go about a run: `jobs` is the number of processes.
+
+    `memory` recalls reports, and keeps them. `advance` is told of how many more files are done.
+    """
+
+    job: Job
+    jobs: int = 1
+    memory: Memory | None = None
+    phases: Phases = field(default_factory=Phases)
+    advance: Callable[[int], None] = _nobody
+
+    def report(self, sources: Sequence[SourceText], errors: Sequence[SourceError]) -> Report:
+        """What is found in *sources*; *errors* are of files that could not even be decoded.
+
+        It is the report of one process that lints all of them.
+        """
+        started = perf_counter()
+        models = divided(sources, self.job.settings)
+        reports, recalled = self._reports(models, ())
+        own = [error for report in reports for error in report.errors]
+        place = {source.name: index for index, source in enumerate(sources)}
+        own.sort(key=lambda error: place.get(error.name, len(place)))
+        failed = [*errors, *own]
+        if failed:
+            # No suppression is called unused unless everything could be read.
+            again = [n for n, one in enumerate(reports) if not one.errors and _calls_unused(one)]
+            changed, _ = self._reports([models[n] for n in again], failed)
+            for number, report in zip(again, changed, strict=True):
+                reports[number] = report
+        if self.memory is not None:
+            self.memory.close()
+        seconds = perf_counter() - started
+        known = None if self.memory is None else recalled
+        return merged(reports, [source.name for source in sources], failed, seconds, known)
+
+    def _reports(
+        self, models: Sequence[Model], failed: Sequence[SourceError]
+    ) -> tuple[list[Report], int]:
+        """The report of each of *models*, and how many files' were recalled.
+
+        *failed* are errors in other files of the run.
+        """
+        found: dict[int, Report] = {}
+        if self.memory is not None:
+            with self.phases.phase("recalling"):
+                for number, model in enumerate(models):
+                    report = self.memory.recall(model, complete=not failed)
+                    if report is not None:
+                        found[number] = report
+                        self._advance(model, failed)
+        recalled = sum(len(models[number]) for number in found)
+        left = [number for number in range(len(models)) if number not in found]
+        for number, outcome in self._linted([models[n] for n in left], failed):
+            found[left[number]] = outcome.report
+            if self.memory is not None:
+                self.memory.keep(models[left[number]], *outcome, complete=not failed)
+        return [found[number] for number in range(len(models))], recalled
+
+    def _linted(
+        self, models: Sequence[Model], failed: Sequence[SourceError]
+    ) -> list[tuple[int, Outcome]]:
+        """The outcomes of linting *models*, by their numbers."""
+        least = self.jobs * SHARES if self.jobs > 1 else 1
+        planned = shares(models, least, self.job.settings)
+        left = [[models[number] for number in each] for each in planned]
+        found: dict[int, list[Outcome]] = {}
+
+        def done(number: int, outcomes: list[Outcome]) -> None:
+            found[number] = outcomes
+            for model in left[number]:
+                self._advance(model, failed)
+
+        if self.jobs > 1 and len(left) > 1:
+            with self.phases.phase("linting"):
+                processes.outcomes(left, failed, self.job, self.jobs, done)
+        for number, each in enumerate(left):
+            if number not in found:
+                done(number, shard.lint(each, failed, self.job, self.phases))
+        return [
+            (model, outcome)
+            for number, numbers in enumerate(planned)
+            for model, outcome in zip(numbers, found[number], strict=True)
+        ]
+
+    def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
+        if not failed:  # What is linted anew was counted before.
+            self.advance(len(model))
+
+
+def _calls_unused(report: Report) -> bool:
+    return any(one.rule.name == UNUSED for one in (*report.findings, *report.suppressed))

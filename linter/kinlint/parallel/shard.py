@@ -1,0 +1,123 @@
+"""Lints a share of the models of a run, and tells what was found in each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
+from kinlint.errors import SourceError
+from kinlint.files.tracked_io import Record, recorded
+from kinlint.model import Finding, Rule
+from kinlint.parallel.partition import Model
+from kinlint.phases import Phases
+from kinlint.report import Report
+
+
+@dataclass(frozen=True)
+class Job:
+    """How to lint: with *fixing*, the reports have the fixes on offer."""
+
+    settings: Settings
+    book: Rulebook
+    fixing: bool = False
+
+
+class Outcome(NamedTuple):
+    """The report of a model, and what was looked up for it."""
+
+    report: Report
+    record: Record
+
+
+def lint(
+    share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None = None
+) -> list[Outcome]:
+    """The outcome for each model of *share*; *errors* that were known before are left out."""
+    with recorded() as record:
+        report, documents = _examined(share, errors, job, phases)
+    report = replace(report, errors=report.errors[len(errors) :])
+    if len(share) == 1:
+        return [Outcome(report, record)]
+    parts = _parts(share, report, documents, job)
+    if parts is None:
+        return [outcome for each in share for outcome in lint([each], errors, job, phases)]
+    return [Outcome(part, record) for part in parts]
+
+
+def _examined(
+    share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None
+) -> tuple[Report, Sequence[Document]]:
+    sources, phases = [source for model in share for source in model], phases or Phases()
+    if job.fixing:
+        with phases.phase("imports"):
+            from kinlint.fixes.rounds import linted  # noqa: PLC0415  few outputs show fixes
+
+        offers = linted(sources, errors, job.settings, job.book, phases)
+        return offers.report, offers.examination.documents
+    with phases.phase("imports"):
+        from kinlint.lint import examine  # noqa: PLC0415  engines are slow to import
+
+    examination = examine(sources, errors, job.settings, job.book, phases)
+    return examination.report, examination.documents
+
+
+def _parts(
+    share: Sequence[Model], report: Report, documents: Sequence[Document], job: Job
+) -> list[Report] | None:
+    """What *report* says of each model of *share*; None if a finding lies in no file of theirs."""
+    home = {source.name: number for number, model in enumerate(share) for source in model}
+    said = {each.source.name: len(each.statements) for each in documents}
+    try:
+        found = _sorted(report.findings, home, len(share))
+        silenced = _sorted(report.suppressed, home, len(share))
+        errors = [[e for e in report.errors if home[e.name] == n] for n in range(len(share))]
+    except KeyError:
+        return None
+    asked = _Asked(documents, job)
+    parts = []
+    for number in range(len(share)):
+        files = tuple(name for name in report.files if home[name] == number)
+        parts.append(
+            replace(
+                report,
+                findings=found[number],
+                suppressed=silenced[number],
+                files=files,
+                unapplied=tuple(name for name in report.unapplied if home[name] == number),
+                errors=tuple(errors[number]),
+                rules=asked.rules(files, report.rules),
+                triples=sum(said[name] for name in files),
+                unfixed=tuple(
+                    one for one in report.unfixed if home[one[0].location.source.name] == number
+                ),
+            )
+        )
+    return parts
+
+
+def _sorted(
+    findings: Sequence[Finding], home: Mapping[str, int], count: int
+) -> list[tuple[Finding, ...]]:
+    """*findings* by where they lie; raises KeyError if that is elsewhere."""
+    sorted_: list[list[Finding]] = [[] for _ in range(count)]
+    for finding in findings:
+        sorted_[home[finding.location.source.name]].append(finding)
+    return list(map(tuple, sorted_))
+
+
+class _Asked:
+    """Which of the rules that were asked of all files would have been asked of some."""
+
+    def __init__(self, documents: Sequence[Document], job: Job) -> None:
+        from kinlint.catalogue.applicability import formats  # noqa: PLC0415  loads the engine
+
+        self._policies = Policies(job.settings, job.book.rules, formats(documents))
+
+    def rules(self, files: Sequence[str], all_: Sequence[Rule]) -> tuple[Rule, ...]:
+        enabled = self._policies.enabled(files)
+        return tuple(rule for rule in all_ if rule.code in enabled)

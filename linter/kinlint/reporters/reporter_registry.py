@@ -1,0 +1,120 @@
+"""The output formats by name; each reporter is imported when it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from typing import NamedTuple, TextIO, cast
+
+from kinlint.errors import UsageError
+from kinlint.report import Report
+from kinlint.reporters.display_width import sound
+from kinlint.reporters.reporter import Reporter
+from kinlint.reporters.summary import summary
+from kinlint.reporters.terminal_style import Style, style_of
+
+
+class Format(NamedTuple):
+    """Where a format's `render` is, whether a machine reads it, and what it tells of.
+
+    A machine format has its stream for itself: the summary belongs on standard error. For one
+    that tells of no `fixes` nobody needs to work them out; one that is `drawn` shows how robots are
+    built.
+    """
+
+    module: str
+    machine: bool = True
+    fixes: bool = True
+    drawn: bool = False
+
+
+FORMATS: Mapping[str, Format] = {
+    "full": Format("full", machine=False),
+    "concise": Format("concise", machine=False, fixes=False),
+    "grouped": Format("grouped", machine=False, fixes=False),
+    "json": Format("json_array"),
+    "json-lines": Format("json_lines"),
+    "sarif": Format("sarif.sarif_log"),
+    "github": Format("github", fixes=False),
+    "gitlab": Format("gitlab", fixes=False),
+    "azure": Format("azure", fixes=False),
+    "junit": Format("junit", fixes=False),
+    "checkstyle": Format("checkstyle", fixes=False),
+    "rdjson": Format("reviewdog.diagnostic_result"),
+    "rdjsonl": Format("reviewdog.lines"),
+    "turtle": Format("validation_report"),
+    "markdown": Format("markdown", fixes=False),
+    "html": Format("html.page", drawn=True),
+}
+STATISTICS = Format("statistics", machine=False)
+
+
+def reporter(name: str) -> Reporter:
+    """The reporter of the format called *name*; UsageError if there is none."""
+    if name not in FORMATS:
+        raise UsageError(f"unknown output format '{name}'; there are {', '.join(FORMATS)}")
+    return _render(FORMATS[name])
+
+
+def write(  # noqa: PLR0913
+    report: Report,
+    name: str,
+    stream: TextIO,
+    style: Style | None = None,
+    *,
+    summarise: bool = True,
+    verbose: bool = False,
+) -> None:
+    """Write *report* to *stream* in the format called *name*.
+
+    *style* None is what the stream can show. Formats for people end in the summary, unless
+    *summarise* is false.
+    """
+    style = style or style_of(stream)
+    put(reporter(name)(report, style), stream)
+    if summarise and not FORMATS[name].machine:
+        write_summary(report, stream, style, verbose=verbose)
+
+
+def write_summary(
+    report: Report, stream: TextIO, style: Style | None = None, *, verbose: bool = False
+) -> None:
+    """Write the summary by itself: to standard error, when a machine reads standard output."""
+    put(summary(report, style or style_of(stream), verbose=verbose), stream)
+
+
+def write_fixed(
+    report: Report, stream: TextIO, style: Style | None = None, *, would: bool = False
+) -> None:
+    """Write the list of `--show-fixes`: what was fixed, or *would* be."""
+    from kinlint.reporters.applied_fixes import listing  # noqa: PLC0415  few runs fix
+
+    put(listing(report, style or style_of(stream), would=would), stream)
+
+
+def write_verdict(report: Report, stream: TextIO, *, would: bool = False) -> None:
+    """Write how much was fixed, or *would* be, for a run that reports nothing else."""
+    from kinlint.reporters.applied_fixes import verdict  # noqa: PLC0415  few runs fix
+
+    put(verdict(report, would=would), stream)
+
+
+def write_statistics(report: Report, stream: TextIO, style: Style | None = None) -> None:
+    """Write the table of `--statistics`."""
+    style = style or style_of(stream)
+    put(_render(STATISTICS)(report, style), stream)
+
+
+def put(pieces: Iterator[str], stream: TextIO) -> None:
+    """Write *pieces*, with what the stream cannot encode as escapes."""
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    for piece in pieces:
+        text = sound(piece)
+        if not text.isascii():
+            text = text.encode(encoding, "backslashreplace").decode(encoding)
+        stream.write(text)
+
+
+def _render(format_: Format) -> Reporter:
+    module = import_module(f"kinlint.reporters.{format_.module}")
+    return cast("Reporter", module.render)

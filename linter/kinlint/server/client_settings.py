@@ -1,0 +1,91 @@
+"""What the user of an editor says: settings that come on top of configuration files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from kinlint.configuration.config_file import Config, Configs, config_of, load
+from kinlint.configuration.value_kinds import unknown
+from kinlint.errors import ConfigError, KinlintError
+from kinlint.files.pathglob import absolute
+
+ORIGIN = "editor settings"
+LISTS = {
+    "select": "select",
+    "extendSelect": "extend-select",
+    "ignore": "ignore",
+    "target": "target",
+}
+"""Settings that are keys of configuration files."""
+RUNS = ("onType", "onSave")
+KNOWN = (*LISTS, "configuration", "run", "unsafeFixes")
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """`keys` are those of configuration files, on top of these; `file` is the only one, if given.
+
+    `on_save` tells that texts are examined when they are saved, and `unsafe_fixes` that fixes
+    that are not safe are offered, too. `problems` are what cannot be used, for people.
+    """
+
+    keys: Mapping[str, Any] = field(default_factory=dict)
+    file: str | None = None
+    on_save: bool = False
+    unsafe_fixes: bool = True
+    problems: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, said: object) -> Preferences:
+        """What a client sends, at any time and in any of the forms that clients have for it."""
+        settings = _settings(said)
+        keys: dict[str, Any] = {}
+        problems = [
+            f"{ORIGIN}: {problem}" for name in settings if (problem := unknown(name, KNOWN))
+        ]
+        configuration = settings.get("configuration")
+        if isinstance(configuration, Mapping):
+            keys |= configuration
+        keys |= {key: settings[name] for name, key in LISTS.items() if settings.get(name)}
+        run = settings.get("run", RUNS[0])
+        if run not in RUNS:
+            problems.append(f"{ORIGIN}: run: expected one of {', '.join(RUNS)}, got '{run}'")
+        try:
+            config_of(keys, ORIGIN, Path.cwd())
+        except KinlintError as error:
+            problems.append(str(error))
+            keys = {}
+        return cls(
+            keys=keys,
+            file=configuration if isinstance(configuration, str) and configuration else None,
+            on_save=run == RUNS[1],
+            unsafe_fixes=bool(settings.get("unsafeFixes", True)),
+            problems=tuple(problems),
+        )
+
+    def top(self, root: Path) -> Config:
+        """What comes on top of the configuration files; paths start at *root*."""
+        return config_of(self.keys, ORIGIN, root)
+
+    def configs(self, root: Path) -> Configs:
+        """Where configuration comes from below *root*: the file that is named, or the nearest."""
+        if self.file is None:
+            return Configs()
+        path = absolute(root / Path(self.file).expanduser())
+        if not path.is_file():
+            raise ConfigError(f"{ORIGIN}: configuration: '{self.file}' is not a file")
+        return Configs(fixed=load(path))
+
+
+def _settings(said: object) -> Mapping[str, Any]:
+    """The settings within `settings`, `kinlint` and `lint`, which some clients put round them."""
+    found = dict(said) if isinstance(said, Mapping) else {}
+    unwrap: Callable[[str], Any] = found.get
+    for name in ("settings", "kinlint", "lint"):
+        if isinstance(inner := unwrap(name), Mapping):
+            found.pop(name)
+            found |= inner
+    return {name: value for name, value in found.items() if value is not None}

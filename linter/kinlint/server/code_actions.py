@@ -1,0 +1,114 @@
+"""Code actions: a fix for a finding, all safe fixes of a file, and silence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+from lsprotocol import types
+
+from kinlint.edits import Unsayable
+from kinlint.ignoring.proposal import Desk
+from kinlint.model import Applicability, Finding
+from kinlint.server.app import KinlintServer
+from kinlint.server.diagnostics import diagnostic
+from kinlint.server.quick_fixes import MOST, all_safe, remedies
+from kinlint.server.request_context import View
+from kinlint.server.workspace_edit import workspace_edit
+
+FIX_ALL = "source.fixAll.kinlint"
+TITLE = "kinlint: Make all safe fixes"
+QUICK_FIX = types.CodeActionKind.QuickFix.value
+OPTIONS = types.CodeActionOptions([types.CodeActionKind.QuickFix, FIX_ALL], resolve_provider=True)
+
+
+def register(server: KinlintServer) -> None:
+    """Offer actions; what takes long to work out is worked out when one is chosen."""
+
+    @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, OPTIONS)
+    async def actions(params: types.CodeActionParams) -> list[types.CodeAction] | None:
+        uri, only = params.text_document.uri, params.context.only
+        found: list[types.CodeAction] = []
+        if _asked(QUICK_FIX, only):
+            found += await server.consult(uri, partial(_quick_fixes, server, params)) or ()
+        if _asked(FIX_ALL, only):
+            action = types.CodeAction(TITLE, FIX_ALL, data={"uri": uri})
+            if server.resolves:
+                found.append(action)
+            elif only:
+                found += [done] if (done := await fix_all(server, action)).edit else []
+        return found
+
+    @server.feature(types.CODE_ACTION_RESOLVE)
+    async def resolve(action: types.CodeAction) -> types.CodeAction:
+        if action.kind == FIX_ALL and action.edit is None:
+            return await fix_all(server, action)
+        return action
+
+
+async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.CodeAction:
+    """*action* with the edit that makes all safe fixes of its file, if there are any."""
+    uri = action.data["uri"] if isinstance(action.data, dict) else ""
+
+    def edit(view: View) -> types.WorkspaceEdit | None:
+        edits = all_safe(view)
+        return workspace_edit(edits, view.places, versioned=server.versioned) if edits else None
+
+    action.edit = await server.consult(uri, edit)
+    return action
+
+
+def _asked(kind: str, only: Sequence[types.CodeActionKind | str] | None) -> bool:
+    """Whether the client asked for actions of *kind*: it may name a kind that contains it."""
+    names = [each.value if isinstance(each, types.CodeActionKind) else each for each in only or ()]
+    return not names or any(kind == name or kind.startswith(f"{name}.") for name in names)
+
+
+def _quick_fixes(
+    server: KinlintServer, params: types.CodeActionParams, view: View
+) -> list[types.CodeAction]:
+    """The actions for what was found in the range that *params* asks about."""
+    start, end = view.span(params.range)
+    findings = [
+        each
+        for each in view.findings
+        if each.location.span.start <= end and start <= each.location.span.end
+    ]
+    return [*_fixes(server, view, findings), *_ignores(server, view, findings)]
+
+
+def _fixes(
+    server: KinlintServer, view: View, findings: Sequence[Finding]
+) -> Iterator[types.CodeAction]:
+    for finding, fixes in remedies(view, findings):
+        preferred = next((one for one in fixes if one.applicability is Applicability.SAFE), None)
+        for fix in fixes:
+            safe = fix.applicability is Applicability.SAFE
+            if not safe and not server.preferences.unsafe_fixes:
+                continue
+            yield types.CodeAction(
+                title=f"kinlint ({finding.rule.code}): {fix.title}",
+                kind=types.CodeActionKind.QuickFix,
+                diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
+                is_preferred=fix is preferred,
+                edit=workspace_edit(fix.edits, view.places, versioned=server.versioned),
+            )
+
+
+def _ignores(
+    server: KinlintServer, view: View, findings: Sequence[Finding]
+) -> Iterator[types.CodeAction]:
+    """What excuses each of *findings* where it was found."""
+    desk = Desk(view.examination, view.bench.texts, view.settings)
+    for finding in findings[:MOST]:
+        try:
+            edits = desk.edits(finding)
+        except Unsayable:
+            continue
+        yield types.CodeAction(
+            title=f"kinlint ({finding.rule.code}): Ignore {finding.rule.code} here",
+            kind=types.CodeActionKind.QuickFix,
+            diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
+            is_preferred=False,
+            edit=workspace_edit(edits, view.places, versioned=server.versioned),
+        )

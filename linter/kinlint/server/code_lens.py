@@ -1,0 +1,44 @@
+"""A line above each file that counts what was found in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from lsprotocol import types
+
+from kinlint.model import Applicability
+from kinlint.reporters.summary import counted
+from kinlint.server.app import KinlintServer
+from kinlint.server.quick_fixes import remedies
+from kinlint.server.request_context import View
+
+MEND = "kinlint.applyAutofix"
+TOP = types.Range(types.Position(0, 0), types.Position(0, 0))
+
+
+def register(server: KinlintServer) -> None:
+    """Have *server* count; how many can be fixed is worked out when the line is looked at."""
+
+    @server.feature(types.TEXT_DOCUMENT_CODE_LENS, types.CodeLensOptions(resolve_provider=True))
+    async def lenses(params: types.CodeLensParams) -> Sequence[types.CodeLens] | None:
+        uri = params.text_document.uri
+        view = await server.view(uri)
+        found = view is not None and view.findings
+        return [types.CodeLens(TOP, data={"uri": uri})] if found else []
+
+    @server.feature(types.CODE_LENS_RESOLVE)
+    async def resolve(lens: types.CodeLens) -> types.CodeLens:
+        uri = lens.data["uri"] if isinstance(lens.data, dict) else ""
+        lens.command = await server.consult(uri, partial(_command, uri))
+        return lens
+
+
+def _command(uri: str, view: View) -> types.Command:
+    """What the line says; a click on it makes the safe fixes, if there are any."""
+    title = counted(len(view.findings), "finding", "findings")
+    offered = [fixes for _, fixes in remedies(view, view.findings)]
+    safe = any(fix.applicability is Applicability.SAFE for each in offered for fix in each)
+    if offered:
+        title += f", {len(offered)} fixable"
+    return types.Command(title, MEND if safe else "", arguments=[uri])

@@ -1,0 +1,80 @@
+"""The texts of files: what is open, else what the disk holds, read again when it changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeAlias
+
+from kinlint.errors import SourceError
+from kinlint.files.discovery import Input
+from kinlint.files.pathname import real
+from kinlint.project.reading import text_of
+from kinlint.server.frozen_state import Snapshot
+from kinlint.text import SourceText
+
+Stamp: TypeAlias = tuple[int, int] | None
+
+
+@dataclass
+class Stock:
+    """The texts at one moment, of which equal ones stay the same objects from one to the next."""
+
+    snapshot: Snapshot
+    _kept: dict[Path, tuple[Stamp, SourceText | SourceError]] = field(default_factory=dict)
+    _seen: set[Path] = field(default_factory=set)
+    _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
+
+    def turn(self, snapshot: Snapshot) -> None:
+        """Go on to *snapshot*; files are looked at again if something happened on disk."""
+        if snapshot.epoch != self.snapshot.epoch:
+            self._seen.clear()
+        self.snapshot = snapshot
+        self._overlay = {real(path): each.source for path, each in snapshot.buffers.items()}
+
+    @property
+    def overlay(self) -> Mapping[Path, SourceText]:
+        """The open texts by the real paths of their files."""
+        return self._overlay
+
+    def text(self, one: Input) -> SourceText:
+        """What *one* holds. Raises `SourceError` if it cannot be read."""
+        assert one.path is not None
+        if (buffer := self.snapshot.buffers.get(one.path)) is not None:
+            return buffer.source
+        kept = self._kept.get(one.path)
+        if kept is None or one.path not in self._seen:
+            now = stamp(one.path)
+            if kept is None or kept[0] != now:
+                kept = now, _read(one)
+                self._kept[one.path] = kept
+            self._seen.add(one.path)
+        if isinstance(kept[1], SourceError):
+            raise kept[1]
+        return kept[1]
+
+
+def _read(one: Input) -> SourceText | SourceError:
+    try:
+        return text_of(one)
+    except SourceError as error:
+        return error
+
+
+def stamp(path: Path) -> Stamp:
+    """What changes with the file at *path*; None if there is none."""
+    try:
+        state = path.stat()
+    except (OSError, ValueError):
+        return None
+    return state.st_mtime_ns, state.st_size
+
+
+def stamps(paths: Iterable[Path]) -> tuple[tuple[str, Stamp], ...]:
+    """What changes with any of the files at *paths* or below."""
+    found: dict[str, Stamp] = {}
+    for path in paths:
+        below = sorted(path.rglob("*")) if path.is_dir() else [path]
+        found |= {str(one): stamp(one) for one in below}
+    return tuple(found.items())

@@ -1,0 +1,32 @@
+"""What is shown when the pointer rests on something."""
+
+from __future__ import annotations
+
+from lsprotocol import types
+
+from kinlint.navigation.navigator import Navigator
+from kinlint.server.app import KinlintServer
+from kinlint.server.navigators import ask
+from kinlint.server.request_context import View
+
+
+def register(server: KinlintServer) -> None:
+    """Have *server* answer hovers."""
+
+    def kind() -> types.MarkupKind:
+        """Markdown, unless the client says that it shows other things only."""
+        known = server.client_capabilities.text_document
+        shown = known.hover.content_format if known and known.hover else None
+        plain = shown and types.MarkupKind.Markdown not in shown
+        return types.MarkupKind.PlainText if plain else types.MarkupKind.Markdown
+
+    @server.feature(types.TEXT_DOCUMENT_HOVER)
+    async def hover(params: types.HoverParams) -> types.Hover | None:
+        def shown(view: View, navigator: Navigator) -> types.Hover | None:
+            found = navigator.hover(view.source.name, view.offset(params.position))
+            if found is None:
+                return None
+            page = types.MarkupContent(kind(), found.markdown)
+            return types.Hover(page, view.range(found.span))
+
+        return await ask(server, params.text_document.uri, shown)

@@ -1,0 +1,77 @@
+"""Commands that users of editors call by name."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterator, Mapping
+from importlib.metadata import version
+from typing import Any
+
+from lsprotocol import types
+
+from kinlint import __version__
+from kinlint.kinematics.extraction import structures
+from kinlint.reporters.picture.finding_badges import marks
+from kinlint.reporters.picture.mermaid import lines
+from kinlint.server.app import KinlintServer
+from kinlint.server.code_actions import FIX_ALL, fix_all
+from kinlint.server.request_context import View
+
+
+def register(server: KinlintServer) -> None:
+    """Add the commands; each takes a URI, or an object that has one as `uri`."""
+
+    @server.command("kinlint.applyAutofix")
+    async def apply_autofix(*arguments: Any) -> bool:
+        """Make all safe fixes of a file; whether any was made."""
+        action = types.CodeAction(
+            "kinlint: Make all safe fixes", FIX_ALL, data={"uri": _uri(arguments)}
+        )
+        edit = (await fix_all(server, action)).edit
+        if edit is None:
+            return False
+        applied = await server.workspace_apply_edit_async(
+            types.ApplyWorkspaceEditParams(edit, action.title)
+        )
+        return applied.applied
+
+    @server.command("kinlint.printDebugInformation")
+    def print_debug_information(*_arguments: Any) -> str:
+        """What a report of a fault should have in it; also written to the log."""
+        page = "\n".join(_state(server))
+        server.log(page, types.MessageType.Info)
+        return page
+
+    @server.command("kinlint.showGraph")
+    async def show_graph(*arguments: Any) -> str | None:
+        """The robot of a file as a Mermaid flowchart; None if it has none."""
+        return await server.consult(_uri(arguments), _graph)
+
+
+def _uri(arguments: tuple[Any, ...]) -> str:
+    """The URI in *arguments*, which clients send in several forms."""
+    first = arguments[0] if arguments else ""
+    for name in ("uri", "textDocument"):
+        if isinstance(first, Mapping) and name in first:
+            first = first[name]
+    return str(first)
+
+
+def _graph(view: View) -> str | None:
+    examination = view.examination
+    found = examination.report.findings
+    drawn = structures(examination.store, examination.documents, found)
+    own = [one for one in drawn if view.source.name in one.files] or drawn
+    text = "\n\n".join("\n".join(lines(one, marks(one, found))) for one in own)
+    return text or None
+
+
+def _state(server: KinlintServer) -> Iterator[str]:
+    yield f"kinlint {__version__}, Python {platform.python_version()}, {platform.platform()}"
+    yield f"pygls {version('pygls')}, lsprotocol {version('lsprotocol')}"
+    yield f"positions in {server.encoding}"
+    yield from (f"folder: {root}" for root in server.roots)
+    yield from (f"open: {one.uri}, version {one.version}" for one in server.buffers)
+    yield f"settings: {server.preferences}"
+    told = sum(bool(server.about(path).items) for path in server.told)
+    yield f"files with diagnostics: {told} of {len(server.told)}"

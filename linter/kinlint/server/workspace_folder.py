@@ -1,0 +1,128 @@
+"""One folder of the workspace, or the open files of one folder outside it: a run of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.configuration.settings import Settings
+from kinlint.errors import SourceError
+from kinlint.file_groups import Ties, models, ties
+from kinlint.files.discovery import Input, Search
+from kinlint.files.pathname import shown
+from kinlint.project.layers import Layers
+from kinlint.project.reading import beside, own_contexts
+from kinlint.project.recognition import is_model
+from kinlint.server.document_store import Stock
+from kinlint.server.frozen_state import Snapshot
+from kinlint.text import SourceText
+
+
+@dataclass(frozen=True)
+class Model:
+    """Files that are judged together, with `beside` what they were written for.
+
+    `errors` are of files that cannot be read at all.
+    """
+
+    paths: Mapping[str, Path]
+    sources: tuple[SourceText, ...]
+    settings: Settings
+    beside: tuple[SourceText, ...] = ()
+    errors: tuple[SourceError, ...] = ()
+
+    @property
+    def key(self) -> frozenset[Path]:
+        """What tells models apart, whatever their files hold."""
+        return frozenset(self.paths.values())
+
+
+class Project:
+    """The models below a directory, found as `kinlint DIRECTORY` finds them.
+
+    A *loose* one has only what is open.
+    """
+
+    def __init__(self, directory: Path, snapshot: Snapshot, cache: Path, *, loose: bool) -> None:
+        self.directory, self._loose, self._cache = directory, loose, cache
+        preferences = snapshot.preferences
+        self._layers = Layers(
+            preferences.configs(directory), preferences.top(directory), here=directory
+        )
+        self._settings: dict[frozenset[str], Settings] = {}
+        self._verdicts: dict[Path, tuple[SourceText, bool]] = {}
+        self._own_contexts: dict[Path, Sequence[str]] = {}
+        self._tied: dict[str, tuple[SourceText, Ties]] = {}
+        self._found: list[Input] = []
+        if not loose:
+            found = Search(self._layers.excluding).find([str(directory)])
+            self._found = [
+                one for one in found.inputs if one.path and self._own(one.path, snapshot)
+            ]
+
+    def _own(self, path: Path, snapshot: Snapshot) -> bool:
+        root = snapshot.root_of(path)
+        return path.parent == self.directory if root is None else root == self.directory
+
+    def _inputs(self, snapshot: Snapshot) -> Iterator[Input]:
+        """What was found, and what is open and not passed over."""
+        known = {one.path for one in self._found}
+        yield from self._found
+        for path in snapshot.buffers:
+            if path not in known and self._own(path, snapshot) and not self._excluded(path):
+                yield Input(shown(path), path, named=False)
+
+    def _excluded(self, path: Path) -> bool:
+        return any(pattern.covers(path) for pattern in self._layers.excluding(path.parent))
+
+    def models(self, stock: Stock) -> Iterator[Model]:
+        """The models, as the files are now. Raises `UsageError` for a wrong configuration."""
+        sources: list[SourceText] = []
+        given: dict[str, Input] = {}
+        inputs = sorted(self._inputs(stock.snapshot), key=lambda one: one.name)
+        for one in inputs:
+            given[one.name] = one
+            try:
+                source = stock.text(one)
+            except SourceError as error:
+                yield Model(_paths([one]), (), self._of([one]), errors=(error,))
+                continue
+            if self._is_model(one, source):
+                sources.append(source)
+        for group in models(sources, self._ties) if sources else ():
+            inputs = [given[source.name] for source in group]
+            settings = self._of(inputs)
+            more = beside(group, settings, stock.overlay)
+            yield Model(_paths(inputs), tuple(group), settings, tuple(more))
+
+    def _is_model(self, one: Input, source: SourceText) -> bool:
+        assert one.path is not None
+        known = self._verdicts.get(one.path)
+        if known is None or known[0] is not source:
+            own = self._contexts(one.path.parent, one) if one.path.suffix == ".json" else ()
+            known = source, is_model(source, own)
+            self._verdicts[one.path] = known
+        return known[1]
+
+    def _ties(self, source: SourceText) -> Ties:
+        known = self._tied.get(source.name)
+        if known is None or known[0] is not source:
+            known = source, ties(source)
+            self._tied[source.name] = known
+        return known[1]
+
+    def _contexts(self, directory: Path, one: Input) -> Sequence[str]:
+        if directory not in self._own_contexts:
+            self._own_contexts[directory] = own_contexts(self._of([one]))
+        return self._own_contexts[directory]
+
+    def _of(self, inputs: Sequence[Input]) -> Settings:
+        names = frozenset(one.name for one in inputs)
+        if names not in self._settings:
+            self._settings[names] = self._layers.settings(inputs, cache=self._cache)
+        return self._settings[names]
+
+
+def _paths(inputs: Iterable[Input]) -> Mapping[str, Path]:
+    return {one.name: one.path for one in inputs if one.path is not None}

@@ -1,0 +1,105 @@
+"""What configuration silences (`config.Ignore`), and which of that silences nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from kinlint.configuration.selection import Policies
+from kinlint.configuration.settings import Ignore
+from kinlint.model import Finding, Rule
+from kinlint.suppression import json_pointer
+from kinlint.suppression.diagnostics import UNUSED, filled
+from kinlint.terms import iri
+from kinlint.text import Location, Span
+from kinlint.vocabulary import DOCUMENT_IRI
+
+
+@dataclass(frozen=True)
+class Ignores:
+    """The ignores of a run; remembers which of their selectors silenced something."""
+
+    policies: Policies
+    _used: set[tuple[Ignore, str]] = field(default_factory=set)
+    _places: dict[tuple[str, str], Span | None] = field(default_factory=dict)
+
+    def silence(self, findings: Iterable[Finding]) -> list[Finding]:
+        """*findings* with those marked that the configuration silences."""
+        out = []
+        for finding in findings:
+            name = finding.location.source.name
+            for ignore in self.policies.settings.of(name).ignores:
+                selector = self._selector(ignore, finding)
+                if finding.suppressed is None and selector is not None:
+                    self._used.add((ignore, selector))
+                    excuse = f"ignored by {ignore.origin}: {ignore.key}"
+                    finding = replace(finding, suppressed=excuse)  # noqa: PLW2901
+            out.append(finding)
+        return out
+
+    def unused(self, files: Iterable[str], rules: Mapping[str, Rule]) -> Iterator[Finding]:
+        """A finding for each selector that silenced nothing on an entity or at a pointer.
+
+        Whole files are none: what is ignored in many of them need not be in all. *files* are the
+        names of those read; *rules* are found by name.
+        """
+        governed: dict[Ignore, list[str]] = {}
+        for name in files:
+            for ignore in self.policies.settings.of(name).ignores:
+                if ignore.iri is not None or ignore.pointer is not None:
+                    governed.setdefault(ignore, []).append(name)
+        for ignore, names in governed.items():
+            enabled = self.policies.enabled(names)
+            for selector in ignore.selectors:
+                known = self._codes(selector) & enabled
+                if ignore.place is None or not known or (ignore, selector) in self._used:
+                    continue
+                if UNUSED in rules:
+                    yield from self.policies.judged([_finding(rules[UNUSED], ignore, selector)])
+
+    def _selector(self, ignore: Ignore, finding: Finding) -> str | None:
+        """The selector of *ignore* that silences *finding*, if one does."""
+        named = (one for one in ignore.selectors if finding.rule.code in self._codes(one))
+        selector = next(named, None)
+        if selector is None:
+            return None
+        if ignore.iri is not None:
+            meant = iri(ignore.iri) == finding.focus or ignore.iri == finding.iri
+        else:
+            meant = ignore.pointer is None or self._covers(ignore.pointer, finding)
+        return selector if meant else None
+
+    def _codes(self, selector: str) -> frozenset[str]:
+        return self.policies.catalogue.find(selector)[1]
+
+    def _covers(self, path: str, finding: Finding) -> bool:
+        """Whether *finding* is in what *path* leads to, its key included.
+
+        That is a JSON Pointer, or the way to an element of XML, as in `/link/base/inertial`.
+        """
+        if finding.iri.startswith(DOCUMENT_IRI):
+            _, _, address = finding.entity.partition("#")
+            if f"{address}/".startswith(f"{path}/"):
+                return True
+        source, span = finding.location.source, finding.location.span
+        key = (source.name, path)
+        if key not in self._places:
+            place = json_pointer.locate(source.text, path)
+            self._places[key] = place and place.member
+        whole = self._places[key]
+        return whole is not None and whole.start <= span.start and span.end <= whole.end
+
+
+def _finding(rule: Rule, ignore: Ignore, selector: str) -> Finding:
+    assert ignore.place is not None
+    message, template, arguments = filled(rule, {"rule": selector, "place": ignore.key})
+    return Finding(
+        rule=rule,
+        severity=rule.severity,
+        message=message,
+        location=Location(*ignore.place),
+        iri=ignore.iri or "",
+        focus=iri(ignore.iri) if ignore.iri is not None else "",
+        template=template,
+        arguments=arguments,
+    )

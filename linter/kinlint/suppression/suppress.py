@@ -1,0 +1,109 @@
+"""Which findings are silenced, by whom, and which suppressions are themselves at fault.
+
+Two sources silence findings. A model says `kl:ignore` on a node: findings about that node, and if a
+comment says so also those within; on the name of the file's graph: findings in that file. A
+configuration says so for files, for a JSON Pointer in a file, or for an entity's IRI
+(`settings.Ignore`). Nothing here removes a finding:
+`Finding.suppressed` tells why it is not to be shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from kinlint.configuration.selection import Policies
+from kinlint.document import Document
+from kinlint.model import Finding
+from kinlint.suppression.config_ignores import Ignores
+from kinlint.suppression.diagnostics import FAULTS, UNUSED, Fault, faults, reported
+from kinlint.suppression.directive import Directive, directives
+from kinlint.suppression.scope import Extents
+from kinlint.terms import Term
+
+if TYPE_CHECKING:
+    from datetime import date
+
+
+def apply(
+    findings: Iterable[Finding],
+    documents: Sequence[Document],
+    policies: Policies,
+    *,
+    complete: bool = True,
+    today: date | None = None,
+) -> list[Finding]:
+    """The *findings*, silenced where they are to be, and those about the suppressions.
+
+    *findings* are judged already (`Policies.judged`). *complete* tells that everything was
+    read and checked; otherwise no suppression is called unused. *today* decides what
+    expired; by default it is the day of the run.
+    """
+    settings = policies.settings
+    if settings.ignore_suppressions:
+        return list(findings)
+    stated = directives(documents, policies.catalogue, today)
+    about = {s: o for each in documents for s, o in each.about.items()} if stated else {}
+    marked, used = _silence(findings, stated, about)
+    wrong = [
+        fault
+        for fault in faults(stated, used, policies)
+        if fault.rule != UNUSED or (complete and not settings.partial)
+    ]
+    ignores = Ignores(policies)
+    found = [*ignores.silence(marked), *ignores.silence(_own(wrong, stated, used, policies, about))]
+    if complete and not settings.partial:
+        rules = {rule.name: rule for rule in policies.rules}
+        found += ignores.unused((document.source.name for document in documents), rules)
+    return found
+
+
+def _own(
+    wrong: Iterable[Fault],
+    stated: Sequence[Directive],
+    used: frozenset[Directive],
+    policies: Policies,
+    about: Mapping[Term, Term],
+) -> list[Finding]:
+    """Findings about suppressions, which other suppressions may silence, but never their own.
+
+    A suppression of these rules is unused only if it silences none of them, so it comes last.
+    """
+    rules = {rule.name: rule for rule in policies.rules}
+    own = frozenset(rules[name].code for name in FAULTS if name in rules)
+    out: list[Finding] = []
+    for fault in sorted(wrong, key=lambda one: one.rule == UNUSED and one.directive.names(own)):
+        finding = reported(fault, rules)
+        if finding is None or (fault.rule == UNUSED and fault.directive in used):
+            continue
+        others = [one for one in stated if one is not fault.directive]
+        marked, more = _silence(policies.judged([finding]), others, about)
+        used |= more
+        out += marked
+    return out
+
+
+def _silence(
+    findings: Iterable[Finding], stated: Sequence[Directive], about: Mapping[Term, Term]
+) -> tuple[list[Finding], frozenset[Directive]]:
+    out, used = [], set()
+    on_node: dict[Term, list[Directive]] = {}
+    in_file: dict[str, list[Directive]] = {}
+    for one in stated:
+        if one.whole_file:
+            in_file.setdefault(one.document.location(one.span).source.name, []).append(one)
+        else:
+            on_node.setdefault(one.node, []).append(one)
+    within = Extents.of(stated)
+    for finding in findings:
+        candidates = [
+            *on_node.get(finding.focus, ()),
+            *on_node.get(about.get(finding.focus, ""), ()),
+            *within.around(finding.location),
+            *in_file.get(finding.location.source.name, ()),
+        ]
+        meant = [one for one in candidates if one.active and finding.rule.code in one.codes]
+        used.update(meant)
+        out.append(replace(finding, suppressed=meant[0].excuse) if meant else finding)
+    return out, frozenset(used)
