@@ -14,7 +14,7 @@ pytestmark = pytest.mark.slow
 
 SHELL = blocks(language="sh")
 SHOWN = [block for block in blocks(language="text") if block.before in SHELL]
-ELSEWHERE = {"python3", "python", "pip", "pytest", "pyshacl"}
+ELSEWHERE = {"python3", "python", "pip", "pytest", "pyshacl", "make"}
 """What `test_installation` and other tests run."""
 LASTING = {"--watch", "-w", "server"}
 """What runs until it is told to stop; `tests/cli` and `tests/server` do."""
