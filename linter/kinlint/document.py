@@ -37,12 +37,6 @@ class NodeSpans(NamedTuple):
         return self.identifier or Span(self.whole.start, min(self.whole.start + 1, self.whole.end))
 
 
-def document_of(node: Term) -> Term:
-    """The graph of the document that *node* would belong to, by its IRI."""
-    at = node.find("#")
-    return f"{node[:at]}>" if at >= 0 else node
-
-
 @dataclass(frozen=True)
 class SourceMap:
     """The way back from triples and nodes to the text."""

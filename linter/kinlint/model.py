@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Collection
 from dataclasses import dataclass, field
 from enum import IntEnum
-from urllib.parse import unquote
 
+from kinlint.addresses import is_address, readable
 from kinlint.terms import Term, Triple
 from kinlint.text import Location, SourceText
-from kinlint.vocabulary import DOCUMENT_IRI
+
+PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
+"""Where a message of a rule has the value of a variable, and the name of that."""
 
 
 class Severity(IntEnum):
@@ -277,10 +280,7 @@ class Finding:
 
         What was made of an element is named like an element: `arm.urdf#/link/base/inertia`.
         """
-        if not self.iri.startswith(DOCUMENT_IRI):
-            return self.iri
-        name, mark, path = unquote(self.iri[len(DOCUMENT_IRI) :]).partition("#")
-        return f"{name}#/{path.removeprefix('/')}" if mark and path else name
+        return readable(self.iri) if is_address(self.iri) else self.iri
 
     @property
     def fingerprint(self) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from urllib.parse import unquote
 
+from kinlint.addresses import is_address, owner_path, short_path, split, unordered
 from kinlint.terms import (
     RDF_TYPE,
     XSD,
@@ -46,9 +47,6 @@ XML = (ATTRIBUTE, URDF, SDF, SRDF, EXTENSION, REFERENCE)
 COMPONENT = re.compile(r"-[1-9][0-9]*$")
 """The end of the property that has one number of an attribute of several."""
 
-DOCUMENT = "urn:kinlint:document:"
-REPEATED = re.compile(r";[0-9]+$")
-"""The end of the address of an element that has the tag and the name of one before it."""
 NAMED = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light"})
 """Elements that are spoken of by their name alone, where no other one has it."""
 
@@ -80,8 +78,8 @@ class Display:
 
     def iri(self, iri: str) -> str:
         """*iri* by its local name or a prefix, whichever the file would write; else whole."""
-        if iri.startswith(DOCUMENT):
-            name, _, path = iri[len(DOCUMENT) :].partition("#")
+        if is_address(iri):
+            name, path = split(iri)
             return unquote(self._path(path) if path else name)
         if iri.startswith(XML):
             local = iri.partition("#")[2]
@@ -101,16 +99,18 @@ class Display:
 
     def _path(self, path: str) -> str:
         """The names on the way to an element, or to what was made of it, with kinds if need be."""
-        whole = path.removeprefix("/")
-        shared = _kindless(REPEATED.sub("", _owner(whole))) in self._shared
-        return whole if shared else _kindless(whole)
+        owner = unordered(owner_path(path, NAMED))
+        shared = short_path(owner, NAMED) in self._shared
+        return path.removeprefix("/") if shared else short_path(path, NAMED)
 
     @cached_property
     def _shared(self) -> frozenset[str]:
         """The names that several elements of the file have."""
-        paths = (node[:-1].partition("#/")[2] for node in self.nodes)
-        named = (path for path in paths if path and _owner(path) == path)
-        counts = Counter(_kindless(REPEATED.sub("", path)) for path in named)
+        paths = (
+            split(iri_value(node))[1].removeprefix("/") for node in self.nodes if is_address(node)
+        )
+        named = (path for path in paths if path and owner_path(path, NAMED) == path)
+        counts = Counter(short_path(unordered(path), NAMED) for path in named)
         return frozenset(name for name, count in counts.items() if count > 1)
 
     def triple(self, triple: Triple) -> str:
@@ -119,22 +119,6 @@ class Display:
         if predicate == RDF_TYPE:
             return f"{self.term(subject)} is {article(self.term(value))}"
         return f"{self.term(subject)} {self.term(predicate)} {self.term(value)}"
-
-
-def _kindless(path: str) -> str:
-    """*path* without the kinds of the named elements on it."""
-    steps = path.split("/")
-    last = len(steps) - 1
-    return "/".join(step for i, step in enumerate(steps) if i % 2 or i == last or step not in NAMED)
-
-
-def _owner(path: str) -> str:
-    """The way to the last named element on *path*."""
-    steps = path.split("/")
-    end = 0
-    while end + 1 < len(steps) and steps[end] in NAMED:
-        end += 2
-    return "/".join(steps[:end])
 
 
 def article(noun: str) -> str:

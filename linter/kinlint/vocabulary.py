@@ -26,9 +26,6 @@ QUDT = "http://qudt.org/schema/qudt/"
 UNIT = "http://qudt.org/vocab/unit/"
 QUANTITY_KIND = "http://qudt.org/vocab/quantitykind/"
 
-DOCUMENT_IRI = "urn:kinlint:document:"
-"""How the IRIs of files begin, and those of the elements in them."""
-
 DOCUMENT_BASE = "https://base.kinlint.invalid/"
 """The sentinel base: an IRI that starts with it was relative where it was written."""
 

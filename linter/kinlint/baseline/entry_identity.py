@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from kinlint.addresses import is_address, without_file
 from kinlint.model import Finding
 from kinlint.report import STDIN_NAMES
+from kinlint.terms import is_blank
 from kinlint.text import Span
-from kinlint.vocabulary import DOCUMENT_IRI
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +70,11 @@ def known(finding: Finding, names: Names) -> Known:
     """What *finding* is remembered by."""
     own = finding.location.source.name
     path, entity, iri = names.of(own), finding.entity, finding.iri
-    if iri.startswith(DOCUMENT_IRI):
+    free = iri != "" and not is_address(iri) and not is_blank(iri) and not finding.rule.group_by
+    if is_address(iri):
         name, mark, way = entity.partition("#")
         entity = f"{names.of(name)}{mark}{way}"
-        iri = f"{DOCUMENT_IRI}{iri.partition('#')[2]}"
-    free = iri != "" and not iri.startswith((DOCUMENT_IRI, "_:")) and not finding.rule.group_by
+        iri = without_file(iri)
     # What a message says may be the name of a file, which depends on where kinlint runs.
     files = {own, *(each.location.source.name for each in finding.related)}
     meant = tuple(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
-from kinlint.document import LIFTED_AS, Document, document_of
+from kinlint.addresses import document_of
+from kinlint.document import LIFTED_AS, Document
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import FORMATS, lifts

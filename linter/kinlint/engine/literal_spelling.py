@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import pyoxigraph as ox
 
-from kinlint.document import TREES, document_of
+from kinlint.addresses import document_of
+from kinlint.document import TREES
 from kinlint.terms import Term, Triple, is_blank
 
 if TYPE_CHECKING:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from kinlint.addresses import lifted
 from kinlint.facts.companion import Companions
 from kinlint.facts.component import joined_by
 from kinlint.facts.forest import Roots
@@ -12,7 +13,7 @@ from kinlint.facts.inertia import Inertias
 from kinlint.facts.names import kin
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact, numbers
-from kinlint.facts.tree import Trees, domain
+from kinlint.facts.tree import Trees
 from kinlint.terms import Term, Triple
 
 FIXED = kin("FixedJoint")
@@ -69,7 +70,7 @@ class Assemblies:
     def _still(self) -> frozenset[Term]:
         """The assemblies that hold the root of a tree: nothing in the file moves them."""
         roots = self.trees.roots.values()
-        return frozenset(self.of(domain(link)) for links in roots for link in links)
+        return frozenset(self.of(lifted(link)) for links in roots for link in links)
 
     @cached_property
     def _weighed(self) -> frozenset[Term]:
@@ -97,5 +98,5 @@ class Assemblies:
         """The bodies that a joint of a tree moves, where nothing fixed to them has an inertia."""
         excused = self._weighed | self._still
         for link, edge in self.trees.above.items():
-            if edge.kind in MOVING and self.of(domain(link)) not in excused:
-                yield domain(link), fact("moved-by"), domain(edge.joint)
+            if edge.kind in MOVING and self.of(lifted(link)) not in excused:
+                yield lifted(link), fact("moved-by"), lifted(edge.joint)

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
 from typing import TypeAlias
-from urllib.parse import unquote
 
-from kinlint.document import Document, document_of
+from kinlint.addresses import document_of, local_name
+from kinlint.document import Document
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.linear import Vector, length, subtract
 from kinlint.facts.names import attribute, chain, kin, sdf, urdf
@@ -76,7 +76,7 @@ class Drifts:
                 form = forms.get(home, COMPOSED)
                 home = home if form in TREES else COMPOSED
                 description = found.setdefault(home, Description(form))
-                getattr(description, kind).setdefault(_name(node), node)
+                getattr(description, kind).setdefault(local_name(node), node)
         return found
 
     def _pairs(self) -> Iterator[tuple[Description, Description]]:
@@ -173,9 +173,3 @@ def _form(document: Document) -> str:
     if document.format in TREES:
         return document.format
     return "" if document.format == "srdf" else COMPOSED
-
-
-def _name(node: Term) -> str:
-    """The last part of an IRI."""
-    text = node[:-1]
-    return unquote(text[max(text.rfind("#"), text.rfind("/")) + 1 :])

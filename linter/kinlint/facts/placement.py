@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.addresses import is_repeated, lifted
 from kinlint.facts.linear import ZERO, Vector, length, scale
 from kinlint.facts.names import attribute, sdf, urdf
 from kinlint.facts.scan import Scan
-from kinlint.facts.tree import REPEATED, domain
 from kinlint.terms import Term, iri, literal_value
 from kinlint.vocabulary import SRC
 
@@ -40,7 +40,7 @@ class Placements:
         found = dict(self._below("joint", urdf("origin"), XYZ, ZERO))
         for joint in self._all(sdf("joint")):
             if (seen := self._vector(joint, SEEN_BY_PARENT)) is not None:
-                found[domain(joint)] = seen
+                found[lifted(joint)] = seen
         return found
 
     @cached_property
@@ -55,7 +55,7 @@ class Placements:
             for axis in self._children(joint, sdf("axis")):
                 for written in self._children(axis, sdf("xyz")):
                     if (unit := self._vector(written, UNIT_AXIS)) is not None:
-                        found[domain(joint)] = unit
+                        found[lifted(joint)] = unit
         return found
 
     @cached_property
@@ -68,7 +68,7 @@ class Placements:
                 for inertial in self._children(link, space("inertial")):
                     at = self._placed(inertial, space(place), components, ZERO)
                     if at is not None:
-                        found[domain(link)] = at
+                        found[lifted(link)] = at
         return found
 
     @cached_property
@@ -81,7 +81,7 @@ class Placements:
                     for child in self._children(inertial, space(place)):
                         angles = (self.scan.numbers(each).get(child, 0.0) for each in parts)
                         if any(angles) or child in self.scan.table(ROTATION_FORMAT):
-                            found.add(domain(link))
+                            found.add(lifted(link))
         return frozenset(found)
 
     @cached_property
@@ -92,20 +92,20 @@ class Placements:
         for joint in self._all(urdf("joint")):
             for parent in self._children(joint, urdf("parent")):
                 if (link := self.scan.single(attribute("link")).get(parent)) is not None:
-                    found[domain(joint)] = literal_value(link)
+                    found[lifted(joint)] = literal_value(link)
         for joint, link in self.scan.single(iri(f"{SRC}parentBody")).items():
             if link in named:
-                found[domain(joint)] = literal_value(named[link])
+                found[lifted(joint)] = literal_value(named[link])
         return found
 
     def _all(self, tag: Term) -> Iterator[Term]:
         """The elements called *tag*, the first of each name."""
         every = self.scan.table(tag).items()
-        yield from (each for _, found in every for each in found if not REPEATED.search(each))
+        yield from (each for _, found in every for each in found if not is_repeated(each))
 
     def _children(self, element: Term, tag: Term) -> Iterator[Term]:
         """The first child called *tag*, if there is one."""
-        found = (each for each in self.scan.table(tag).of(element) if not REPEATED.search(each))
+        found = (each for each in self.scan.table(tag).of(element) if not is_repeated(each))
         yield from list(found)[:1]
 
     def _below(
@@ -114,7 +114,7 @@ class Placements:
         """What a child called *tag* says of each element of URDF called *owner*."""
         for element in self._all(urdf(owner)):
             if (said := self._placed(element, tag, components, default)) is not None:
-                yield domain(element), said
+                yield lifted(element), said
 
     def _placed(
         self, element: Term, tag: Term, components: Sequence[Term], default: Vector

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from urllib.parse import quote
 
+from kinlint.addresses import child, is_repeated, root_of
 from kinlint.facts.names import attribute, urdf
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact, integer
@@ -19,9 +18,6 @@ UNEXPANDED = iri(f"{SRC}Unexpanded")
 DOCUMENT = iri(f"{SRC}document")
 MOST = 20
 """Names that lead nowhere are compared with all others, which for more of them would take long."""
-
-REPEATED = re.compile(r";[0-9]+>$")
-"""How the address of an element ends that is not the first of its kind and name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +33,6 @@ class Edge:
     child: Term | None
     base: Term | None
     claim: Term | None
-
-
-def domain(element: Term) -> Term:
-    """The entity of the composable model that an element is lifted to."""
-    return element.replace("#/", "#", 1)
 
 
 class Trees:
@@ -69,11 +60,11 @@ class Trees:
     def _end(self, joint: Term, side: str) -> tuple[Term | None, Term | None]:
         """The first element that says what is at a *side* of *joint*, and the link it names."""
         elements = self.scan.table(urdf(side)).of(joint)
-        element = next((each for each in elements if not REPEATED.search(each)), None)
+        element = next((each for each in elements if not is_repeated(each)), None)
         name = self.said(element, "link") if element is not None else None
         if name is None:
             return element, None
-        link = f"{joint.partition('#')[0]}#/link/{quote(name, safe='')}>"
+        link = child(root_of(joint), "link", name)
         return element, link if link in self._links else None
 
     def said(self, element: Term, name: str) -> str | None:
@@ -111,7 +102,7 @@ class Trees:
 
     def _roots(self, robot: Term) -> Iterator[Term]:
         for link in self.scan.table(urdf("link")).of(robot):
-            carried = link in self.above or REPEATED.search(link)
+            carried = link in self.above or is_repeated(link)
             if not carried and self.said(link, "name"):
                 yield link
 

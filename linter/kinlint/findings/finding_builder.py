@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TypeAlias
 
+from kinlint.addresses import is_address, without_file
 from kinlint.catalogue.rule_file import SEVERITIES
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
@@ -17,9 +18,9 @@ from kinlint.engine.explanation import Step, because
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.duplicates import identity
-from kinlint.findings.grouping import COUNT, PLACEHOLDER
+from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
-from kinlint.model import Finding, Premise, Related, Rule, Severity
+from kinlint.model import PLACEHOLDER, Finding, Premise, Related, Rule, Severity
 from kinlint.term_format import Display
 from kinlint.terms import (
     RDF_TYPE,
@@ -32,7 +33,7 @@ from kinlint.terms import (
     is_literal,
 )
 from kinlint.text import Location
-from kinlint.vocabulary import DOCUMENT_IRI, FACT
+from kinlint.vocabulary import FACT
 
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
@@ -141,10 +142,9 @@ def _meant(term: Term | None, word: str) -> str:
     """What *word*, written for *term*, stands for; the name of a file of elements is left out."""
     if term is None or not is_iri(term):
         return word
-    file, mark, way = iri_value(term).partition("#")
-    if not file.startswith(DOCUMENT_IRI):
+    if not is_address(term):
         return iri_value(term)
-    return f"{DOCUMENT_IRI}{mark}{way}" if mark else word
+    return without_file(iri_value(term)) if "#" in term else word
 
 
 def _severity(constraint: Constraint, rule: Rule) -> Severity:

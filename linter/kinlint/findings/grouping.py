@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 
-from kinlint.model import Finding, Related
+from kinlint.addresses import is_address, split
+from kinlint.model import PLACEHOLDER, Finding, Related
 
-PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 COUNT = "count"
 """The placeholder in the message of such a rule that says how many places there are."""
-DOCUMENT = "urn:kinlint:document:"
 
 
 def grouped(
@@ -51,8 +49,7 @@ def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
 
 def _model(finding: Finding) -> str:
     """The model that *finding* is about: a document of several texts is one."""
-    entity = finding.iri
-    return entity.partition("#")[0] if entity.startswith(DOCUMENT) else finding.location.source.name
+    return split(finding.iri)[0] if is_address(finding.iri) else finding.location.source.name
 
 
 def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:

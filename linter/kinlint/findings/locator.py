@@ -8,7 +8,8 @@ from functools import cached_property
 from operator import itemgetter
 from urllib.parse import unquote
 
-from kinlint.document import FROM, TREES, Document, NodeSpans, document_of
+from kinlint.addresses import document_of
+from kinlint.document import FROM, TREES, Document, NodeSpans
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
-from kinlint.document import FROM, Document, document_of
+from kinlint.addresses import document_of
+from kinlint.document import FROM, Document
 from kinlint.edits import Delta, Unsayable
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.store import Store

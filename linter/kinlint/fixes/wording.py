@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from kinlint.addresses import abbreviated
 from kinlint.edits import Delta
 from kinlint.terms import Term, Triple, is_blank
-from kinlint.vocabulary import DOCUMENT_IRI
 
 
 def update(delta: Delta) -> str:
@@ -33,4 +33,4 @@ def _block(triples: Iterable[Triple], names: dict[Term, str]) -> str:
 
 
 def _shown(term: Term, names: dict[Term, str]) -> str:
-    return names.get(term, term).replace(f"<{DOCUMENT_IRI}", "<", 1)
+    return abbreviated(names.get(term, term))

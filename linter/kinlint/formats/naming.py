@@ -1,17 +1,11 @@
-"""Names that front ends make up: one for each document, one for each blank node in it."""
+"""Labels that front ends make up for blank nodes."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from hashlib import blake2b
-from urllib.parse import quote
 
-from kinlint.terms import Term, blank, iri
-
-
-def document_iri(name: str) -> Term:
-    """The IRI of the document called *name*, which is also the graph of what it states."""
-    return iri("urn:kinlint:document:" + quote(name, safe="/.-_~"))
+from kinlint.terms import Term, blank
 
 
 class BlankNodes:

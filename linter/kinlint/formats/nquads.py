@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from typing import Literal
 
+from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats import doubles
-from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
 from kinlint.formats.source_layer import SourceLayer, terms

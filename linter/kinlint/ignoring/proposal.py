@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from kinlint.addresses import is_address
 from kinlint.configuration.settings import Settings
 from kinlint.document import TREES, Document, homes
 from kinlint.edits import Delta, Edit, Unsayable
@@ -21,7 +22,7 @@ from kinlint.suppression.diagnostics import FAULTS
 from kinlint.suppression.interval_index import Nest
 from kinlint.terms import Term, is_blank, is_iri
 from kinlint.text import Location, SourceText, Span
-from kinlint.vocabulary import DOCUMENT_IRI, SRC
+from kinlint.vocabulary import SRC
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +119,7 @@ class Desk:
         if home.format in TREES:
             return self._element(home, finding.location)
         node = self._about.get(finding.focus, finding.focus)
-        if node.startswith(f"<{DOCUMENT_IRI}"):
+        if is_address(node):
             raise Unsayable("it is about the file as a whole; use per-file-ignores")
         describing = [
             each for each in (home, *self.examination.documents) if node in each.map.nodes

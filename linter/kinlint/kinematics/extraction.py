@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.addresses import element_of, is_address, last_tag
 from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.facts.names import attribute
@@ -14,7 +14,7 @@ from kinlint.facts.scan import Scan
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.arrangement import Branch, arranged
 from kinlint.kinematics.couplings import Couplings
-from kinlint.kinematics.mechanics import ELEMENT, Mechanics, named
+from kinlint.kinematics.mechanics import Mechanics, named
 from kinlint.kinematics.naming import Names, element_name
 from kinlint.kinematics.numbers import Numbers
 from kinlint.kinematics.owners import Owners
@@ -22,9 +22,6 @@ from kinlint.kinematics.robots import Robots, model_of
 from kinlint.model import Finding
 from kinlint.structure import Frame, Joint, Link, Structure
 from kinlint.terms import Term, literal_value
-
-MODEL = re.compile(r"[#/]model/")
-"""What the address of a model has, and that of a world has not."""
 
 
 def structures(
@@ -98,16 +95,15 @@ class Extraction:
 
     def _whole(self, parts: Sequence[Term], longest: tuple[Term, int] | None, joints: int) -> Term:
         """What stands for a robot: its element, the chain of all its joints, or its first part."""
-        models = {model_of(part) for part in parts if part.startswith(ELEMENT)}
+        models = {model_of(part) for part in parts if is_address(part)}
         if models:
-            inner = {each for each in models if MODEL.search(each)}
+            inner = {each for each in models if last_tag(each) == "model"}
             return min(inner or models, key=self.mechanics.place)
         return longest[0] if longest is not None and longest[1] == joints else parts[0]
 
     def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
-        if whole.startswith(ELEMENT):
-            said = self.scan.table(attribute("name")).of(whole.replace("#", "#/", 1))
-            said = said or self.scan.table(attribute("name")).of(whole)
+        if is_address(whole):
+            said = self.scan.table(attribute("name")).of(element_of(whole))
             return literal_value(said[0]) if said else element_name(whole)
         return names.get(whole) or self.names.of((whole,))[whole]
 

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from urllib.parse import quote
 
+from kinlint.addresses import is_address, sibling
 from kinlint.document import FROM, TREES
 from kinlint.facts.component import ATTACHMENTS, ON_BODY
 from kinlint.facts.names import attribute, chain, geom, kin, sdf
 from kinlint.facts.scan import Place, Scan
 from kinlint.kinematics.arrangement import Branch
 from kinlint.terms import Term, iri, is_iri, literal_value
-from kinlint.vocabulary import DOCUMENT_IRI, SRC
+from kinlint.vocabulary import SRC
 
 BODY, JOINT, FRAME = geom("RigidBody"), chain("Joint"), geom("Frame")
 LISTS = geom("simplices")
 TYPE = attribute("type")
 TEXT = iri(f"{SRC}text")
-ELEMENT = f"<{DOCUMENT_IRI}"
 FRAME_OF = "/frame>"
 """How the address of the frame ends that an element has, behind that of the element."""
 
@@ -127,7 +126,7 @@ class Mechanics:
         """The body that *attachment* is on, or what stands for the one that is not there."""
         if (body := self.carrier.get(attachment)) is not None:
             return body
-        if attachment in self._bodies or not attachment.startswith(ELEMENT):
+        if attachment in self._bodies or not is_address(attachment):
             return attachment
         owner = f"{attachment.removesuffix(FRAME_OF)}>"
         return owner if attachment.endswith(FRAME_OF) and owner not in self._known_joints else None
@@ -146,8 +145,7 @@ class Mechanics:
         assert element is not None
         for said in self.scan.table(sdf(side)).of(element):
             for text in self.scan.table(TEXT).of(said):
-                holder = joint.rpartition("/joint/")[0]
-                return f"{holder}/link/{quote(literal_value(text).strip(), safe='')}>"
+                return sibling(joint, "link", literal_value(text).strip())
         return None
 
     def kind(self, joint: Term) -> str:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from urllib.parse import unquote
 
+from kinlint.addresses import is_address, split, steps, unordered
 from kinlint.findings.locator import Locator
-from kinlint.kinematics.mechanics import ELEMENT
-from kinlint.term_format import Display
-from kinlint.terms import Term, is_blank
+from kinlint.term_format import NAMED, Display
+from kinlint.terms import Term, iri_value, is_blank
 
-REPEATED = re.compile(r";[0-9]+$")
-WORLD = "world"
-MODELS = frozenset({WORLD, "model"})
+WORLD, MODEL = "world", "model"
 NAMELESS = "(anonymous)"
 
 
@@ -26,7 +23,7 @@ class Names:
     def of(self, nodes: Sequence[Term]) -> Mapping[Term, str]:
         """The names of *nodes*, less the prefix that all of them that have one share."""
         found = {node: self._name(node) for node in nodes}
-        written = [name for node, name in found.items() if not node.startswith((ELEMENT, "_:"))]
+        written = [name for node, name in found.items() if not (is_address(node) or is_blank(node))]
         prefixes = {name.partition(":")[0] for name in written if ":" in name}
         if len(prefixes) != 1 or "/" in (prefix := prefixes.pop()):
             return found
@@ -35,7 +32,7 @@ class Names:
     def _name(self, node: Term) -> str:
         if is_blank(node):
             return NAMELESS
-        if node.startswith(ELEMENT):
+        if is_address(node):
             return element_name(node)
         location = self.locator.node(node)
         if location is None:
@@ -54,14 +51,11 @@ def element_name(node: Term) -> str:
 
     But for the outermost, as SDF writes it: `tool::hand`.
     """
-    steps = node[:-1].partition("#")[2].removeprefix("/").split("/")
-    words = [REPEATED.sub("", unquote(step)) for step in steps]
-    models = 0
-    while len(words) > 2 * models + 2 and words[2 * models] in MODELS:
-        models += 1
-    inner = [words[2 * at + 1] for at in range(models) if words[2 * at] == "model"][1:]
-    own = words[2 * models :]
-    if own[0] == WORLD:
+    path = [*steps(split(iri_value(node))[1], NAMED)]
+    named = [at for at, (_, name) in enumerate(path) if name]
+    last = named[-1] if named else 0
+    if path[last][0] == WORLD:
         return WORLD
-    last = "/".join(own[1:] if len(own) > 1 else own)
-    return "::".join((*inner, last)) or NAMELESS
+    inner = [unordered(name) for tag, name in path[:last] if tag == MODEL and name][1:]
+    own = "/".join(unordered(name or tag) for tag, name in path[last:])
+    return unquote("::".join((*inner, own))) or NAMELESS

@@ -7,23 +7,23 @@ from itertools import islice
 
 import pyoxigraph as ox
 
+from kinlint.addresses import enclosing, is_address, is_within, lifted
 from kinlint.engine.store import Store, statement, token
 from kinlint.facts.component import ATTACHMENTS, JOINTS
 from kinlint.model import Finding
 from kinlint.terms import RDF_TYPE, Term, is_literal
-from kinlint.vocabulary import DOCUMENT_IRI, FACT, KIN, KL, METAMODELS, REFERENCE, RULE, SRC
+from kinlint.vocabulary import FACT, KIN, KL, METAMODELS, REFERENCE, RULE, SRC
 
-ELEMENT = f"<{DOCUMENT_IRI}"
 REACH, MOST = 4, 400
 """How many statements away an owner may be, and how many nodes are looked at on the way."""
 SHARED = tuple(
     f"<{each}"
     for each in (
-        *(METAMODELS, KIN, KL, SRC, FACT, RULE, DOCUMENT_IRI),
+        *(METAMODELS, KIN, KL, SRC, FACT, RULE),
         *("http://qudt.org/", "http://www.w3.org/"),
     )
 )
-"""How the terms of vocabularies and files begin, by which nothing belongs to anybody."""
+"""How the terms of vocabularies begin, by which nothing belongs to anybody."""
 SPREADING = frozenset({ATTACHMENTS[1:-1], JOINTS[1:-1]})
 """Properties that lead from what is one thing's to what is another's."""
 
@@ -44,7 +44,7 @@ class Owners:
         return {focus: part for focus, part in found.items() if part is not None}
 
     def _owner(self, focus: Term) -> Term | None:
-        if not focus.startswith(ELEMENT):
+        if not is_address(focus):
             return self._nearest(focus)
         return self._above(focus) or next(
             (part for target in self._named(focus) if (part := self._above(target))), None
@@ -52,12 +52,7 @@ class Owners:
 
     def _above(self, node: Term) -> Term | None:
         """The part that *node*, in a file of elements, lies in, by its address."""
-        address = node[:-1].replace("#/", "#", 1)
-        while address.rpartition("#")[2]:
-            if f"{address}>" in self.parts:
-                return f"{address}>"
-            address = address[: max(address.rfind("/"), address.rfind("#") + 1)]
-        return None
+        return next((each for each in enclosing(lifted(node)) if each in self.parts), None)
 
     def _named(self, element: Term) -> Iterator[Term]:
         """What an element, or one right below it, refers to by name."""
@@ -71,8 +66,7 @@ class Owners:
 
     def _inside(self, element: Term) -> Iterator[Term]:
         values = (value for _, value in self.store.said(element))
-        address = f"{element[:-1]}/"
-        return islice((value for value in values if value.startswith(address)), MOST)
+        return islice((value for value in values if is_within(value, element)), MOST)
 
     def _nearest(self, focus: Term) -> Term | None:
         """The part that the fewest statements lead to, either way; a link rather than a joint."""
@@ -96,12 +90,17 @@ class Owners:
         store = self.store.oxigraph
         for quad in islice(store.quads_for_pattern(term, None, None, None), MOST):
             near = token(quad.object)
-            if not is_literal(near) and not near.startswith(SHARED) and _near(quad.predicate):
+            if not is_literal(near) and not _shared(near) and _near(quad.predicate):
                 yield near
         for quad in islice(store.quads_for_pattern(None, None, term, None), MOST):
             near = token(quad.subject)
-            if not near.startswith(SHARED) and _near(quad.predicate):
+            if not _shared(near) and _near(quad.predicate):
                 yield near
+
+
+def _shared(node: Term) -> bool:
+    """Whether *node* is a term of a vocabulary or an address, by which nothing belongs to one."""
+    return node.startswith(SHARED) or is_address(node)
 
 
 def _near(predicate: ox.NamedNode) -> bool:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.addresses import is_address, lifted_at, split, steps
 from kinlint.facts.component import JOINTS
 from kinlint.facts.forest import Roots
 from kinlint.facts.scan import Scan
 from kinlint.kinematics.arrangement import Branch
-from kinlint.kinematics.mechanics import ELEMENT, Mechanics
-from kinlint.terms import Term
+from kinlint.kinematics.mechanics import Mechanics
+from kinlint.terms import Term, iri_value
 
 
 class Robots:
@@ -50,7 +51,7 @@ class Robots:
         """The parts in each robot of URDF, and in each model of SDF that is in no other."""
         found: dict[Term, list[Term]] = {}
         for part in (*self.mechanics.bodies, *(each.joint for each in self.branches)):
-            if part.startswith(ELEMENT):
+            if is_address(part):
                 found.setdefault(model_of(part), []).append(part)
         return found
 
@@ -59,7 +60,7 @@ class Robots:
         joined = {end for each in self.branches for end in each.ends}
         loose: dict[int, list[Term]] = {}
         for body in self.mechanics.bodies:
-            if body not in joined and not body.startswith(ELEMENT):
+            if body not in joined and not is_address(body):
                 loose.setdefault(self.scan.place(body)[0], []).append(body)
         if not loose:
             return
@@ -85,10 +86,11 @@ class Robots:
 
 def model_of(part: Term) -> Term:
     """The robot or the outermost model that an element's *part* is in, by its address."""
-    document, _, path = part[:-1].partition("#")
-    steps = path.removeprefix("/").split("/")
-    depth = 0
-    for tag in ("world", "model"):
-        if steps[depth : depth + 1] == [tag] and len(steps) > depth + 1:
-            depth += 2
-    return f"{document}#{'/'.join(steps[:depth])}>"
+    way: list[str] = []
+    kinds = ["world", "model"]
+    for tag, name in steps(split(iri_value(part))[1], tuple(kinds)):
+        if not name or tag not in kinds:
+            break
+        del kinds[: kinds.index(tag) + 1]
+        way += (tag, name)
+    return lifted_at(part, "/".join(way))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from urllib.parse import quote, unquote
 
+from kinlint.addresses import child, local_name, root_of
 from kinlint.document import Document
 from kinlint.navigation.occurrence import Occurrence, Role
 from kinlint.navigation.sdf_names import sdf_names
 from kinlint.navigation.statement_index import StatementIndex
-from kinlint.terms import Term, Triple, iri, iri_value, literal, literal_value
+from kinlint.terms import Term, Triple, iri, literal, literal_value
 from kinlint.vocabulary import ATTRIBUTE, SRC, URDF
 
 NAME, LINK = iri(f"{ATTRIBUTE}name"), iri(f"{ATTRIBUTE}link")
@@ -41,14 +41,14 @@ def _calls(said: StatementIndex, references: Sequence[Triple]) -> Iterator[tuple
     own = said.of
     for element, predicate, target in references:
         if element in own:
-            name = literal(unquote(target[:-1].rpartition("/")[2]))
+            name = literal(local_name(target))
             if (attribute := _attribute(own[element], predicate, name)) is not None:
                 yield (element, attribute, name), target
     for subject, statements in own.items():
         for predicate, value in statements:
             if predicate in ENDS:
                 for link in said.values(value, LINK):
-                    yield (value, LINK, link), _below(_robot(value), "link", link)
+                    yield (value, LINK, link), child(root_of(value), "link", literal_value(link))
             elif predicate == VISUAL:
                 yield from _materials(said, value)
             elif predicate == JOINED:
@@ -59,7 +59,7 @@ def _materials(said: StatementIndex, visual: Term) -> Iterator[tuple[Triple, Ter
     """The materials that *visual* takes from the robot."""
     for material in said.values(visual, MATERIAL):
         for name in said.values(material, NAME):
-            shared = _below(_robot(visual), "material", name)
+            shared = child(root_of(visual), "material", literal_value(name))
             if shared in said.of:
                 yield (material, NAME, name), shared
 
@@ -69,12 +69,3 @@ def _attribute(statements: Sequence[tuple[Term, Term]], predicate: Term, name: T
     likely = f"{ATTRIBUTES}{predicate.rpartition('#')[2]}"
     found = [each for each, value in statements if value == name and each.startswith(ATTRIBUTES)]
     return likely if likely in found else next(iter(found), None)
-
-
-def _robot(element: Term) -> str:
-    """The address of the root of the file that *element* is in."""
-    return f"{iri_value(element).partition('#')[0]}#"
-
-
-def _below(robot: str, kind: str, name: Term) -> Term:
-    return iri(f"{robot}/{kind}/{quote(literal_value(name), safe='')}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.document import document_of
+from kinlint.addresses import document_of, lifted
 from kinlint.findings.locator import Locator
 from kinlint.navigation.graph_model import GraphModel
 from kinlint.navigation.hover import ACROSS, Hover
@@ -81,7 +81,7 @@ class EntityPages:
     def _element(self, element: Term, descriptions: Descriptions) -> Iterator[str]:
         """What was made of *element*: the node that stands for it, or else all of them."""
         made = self._model.made.get(element, ())
-        own = element.replace("#/", "#", 1)
+        own = lifted(element)
         itself = [each for each in (own, f"{own[:-1]}/frame>") if each in made][:1]
         if not itself:
             tag = self._model.tags.get(element, "document")

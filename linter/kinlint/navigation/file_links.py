@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinlint.addresses import document_iri
 from kinlint.document import Document
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
-from kinlint.formats.naming import document_iri
 from kinlint.formats.options import ReadOptions
 from kinlint.missing_files import named_files
 from kinlint.navigation.statement_index import StatementIndex

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum, auto
 from typing import TypeAlias
 
+from kinlint.addresses import last_tag, lifted
 from kinlint.navigation.index import Index
 from kinlint.navigation.occurrence import Entity, Role
 from kinlint.navigation.xacro_names import label
@@ -138,13 +139,12 @@ def _others(
 def _frame(entity: Entity) -> str:
     """The IRI of the frame that *entity* is, or that its element stands for."""
     own = iri_value(entity) if is_iri(entity) else ""
-    return f"{own.replace('#/', '#', 1)}/frame" if _kind(entity) == "frame" else own
+    return f"{lifted(own)}/frame" if _kind(entity) == "frame" else own
 
 
 def _kind(entity: Term) -> str:
     """What an element is by its address, such as a group; nothing for other nodes."""
-    steps = entity[:-1].partition("#/")[2].split("/")
-    return steps[-2].partition(";")[0] if len(steps) > 1 else ""
+    return last_tag(entity)
 
 
 def _everything(symbols: Sequence[Symbol]) -> Iterator[Symbol]:

@@ -12,13 +12,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from kinlint.addresses import is_address, split
 from kinlint.errors import SourceError
 from kinlint.model import Finding, Severity
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded
 from kinlint.reporters.json_escape import json_text
 from kinlint.reporters.repository_paths import Paths
-from kinlint.reporters.sarif.fingerprint import DOCUMENT
 from kinlint.reporters.terminal_style import Style
 
 UNREADABLE = "kinlint"
@@ -40,7 +40,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
 
 def _issue(finding: Finding, path: str) -> dict[str, Any]:
     # The IRI of an element has the name of its file as the run called it, which may change.
-    own = finding.iri.partition("#")[2] if finding.iri.startswith(DOCUMENT) else finding.iri
+    own = split(finding.iri)[1] if is_address(finding.iri) else finding.iri
     return {
         "description": folded(finding.message),
         "check_name": finding.rule.code,

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from urllib.parse import quote
 
+from kinlint.addresses import document_iri
 from kinlint.errors import SourceError
 from kinlint.model import Applicability, Finding, Fix, Severity
 from kinlint.report import Report
@@ -18,7 +19,7 @@ from kinlint.reporters.display_width import sound
 from kinlint.reporters.terminal_style import Style
 from kinlint.terms import Term, Triple, is_blank, is_iri, literal
 from kinlint.text import Position
-from kinlint.vocabulary import DASH, DOCUMENT_IRI, KL, RDFS, SH
+from kinlint.vocabulary import DASH, KL, RDFS, SH
 
 PREFIXES = {
     "dash": DASH,
@@ -81,10 +82,9 @@ def _result(finding: Finding) -> list[str]:
 
 def _unread(error: SourceError) -> list[str]:
     """The result for a file that cannot be read: whether it conforms, nobody can tell."""
-    document = DOCUMENT_IRI + quote(error.name, errors="replace")
     return [
         "a sh:ValidationResult",
-        f"sh:focusNode <{document}>",
+        f"sh:focusNode {document_iri(error.name)}",
         "sh:resultSeverity sh:Violation",
         f"sh:resultMessage {literal(error.cause)}",
         "sh:sourceConstraintComponent kl:ReadableConstraintComponent",

@@ -19,12 +19,11 @@ from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.model import Example, Finding, Rule
+from kinlint.model import PLACEHOLDER, Example, Finding, Rule
 from kinlint.rule_testing.bench import Bench, idle
 from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
-PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
 SUFFIXES = {
     "jsonld": ".jsonld",

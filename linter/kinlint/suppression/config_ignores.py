@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from kinlint.addresses import is_address
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Ignore
 from kinlint.model import Finding, Rule
@@ -12,7 +13,6 @@ from kinlint.suppression import json_pointer
 from kinlint.suppression.diagnostics import UNUSED, filled
 from kinlint.terms import iri
 from kinlint.text import Location, Span
-from kinlint.vocabulary import DOCUMENT_IRI
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Ignores:
 
         That is a JSON Pointer, or the way to an element of XML, as in `/link/base/inertial`.
         """
-        if finding.iri.startswith(DOCUMENT_IRI):
+        if is_address(finding.iri):
             _, _, address = finding.entity.partition("#")
             if f"{address}/".startswith(f"{path}/"):
                 return True

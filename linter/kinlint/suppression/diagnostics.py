@@ -6,12 +6,11 @@ Those rules have no SHACL check, since no graph tells what a run found; their fi
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.configuration.selection import Policies
-from kinlint.model import Finding, Rule
+from kinlint.model import PLACEHOLDER, Finding, Rule
 from kinlint.suggestion import nearest
 from kinlint.suppression.directive import Directive
 from kinlint.terms import iri_value, is_iri
@@ -22,8 +21,6 @@ UNREASONED = "suppression-without-reason"
 EXPIRED = "expired-suppression"
 FAULTS = (UNUSED, UNKNOWN, UNREASONED, EXPIRED)
 """The names of the rules that these findings belong to."""
-
-_VARIABLE = re.compile(r"\{[?$](\w+)\}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,15 +74,15 @@ def reported(fault: Fault, rules: Mapping[str, Rule]) -> Finding | None:
 def filled(rule: Rule, values: Mapping[str, str]) -> tuple[str, str, tuple[str, ...]]:
     """The message of *rule* that says most of *values*, its template, and what fills that."""
     template = _template(rule, values)
-    names = dict.fromkeys(_VARIABLE.findall(template))
-    message = _VARIABLE.sub(lambda found: values[found[1]], template)
+    names = dict.fromkeys(PLACEHOLDER.findall(template))
+    message = PLACEHOLDER.sub(lambda found: values[found[1]], template)
     return message, template, tuple(values[name] for name in names)
 
 
 def _template(rule: Rule, values: Mapping[str, str]) -> str:
     """The message of *rule* that says most of *values* and nothing else."""
-    sayable = [text for text in rule.messages if set(_VARIABLE.findall(text)) <= set(values)]
-    return max(sayable, key=lambda text: len(_VARIABLE.findall(text)), default=rule.title)
+    sayable = [text for text in rule.messages if set(PLACEHOLDER.findall(text)) <= set(values)]
+    return max(sayable, key=lambda text: len(PLACEHOLDER.findall(text)), default=rule.title)
 
 
 def _could_be_used(directive: Directive, policies: Policies) -> bool:

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.json_text.parser import parse
@@ -19,7 +20,7 @@ from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.report import Comparison, LossReport, state_losses, state_uses
 from kinlint.formats.jsonld.triples import Triples
-from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.text import SourceText, Span

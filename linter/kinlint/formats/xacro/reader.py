@@ -6,10 +6,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 
+from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats import registry
-from kinlint.formats.naming import BlankNodes, document_iri
+from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xacro.definitions import state_definitions

@@ -6,6 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from itertools import islice
 
+from kinlint.addresses import namespaces
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml.parsing import Parsed
 from kinlint.formats.xml.places import Places
@@ -23,14 +24,7 @@ def describe(layer: SourceLayer, scopes: Iterable[str], root: Term, places: Plac
     place = places.tag(0).name
     layer.triples[root, src("describedIn"), layer.document] = place
     for scope in islice(scopes, MOST_SCOPES):
-        domain = scope.replace("#/", "#", 1)
-        within = "" if domain.endswith("#") else "/"
-        for space in (
-            f"{scope}/",
-            f"{domain}{within}",
-            *(f"{scope}/{tag}/" for tag in NAMED),
-            *(f"{domain}{within}{tag}/" for tag in NAMED),
-        ):
+        for space in namespaces(scope, NAMED):
             layer.triples[layer.document, src("ownNamespace"), literal(space)] = place
 
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
-from urllib.parse import quote
 
+from kinlint.addresses import child_address, repeated_address, root_of
 from kinlint.formats.xml.remarks import Remarks
 from kinlint.formats.xml.schema import ANY, ElementType, Schema
 from kinlint.formats.xml.values import SPACE, Form, reading
@@ -42,14 +42,6 @@ class TooMuch(Exception):
         self.byte = byte
 
 
-class _Quoted(dict[str, str]):
-    """Names as they stand in an address."""
-
-    def __missing__(self, name: str) -> str:
-        quoted = self[name] = quote(name, safe="")
-        return quoted
-
-
 class Elements:
     """What was read so far.
 
@@ -68,7 +60,7 @@ class Elements:
         self.closed = -1
         self.scopes: list[str] = []
         above = ElementType("", "", children=schema.roots, once=frozenset(schema.roots))
-        self.frames: list[Frame] = [(f"{iri_value(document)}#", document, above, -1, {})]
+        self.frames: list[Frame] = [(iri_value(root_of(document)), document, above, -1, {})]
         self._texts: dict[int, list[str]] = {}
 
     def listen(self, parser: XMLParserType, stands_for: Mapping[int, str] | None = None) -> None:
@@ -100,7 +92,7 @@ class Elements:
     ) -> Callable[[str, dict[str, str]], None]:
         frames, index, starts, ends = self.frames, self.index, self.starts, self.ends
         add, remarks, texts = self.statements.append, self.remarks, self._texts
-        quoted, counts = _Quoted(), dict[str, int]()
+        counts = dict[str, int]()
         namespace = self.schema.namespace
 
         def start(tag: str, attributes: dict[str, str]) -> None:  # noqa: C901, PLR0912, PLR0915
@@ -120,13 +112,10 @@ class Elements:
                 type_, predicate = ANY, f"<{EXTENSION if foreign else namespace}{tag}>"
 
             name = attributes.get("name")
-            if holder < 0:
-                address = above
-            else:
-                address = f"{above}/{tag}/{quoted[name]}" if name else f"{above}/{tag}"
+            address = child_address(above, tag, name) if holder >= 0 else above
             order = counts[address] = counts.get(address, 0) + 1
             if order > 1:
-                address = f"{address};{order}"
+                address = repeated_address(address, order)
             node = f"<{address}>"
             index[node] = number
             add((parent, predicate, node))

@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import takewhile
 
+from kinlint.addresses import root_of
 from kinlint.document import Document
 from kinlint.files.pathglob import absolute
-from kinlint.formats.naming import document_iri
 from kinlint.formats.xml.recognition import sniff
-from kinlint.terms import RDF_TYPE, Triple, iri, iri_value
+from kinlint.terms import RDF_TYPE, Term, Triple, iri
 from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
 
@@ -162,8 +162,8 @@ def _is_whole(document: Document) -> bool:
     )
 
 
-def _root(document: Document) -> str:
-    return iri(iri_value(document_iri(document.source.name)) + "#")
+def _root(document: Document) -> Term:
+    return root_of(document.graph)
 
 
 def _said(document: Document, triple: Triple) -> Document:

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import replace
 
+from kinlint.addresses import is_address
 from kinlint.model import Finding
-
-DOCUMENT = "urn:kinlint:document:"
-"""How the IRI of a file begins, which changes when the file is moved."""
 
 
 class Fingerprints:
@@ -22,7 +20,7 @@ class Fingerprints:
 
         Two files that say the same wrong thing of the same entity make equal findings.
         """
-        if finding.iri.startswith(DOCUMENT):
+        if is_address(finding.iri):  # it changes when the file is moved
             finding = replace(finding, iri="")
         same = finding.fingerprint
         self._seen[same] += 1

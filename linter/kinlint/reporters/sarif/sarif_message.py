@@ -12,11 +12,11 @@ from collections.abc import Mapping
 from functools import partial
 from typing import NamedTuple
 
-from kinlint.model import Finding
+from kinlint.model import PLACEHOLDER, Finding
 
 RELATED_LOCATIONS = 10
 """So many related locations are linked; GitHub shows no others."""
-_PLACEHOLDER = re.compile(r"'?\{[?$](\w+)\}'?")
+_PLACEHOLDER = re.compile(f"'?{PLACEHOLDER.pattern}'?")
 _BRACKET = re.compile(r"(\\*)([\[\]])")
 
 

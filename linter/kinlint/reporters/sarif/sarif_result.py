@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from kinlint.addresses import is_address
 from kinlint.edits import Edit
 from kinlint.errors import SourceError
 from kinlint.model import Applicability, Finding, Premise
 from kinlint.reporters.hunk import edits_of
 from kinlint.reporters.sarif.artifact_location import Artifacts
-from kinlint.reporters.sarif.fingerprint import DOCUMENT, Fingerprints
+from kinlint.reporters.sarif.fingerprint import Fingerprints
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.region import Regions
 from kinlint.reporters.sarif.rule_descriptors import LEVELS, Catalogue, taxon_references
@@ -104,7 +105,7 @@ class Results:
         context = self._region(finding.location).context(finding.location.span)
         if context is not None:
             place["physicalLocation"]["contextRegion"] = context
-        if finding.iri.startswith(DOCUMENT):
+        if is_address(finding.iri):
             _, _, address = finding.entity.partition("#")
             kind = "element"
         else:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
+from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.formats.jsonld.losses import Loss, LossWatch
 from kinlint.formats.jsonld.record import Shadow
@@ -15,7 +16,6 @@ from kinlint.formats.jsonld.rereading.labelling import Labelling, Named
 from kinlint.formats.jsonld.rereading.part import Notes, shifted
 from kinlint.formats.jsonld.rereading.places import ASIDE, Nodes, Places, numbered
 from kinlint.formats.jsonld.rereading.stating import Stating
-from kinlint.formats.naming import document_iri
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.text import SourceText, Span
 

@@ -6,6 +6,7 @@ from bisect import bisect_left
 from collections.abc import Collection, Mapping
 from typing import Any
 
+from kinlint.addresses import document_iri
 from kinlint.formats.json_text.values import Array, Object, Parsed
 from kinlint.formats.jsonld.losses import LossWatch
 from kinlint.formats.jsonld.marks import Expanded
@@ -16,7 +17,6 @@ from kinlint.formats.jsonld.rereading.noting import Noticed
 from kinlint.formats.jsonld.rereading.part import Asked, Part
 from kinlint.formats.jsonld.rereading.processor import Indivisible, PartedProcessor
 from kinlint.formats.jsonld.triples import Triples
-from kinlint.formats.naming import document_iri
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
 from kinlint.text import Span
