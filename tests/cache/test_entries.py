@@ -8,14 +8,14 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from kinlint.cache.directory_store import ABANDONED, Entries
+from kinlint.cache.directory_store import ABANDONED, DirectoryStore
 
 TEXT = "a text\n\u00e4 \U0001f916"
 
 
 @pytest.fixture
 def entries(tmp_path):
-    return Entries(tmp_path / "deep" / "reports")
+    return DirectoryStore(tmp_path / "deep" / "reports")
 
 
 def _file(entries):
@@ -60,7 +60,7 @@ def test_what_others_wrote_is_not_there(entries, monkeypatch):
 def test_a_cache_that_cannot_be_written_does_no_harm(tmp_path):
     """It keeps nothing."""
     (tmp_path / "file").touch()
-    entries = Entries(tmp_path / "file" / "reports")
+    entries = DirectoryStore(tmp_path / "file" / "reports")
     entries.put("a", TEXT)
     entries.bound()
     assert entries.get("a") is None
@@ -110,8 +110,9 @@ def test_many_at_once(entries):
 def test_who_is_killed_leaves_nothing_half(entries):
     """At whatever moment."""
     code = (
-        "import sys; from pathlib import Path; from kinlint.cache.directory_store import Entries\n"
-        "entries = Entries(Path(sys.argv[1])); print(flush=True)\n"
+        "import sys; from pathlib import Path\n"
+        "from kinlint.cache.directory_store import DirectoryStore\n"
+        "entries = DirectoryStore(Path(sys.argv[1])); print(flush=True)\n"
         "while True: entries.put('a', 'x' * 3_000_000)\n"
     )
     for _ in range(3):

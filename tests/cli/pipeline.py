@@ -78,6 +78,6 @@ def install(monkeypatch):
     def report(run, *given):
         return pipeline.report(run, *given)
 
-    monkeypatch.setattr(check_command.Run, "report", report)
+    monkeypatch.setattr(check_command.LintRun, "report", report)
     monkeypatch.setattr(check_command.rulebook, "load", lambda *_: BOOK)
     return pipeline

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from kinlint.cli.progress import PATIENCE, Bar
+from kinlint.cli.progress import PATIENCE, ProgressBar
 
 ROBOT = '<robot name="r"><link name="a"/></robot>'
 
@@ -63,7 +63,7 @@ def clock(monkeypatch):
 def test_a_bar_comes_late_and_goes(clock, monkeypatch):
     """After about a second; nothing of it is left on the screen."""
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with Bar(10, wanted=True) as bar:
+    with ProgressBar(10, wanted=True) as bar:
         assert list(bar.reading(range(10))) == list(range(10))
         assert sys.stderr.getvalue() == ""
         clock[0] += 2 * PATIENCE
@@ -79,7 +79,7 @@ def test_nobody_sees_a_bar_who_has_no_use_for_it(clock, monkeypatch, reason):
     monkeypatch.setattr(sys, "stderr", io.StringIO() if reason == "no terminal" else Terminal())
     if reason == "dumb":
         monkeypatch.setenv("TERM", "dumb")
-    with Bar(10, wanted=reason != "unwanted") as bar:
+    with ProgressBar(10, wanted=reason != "unwanted") as bar:
         clock[0] += PATIENCE / 2 if reason == "quick" else 2 * PATIENCE
         for _ in range(20):
             bar.advance(1)
@@ -90,7 +90,7 @@ def test_colour_is_left_to_the_user(clock, monkeypatch):
     """NO_COLOR has the bar without."""
     monkeypatch.setenv("NO_COLOR", "1")
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with Bar(2, wanted=True) as bar:
+    with ProgressBar(2, wanted=True) as bar:
         clock[0] += 2 * PATIENCE
         bar.advance(2)
     assert "\x1b[3" not in sys.stderr.getvalue()
@@ -106,11 +106,11 @@ def test_a_bar_is_for_people_who_want_a_summary(kinlint, write, monkeypatch, arg
     write("r.urdf", ROBOT)
     seen = []
 
-    class Watched(Bar):
+    class Watched(ProgressBar):
         def __init__(self, files, *, wanted):
             seen.append(wanted)
             super().__init__(files, wanted=wanted)
 
-    monkeypatch.setattr("kinlint.cli.lint_run.Bar", Watched)
+    monkeypatch.setattr("kinlint.cli.lint_run.ProgressBar", Watched)
     kinlint("r.urdf", "--isolated", *arguments)
     assert seen == [wanted]

@@ -5,9 +5,9 @@ from robots import GOOD, LEG
 
 from kinlint.server import session
 from kinlint.server.buffers import Buffer
-from kinlint.server.client_settings import Preferences
-from kinlint.server.frozen_state import Snapshot
-from kinlint.server.workspace import Library
+from kinlint.server.client_settings import ClientSettings
+from kinlint.server.frozen_state import FrozenState
+from kinlint.server.workspace import Workspace
 
 SRDF = '<robot name="leg"><group name="all"><link name="toe"/></group></robot>'
 
@@ -23,13 +23,13 @@ def here(tmp_path, rules_cache, monkeypatch):
 
 @pytest.fixture
 def library(rules_cache):
-    return Library(rules_cache, "utf-16", related=True)
+    return Workspace(rules_cache, "utf-16", related=True)
 
 
 def moment(here, generation, *texts, **more):
-    opened = [Buffer.of((here / name).as_uri(), generation, text) for name, text in texts]
+    opened = [Buffer.from_text((here / name).as_uri(), generation, text) for name, text in texts]
     buffers = {one.path: one for one in opened}
-    return Snapshot(generation, 1, buffers, (here,), Preferences(), **more)
+    return FrozenState(generation, 1, buffers, (here,), ClientSettings(), **more)
 
 
 def codes(step):

@@ -8,7 +8,7 @@ from kinlint.edits import Edit, Unsayable, applied
 from kinlint.fixes.texts import Texts
 from kinlint.ignoring.proposal import Desk
 from kinlint.lint import examine
-from kinlint.suppression.interval_index import Nest
+from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.text import SourceText, Span
 
 ARM = """<robot name="arm">
@@ -59,9 +59,9 @@ def test_a_suppression_at_fault_is_not_silenced(silenced):
 def test_nested_spans():
     """The innermost first; what lies elsewhere is none of them."""
     spans = [Span(0, 20), Span(2, 8), Span(3, 5), Span(3, 4), Span(10, 12), Span(0, 20)]
-    nest = Nest.of((span, (number, span)) for number, span in enumerate(spans))
+    nest = IntervalIndex.of((span, (number, span)) for number, span in enumerate(spans))
     assert [span for _, span in nest.around(Span(3, 4))] == [
         (3, 4), (3, 5), (2, 8), (0, 20), (0, 20),
     ]  # fmt: skip
     assert [number for number, _ in nest.around(Span(4, 6))] == [1, 5, 0]
-    assert list(Nest.of([(Span(2, 3), 1)]).around(Span(0, 1))) == []
+    assert list(IntervalIndex.of([(Span(2, 3), 1)]).around(Span(0, 1))) == []

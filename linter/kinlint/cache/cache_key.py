@@ -25,7 +25,7 @@ LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacr
 
 
 @dataclass(frozen=True)
-class Grounds:
+class CacheKeys:
     """What all reports of a run follow from; with *fixing*, they have the fixes on offer."""
 
     settings: Settings

@@ -25,7 +25,7 @@ ABANDONED = 3600.0
 
 
 @dataclass(frozen=True)
-class Entries:
+class DirectoryStore:
     """The texts in `folder`, which need not be there."""
 
     folder: Path

@@ -6,7 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from kinlint.cache.directory_store import Entries
+from kinlint.cache.directory_store import DirectoryStore
 from kinlint.cache.report_cache import FOLDER
 from kinlint.catalogue.rulebook import STORED
 
@@ -25,7 +25,7 @@ def clear(directory: Path) -> Cleared:
 
     Raises OSError if something cannot be removed.
     """
-    reports, size = Entries(directory / FOLDER).clear()
+    reports, size = DirectoryStore(directory / FOLDER).clear()
     catalogues = 0
     for pattern in STORED:
         for path in directory.glob(pattern):

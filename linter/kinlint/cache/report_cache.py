@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kinlint.cache.cache_key import Grounds
-from kinlint.cache.directory_store import Entries
+from kinlint.cache.cache_key import CacheKeys
+from kinlint.cache.directory_store import DirectoryStore
 from kinlint.cache.serialization import Unwritable, read, written
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -22,23 +22,23 @@ FOLDER = "reports"
 
 
 @dataclass
-class Memory:
+class ReportCache:
     """The reports in `entries` that have the same `grounds` as those of a run.
 
     What was looked up for a report is looked up again before it is recalled, each thing once.
     """
 
-    entries: Entries
-    grounds: Grounds
+    entries: DirectoryStore
+    grounds: CacheKeys
     _answers: dict[tuple[str, str], str] = field(default_factory=dict)
     _changed: bool = False
 
     @classmethod
-    def of(cls, settings: Settings, book: Rulebook, *, fixing: bool) -> Memory | None:
+    def of(cls, settings: Settings, book: Rulebook, *, fixing: bool) -> ReportCache | None:
         """What *settings* let a run remember; None for nothing."""
         if settings.cache is None or not book.digest:
             return None
-        return cls(Entries(settings.cache / FOLDER), Grounds(settings, book, fixing))
+        return cls(DirectoryStore(settings.cache / FOLDER), CacheKeys(settings, book, fixing))
 
     def recall(self, sources: Sequence[SourceText], *, complete: bool) -> Report | None:
         """The report that was kept of *sources*, if it would be the same today."""

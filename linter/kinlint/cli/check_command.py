@@ -17,7 +17,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.check_options import parser
 from kinlint.cli.commands import hint
-from kinlint.cli.lint_run import Run
+from kinlint.cli.lint_run import LintRun
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
@@ -33,7 +33,7 @@ from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 
 if TYPE_CHECKING:
-    from kinlint.cli.new_findings import Knowledge
+    from kinlint.cli.new_findings import KnownFindings
 
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"
@@ -90,7 +90,9 @@ def checked(options: Namespace, settled: Callable[[Settings], None] | None = Non
         _tell(account().before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
-    report = Run(settings, found, book, phases, outputs.watched).report(options, outputs, wanted)
+    report = LintRun(settings, found, book, phases, outputs.watched).report(
+        options, outputs, wanted
+    )
     report = report if knowledge is None else knowledge.told(report)
     if options.verbose:
         _tell(account().after(report, settings, book))
@@ -169,23 +171,23 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
 
 def _knowledge(
     options: Namespace, layers: Layers, found: Found, settings: Settings, book: Rulebook
-) -> Knowledge | None:
+) -> KnownFindings | None:
     """What was known before, if anybody asks for what is new."""
     project = layers.project(found.inputs)
     if project.baseline is None and not any(getattr(options, name) for name in COMPARING):
         return None
-    from kinlint.cli.new_findings import Knowledge, baseline_of  # noqa: PLC0415  most runs tell all
+    from kinlint.cli.new_findings import KnownFindings, baseline_of  # noqa: PLC0415  most runs tell all
 
     baseline, before = baseline_of(options, project), None
     if options.new_from_rev or options.new_from_merge_base:
-        from kinlint.cli.new_from_revision import History, revision_of  # noqa: PLC0415
+        from kinlint.cli.new_from_revision import FindingsAtRevision, revision_of  # noqa: PLC0415
 
         def settings_of(then: Found) -> Settings:
             return _settings(options, layers, then)
 
         revision = revision_of(options, found.inputs)
-        before = History(revision, found, layers, book, settings_of).ledger(options)
-    return Knowledge(settings, book.rules, baseline, before, options)
+        before = FindingsAtRevision(revision, found, layers, book, settings_of).ledger(options)
+    return KnownFindings(settings, book.rules, baseline, before, options)
 
 
 def account() -> ModuleType:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.cli.progress import Bar
+from kinlint.cli.progress import ProgressBar
 from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Run:
+class LintRun:
     """What to lint, how, and by which rules; if *watched*, somebody waits for what it says."""
 
     settings: Settings
@@ -54,7 +54,7 @@ class Run:
             report = project_mode.within(report, asides, new)
         return replace(report, unsafe=self.settings.unsafe_fixes, catalogue=self.book.digest)
 
-    def _read(self, bar: Bar | None = None) -> tuple[list[SourceText], list[SourceError]]:
+    def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
             from kinlint.project.reading import beside, read  # noqa: PLC0415
@@ -109,16 +109,16 @@ class Run:
     def linted(self, jobs: int, *, fixing: bool) -> Report:
         """The report of *jobs* processes; if *fixing*, with the fixes that are offered."""
         with self.phases.phase("imports"):
-            from kinlint.cache.report_cache import Memory  # noqa: PLC0415
-            from kinlint.parallel.runner import Survey  # noqa: PLC0415
+            from kinlint.cache.report_cache import ReportCache  # noqa: PLC0415
+            from kinlint.parallel.runner import ParallelRunner  # noqa: PLC0415
             from kinlint.parallel.shard import Job  # noqa: PLC0415  loads the readers
 
         job = Job(self.settings, self.book, fixing)
         kept = not any(one.path is None for one in self.found.inputs)
-        memory = Memory.of(self.settings, self.book, fixing=fixing) if kept else None
-        with Bar(len(self.found.inputs), wanted=self.watched) as bar:
+        memory = ReportCache.of(self.settings, self.book, fixing=fixing) if kept else None
+        with ProgressBar(len(self.found.inputs), wanted=self.watched) as bar:
             sources, failed = self._read(bar)
-            survey = Survey(job, jobs, memory, self.phases, bar.advance)
+            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance)
             report = survey.report(sources, failed)
         if report.files:
             return report

@@ -25,7 +25,7 @@ from kinlint.text import SourceText
 
 
 @dataclass(frozen=True)
-class Knowledge:
+class KnownFindings:
     """What was known: what the `baseline` has, and what was found at a revision, `before`.
 
     `options` tell whether the baseline is to be written, or pruned.

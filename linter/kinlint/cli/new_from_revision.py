@@ -12,7 +12,7 @@ from pathlib import Path
 from kinlint.baseline.entry_identity import Names, known, relative
 from kinlint.baseline.ledger import Ledger
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.cli.lint_run import Run
+from kinlint.cli.lint_run import LintRun
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.files.discovery import SEARCHED, Found, Input, speaks_of_context
 from kinlint.files.pathglob import absolute
@@ -24,7 +24,7 @@ from kinlint.project.layers import Layers
 
 
 @dataclass(frozen=True)
-class History:
+class FindingsAtRevision:
     """A run, and the revision that it is compared to.
 
     `settings_of` has the settings of a run over other inputs.
@@ -59,7 +59,7 @@ class History:
                 inputs.append(Input(str(path), path, named=False))
                 homes.append(Input(str(path), then, named=False))
             settings = self._moved(self.settings_of(Found(homes)), root)
-            run = Run(settings, Found(inputs), self.book, Phases())
+            run = LintRun(settings, Found(inputs), self.book, Phases())
             report = run.linted(options.jobs or os.cpu_count() or 1, fixing=False)
             names = Names(root, renamed)
             if not options.silent:

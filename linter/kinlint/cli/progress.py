@@ -16,7 +16,7 @@ PATIENCE = 1.0
 """After how many seconds somebody may wonder how long it takes."""
 
 
-class Bar:
+class ProgressBar:
     """Counts the files that are read and linted; shown, if at all, on standard error."""
 
     def __init__(self, files: int, *, wanted: bool) -> None:

@@ -44,7 +44,7 @@ class Shape:
 
 
 @dataclass(frozen=True, slots=True)
-class Extents:
+class SuppressionScopes:
     """What is known of the shapes of one body: the largest extent of all that are drawn or hit.
 
     None where a mesh, or a shape of unknown size or place, leaves it open.
@@ -55,7 +55,7 @@ class Extents:
     greatest_volume: float | None
 
 
-UNKNOWN = Extents(None, None, None)
+UNKNOWN = SuppressionScopes(None, None, None)
 
 
 class Geometries:
@@ -64,7 +64,7 @@ class Geometries:
     def __init__(self, scan: Scan, units: Units) -> None:
         self.scan = scan
         self.units = units
-        self._known: dict[Term, Extents] = {}
+        self._known: dict[Term, SuppressionScopes] = {}
 
     @cached_property
     def references(self) -> Mapping[Term, list[Term]]:
@@ -76,13 +76,13 @@ class Geometries:
                 found.setdefault(body, []).append(node)
         return found
 
-    def of(self, body: Term) -> Extents:
+    def of(self, body: Term) -> SuppressionScopes:
         """How large *body* is by its shapes."""
         if body not in self._known:
             self._known[body] = self._extents(body)
         return self._known[body]
 
-    def _extents(self, body: Term) -> Extents:
+    def _extents(self, body: Term) -> SuppressionScopes:
         shapes = [self._shape(node) for node in self.references.get(body, ())]
         known = [shape for shape in shapes if shape is not None]
         if not known or len(known) < len(shapes):
@@ -91,7 +91,9 @@ class Geometries:
             sum(each.volume for each in known if each.collides is side) for side in (True, False)
         ]
         volumes = [each for each in sums if each > 0.0]
-        return Extents(self._extent(known), min(volumes, default=None), max(volumes, default=None))
+        return SuppressionScopes(
+            self._extent(known), min(volumes, default=None), max(volumes, default=None)
+        )
 
     def _extent(self, shapes: list[Shape]) -> float | None:
         """At most how far apart two points of *shapes* are."""

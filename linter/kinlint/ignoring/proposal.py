@@ -19,7 +19,7 @@ from kinlint.ignoring.statements import APPENDED, appended, delta
 from kinlint.lint import Examination
 from kinlint.model import Finding, TextEdit
 from kinlint.suppression.diagnostics import FAULTS
-from kinlint.suppression.interval_index import Nest
+from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.terms import Term, is_blank, is_iri
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC
@@ -58,7 +58,7 @@ class Desk:
     settings: Settings
     reason: str | None = None
     _editors: dict[Term, Editor] = field(default_factory=dict)
-    _nests: dict[Term, Mapping[str, Nest[Location]]] = field(default_factory=dict)
+    _nests: dict[Term, Mapping[str, IntervalIndex[Location]]] = field(default_factory=dict)
 
     def edits(self, finding: Finding) -> tuple[TextEdit, ...]:
         """What to write so that *finding* is silenced.
@@ -138,7 +138,7 @@ class Desk:
                 location = home.location(spans.whole)
                 if ELEMENT.match(location.source.text, location.span.start):
                     found.setdefault(location.source.name, []).append((location.span, location))
-            self._nests[home.graph] = {name: Nest.of(own) for name, own in found.items()}
+            self._nests[home.graph] = {name: IntervalIndex.of(own) for name, own in found.items()}
         nest = self._nests[home.graph].get(place.source.name)
         around = None if nest is None else next(nest.around(place.span), None)
         if around is None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 
-from kinlint.cache.report_cache import Memory
+from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import SourceError
 from kinlint.parallel import processes, shard
 from kinlint.parallel.merge_reports import merged
@@ -26,7 +26,7 @@ def _nobody(_files: int) -> None:
 
 
 @dataclass(frozen=True)
-class Survey:
+class ParallelRunner:
     """How to go about a run: `jobs` is the number of processes.
 
     `memory` recalls reports, and keeps them. `advance` is told of how many more files are done.
@@ -34,7 +34,7 @@ class Survey:
 
     job: Job
     jobs: int = 1
-    memory: Memory | None = None
+    memory: ReportCache | None = None
     phases: Phases = field(default_factory=Phases)
     advance: Callable[[int], None] = _nobody
 

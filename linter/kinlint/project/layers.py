@@ -188,7 +188,7 @@ def cache_directory(environment: Mapping[str, str]) -> Path:
     if sys.platform == "win32":
         base = Path(environment.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
     elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
+        base = Path.home() / "Workspace" / "Caches"
     else:
         base = Path(environment.get("XDG_CACHE_HOME") or Path.home() / ".cache")
     return base / "kinlint"

@@ -32,7 +32,7 @@ def last_line(finding: Finding) -> int:
 
 
 @dataclass(frozen=True, slots=True)
-class Help:
+class FixPreview:
     """Writes fixes beneath excerpts whose line numbers take `gutter` columns."""
 
     style: Style

@@ -8,7 +8,7 @@ from kinlint.model import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded, shown
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
-from kinlint.reporters.fix_preview import Help, last_line
+from kinlint.reporters.fix_preview import FixPreview, last_line
 from kinlint.reporters.fixability import sign
 from kinlint.reporters.summary import counted, errors
 from kinlint.reporters.terminal_style import INK_OF, Style
@@ -68,7 +68,7 @@ def _block(
         yield f"{lead} {_elsewhere(others, style)}\n"
     if finding.suppressed is not None:
         yield f"{lead} suppressed: {folded(finding.suppressed, unicode=style.unicode)}\n"
-    for line in Help(style, gutter).block(finding):
+    for line in FixPreview(style, gutter).block(finding):
         yield f"{line}\n"
     yield f"{lead} docs: kinlint rule {finding.rule.code}\n\n"
 

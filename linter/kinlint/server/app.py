@@ -18,14 +18,14 @@ from kinlint import __version__
 from kinlint.incremental.examiner import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of
-from kinlint.server.client_settings import Preferences
+from kinlint.server.client_settings import ClientSettings
 from kinlint.server.diagnostics import Told
-from kinlint.server.frozen_state import Snapshot
+from kinlint.server.frozen_state import FrozenState
 from kinlint.server.protocol import Protocol
-from kinlint.server.request_context import View
-from kinlint.server.scheduler import Examiner
+from kinlint.server.request_context import RequestContext
+from kinlint.server.scheduler import Scheduler
 from kinlint.server.worker import Worker
-from kinlint.server.workspace import Library, Outdated, Step
+from kinlint.server.workspace import Outdated, Step, Workspace
 
 T = TypeVar("T")
 NAME = "kinlint"
@@ -43,7 +43,7 @@ class KinlintServer(LanguageServer):
     def __init__(self) -> None:
         super().__init__(NAME, __version__, protocol_cls=Protocol)
         self.buffers = Buffers()
-        self.preferences = Preferences()
+        self.preferences = ClientSettings()
         self.roots: tuple[Path, ...] = ()
         self.worker = Worker()
         self.told: dict[Path, dict[frozenset[Path], Told]] = {}
@@ -52,7 +52,7 @@ class KinlintServer(LanguageServer):
         self.watch: Future[None] | None = None
         self._epoch = 0
         self._said: set[str] = set()
-        self._examiner: Examiner | None = None
+        self._examiner: Scheduler | None = None
 
     @property
     def encoding(self) -> str:
@@ -60,26 +60,26 @@ class KinlintServer(LanguageServer):
         return types.PositionEncodingKind(self.workspace.position_encoding).value
 
     @property
-    def examiner(self) -> Examiner:
-        """What examines, from the first time that it is asked for."""
+    def examiner(self) -> Scheduler:
+        """Return the scheduler of analyses, created on first use."""
         if self._examiner is None:
             known = self.client_capabilities.text_document
             told = known.publish_diagnostics if known else None
             related = bool(told and told.related_information)
-            library = Library(cache_directory(os.environ), self.encoding, related=related)
-            self._examiner = Examiner(library, self.worker, self._snapshot, self._deliver)
+            library = Workspace(cache_directory(os.environ), self.encoding, related=related)
+            self._examiner = Scheduler(library, self.worker, self._snapshot, self._deliver)
         return self._examiner
 
     @property
     def versioned(self) -> bool:
-        """Whether the client takes edits that are bound to versions."""
+        """Tell whether the client takes edits that are bound to document versions."""
         known = self.client_capabilities.workspace
         edits = known.workspace_edit if known else None
         return bool(edits and edits.document_changes)
 
     @property
     def resolves(self) -> bool:
-        """Whether the client asks for the edit of a code action once that is chosen."""
+        """Tell whether the client asks for the edit of a code action only when it is chosen."""
         known = self.client_capabilities.text_document
         actions = known.code_action if known else None
         resolve = actions.resolve_support if actions else None
@@ -97,7 +97,7 @@ class KinlintServer(LanguageServer):
         if self._examiner is not None:
             self._examiner.stop()
 
-    def prefer(self, preferences: Preferences) -> None:
+    def prefer(self, preferences: ClientSettings) -> None:
         """Go by *preferences* from now on."""
         self.preferences = preferences
         for problem in preferences.problems:
@@ -110,14 +110,14 @@ class KinlintServer(LanguageServer):
             await self.examiner.fresh(path)
 
     def _postponed(self, buffer: Buffer | None) -> bool:
-        """Whether *buffer* is to be examined when it is saved."""
+        """Tell whether *buffer* is analyzed only when it is saved."""
         return self.preferences.on_save and buffer is not None and not buffer.saved
 
-    async def consult(self, uri: str, ask: Callable[[View], T]) -> T | None:
-        """What *ask* gives for *uri*, or None if that is no model or cannot be read.
+    async def consult(self, uri: str, ask: Callable[[RequestContext], T]) -> T | None:
+        """Return the answer of *ask* for *uri*; None if that is no model or cannot be read.
 
-        *ask* runs beside the protocol, with the newest text and all that was found in it; it may
-        use the store of the examination.
+        *ask* runs on the worker thread with the newest text and its complete analysis; it may query
+        the store of the examination.
         """
         path = path_of(uri)
         library = self.examiner.library
@@ -130,12 +130,12 @@ class KinlintServer(LanguageServer):
                 job = partial(library.consult, path, source, ask, cancelled)
                 return await self.worker.do(job)
 
-    async def view(self, uri: str) -> View | None:
-        """What `consult` would give a function; its store may not be asked."""
+    async def view(self, uri: str) -> RequestContext | None:
+        """Return the request context of *uri*, whose store must not be queried."""
         return await self.consult(uri, lambda view: view)
 
     def about(self, path: Path) -> Told:
-        """All that was found in the file at *path*."""
+        """Merge the diagnostics of all models that contain the file at *path*."""
         all_told = list(self.told.get(path, {}).values())
         if len(all_told) <= 1:
             return all_told[0] if all_told else Told()
@@ -152,8 +152,8 @@ class KinlintServer(LanguageServer):
             self._said.add(problem)
             self.window_show_message(types.ShowMessageParams(types.MessageType.Warning, problem))
 
-    def _snapshot(self, wanted: frozenset[Path], everything: bool) -> Snapshot:  # noqa: FBT001
-        return Snapshot(
+    def _snapshot(self, wanted: frozenset[Path], everything: bool) -> FrozenState:  # noqa: FBT001
+        return FrozenState(
             generation=self.examiner.generation,
             epoch=self._epoch,
             buffers={each.path: each for each in self.buffers},

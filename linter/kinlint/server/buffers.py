@@ -15,7 +15,7 @@ from lsprotocol.types import (
 
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.server.position_codec import MARK, Measure
+from kinlint.server.position_codec import MARK, PositionCodec
 from kinlint.text import SourceText
 
 Change = TextDocumentContentChangePartial | TextDocumentContentChangeWholeDocument
@@ -37,7 +37,7 @@ class Buffer:
     saved: bool = True
 
     @classmethod
-    def of(cls, uri: str, version: int, text: str) -> Buffer:
+    def from_text(cls, uri: str, version: int, text: str) -> Buffer:
         """The text that a client opens as *uri*."""
         path = path_of(uri)
         return cls(uri, path, version, SourceText(shown(path), "")).written(text, version).kept()
@@ -54,7 +54,7 @@ class Buffer:
 
     @property
     def text(self) -> str:
-        """What the client has, byte order mark and all."""
+        """Return the text as the client has it, byte order mark included."""
         return MARK * self.marked + self.source.text
 
     def changed(self, changes: Iterable[Change], version: int, encoding: str) -> Buffer:
@@ -64,7 +64,7 @@ class Buffer:
             text = change.text
             if isinstance(change, TextDocumentContentChangePartial):
                 whole = SourceText("", buffer.text) if buffer.marked else buffer.source
-                start, end = Measure(whole, encoding).span(change.range)
+                start, end = PositionCodec(whole, encoding).span(change.range)
                 text = whole.text[:start] + text + whole.text[end:]
             buffer = buffer.written(text, version)
         return buffer
@@ -89,15 +89,15 @@ class Buffers:
         self._by_path.pop(path_of(uri), None)
 
     def get(self, uri: str) -> Buffer | None:
-        """What is open as *uri*."""
+        """Return the buffer that is open as *uri*, or None."""
         return self._by_path.get(path_of(uri))
 
     def at(self, path: Path) -> Buffer | None:
-        """What is open of the file at *path*."""
+        """Return the buffer that is open of the file at *path*, or None."""
         return self._by_path.get(path)
 
     def uri(self, path: Path) -> str:
-        """What the client calls the file at *path*."""
+        """Return the URI by which the client knows the file at *path*."""
         open_ = self._by_path.get(path)
         return uri_of(path) if open_ is None else open_.uri
 

@@ -9,7 +9,7 @@ from kinlint.incremental.examiner import Cancelled
 from kinlint.phases import Phases
 
 
-class Interruptible(Phases):
+class CancellablePhases(Phases):
     """Phases that do not begin when *cancelled*: `Cancelled` is raised instead."""
 
     def __init__(self, cancelled: Callable[[], bool]) -> None:

@@ -1,4 +1,4 @@
-"""What the user of an editor says: settings that come on top of configuration files."""
+"""Settings from the user's editor, which come on top of configuration files."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KNOWN = (*LISTS, "configuration", "run", "unsafeFixes")
 
 
 @dataclass(frozen=True)
-class Preferences:
+class ClientSettings:
     """`keys` are those of configuration files, on top of these; `file` is the only one, if given.
 
     `on_save` tells that texts are examined when they are saved, and `unsafe_fixes` that fixes
@@ -39,8 +39,8 @@ class Preferences:
     problems: tuple[str, ...] = ()
 
     @classmethod
-    def of(cls, said: object) -> Preferences:
-        """What a client sends, at any time and in any of the forms that clients have for it."""
+    def from_json(cls, said: object) -> ClientSettings:
+        """Parse the settings a client sends, in any of the forms that clients use."""
         settings = _settings(said)
         keys: dict[str, Any] = {}
         problems = [
@@ -67,11 +67,18 @@ class Preferences:
         )
 
     def top(self, root: Path) -> Config:
-        """What comes on top of the configuration files; paths start at *root*."""
+        """Return the configuration that overrides configuration files.
+
+        Paths are relative to *root*.
+        """
         return config_of(self.keys, ORIGIN, root)
 
     def configs(self, root: Path) -> Configs:
-        """Where configuration comes from below *root*: the file that is named, or the nearest."""
+        """Return where configuration comes from below *root*.
+
+        The file the client names, or the nearest. Raises `ConfigError` if the named file does not
+        exist.
+        """
         if self.file is None:
             return Configs()
         path = absolute(root / Path(self.file).expanduser())

@@ -13,7 +13,7 @@ from kinlint.model import Applicability, Finding
 from kinlint.server.app import KinlintServer
 from kinlint.server.diagnostics import diagnostic
 from kinlint.server.quick_fixes import MOST, all_safe, remedies
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 from kinlint.server.workspace_edit import workspace_edit
 
 FIX_ALL = "source.fixAll.kinlint"
@@ -47,10 +47,10 @@ def register(server: KinlintServer) -> None:
 
 
 async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.CodeAction:
-    """*action* with the edit that makes all safe fixes of its file, if there are any."""
+    """Return *action* with the edit that makes all safe fixes of its file, if there are any."""
     uri = action.data["uri"] if isinstance(action.data, dict) else ""
 
-    def edit(view: View) -> types.WorkspaceEdit | None:
+    def edit(view: RequestContext) -> types.WorkspaceEdit | None:
         edits = all_safe(view)
         return workspace_edit(edits, view.places, versioned=server.versioned) if edits else None
 
@@ -59,13 +59,13 @@ async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.Code
 
 
 def _asked(kind: str, only: Sequence[types.CodeActionKind | str] | None) -> bool:
-    """Whether the client asked for actions of *kind*: it may name a kind that contains it."""
+    """Tell whether the client asked for actions of *kind*, or of a kind that contains it."""
     names = [each.value if isinstance(each, types.CodeActionKind) else each for each in only or ()]
     return not names or any(kind == name or kind.startswith(f"{name}.") for name in names)
 
 
 def _quick_fixes(
-    server: KinlintServer, params: types.CodeActionParams, view: View
+    server: KinlintServer, params: types.CodeActionParams, view: RequestContext
 ) -> list[types.CodeAction]:
     """The actions for what was found in the range that *params* asks about."""
     start, end = view.span(params.range)
@@ -78,7 +78,7 @@ def _quick_fixes(
 
 
 def _fixes(
-    server: KinlintServer, view: View, findings: Sequence[Finding]
+    server: KinlintServer, view: RequestContext, findings: Sequence[Finding]
 ) -> Iterator[types.CodeAction]:
     for finding, fixes in remedies(view, findings):
         preferred = next((one for one in fixes if one.applicability is Applicability.SAFE), None)
@@ -96,10 +96,10 @@ def _fixes(
 
 
 def _ignores(
-    server: KinlintServer, view: View, findings: Sequence[Finding]
+    server: KinlintServer, view: RequestContext, findings: Sequence[Finding]
 ) -> Iterator[types.CodeAction]:
-    """What excuses each of *findings* where it was found."""
-    desk = Desk(view.examination, view.bench.texts, view.settings)
+    """Yield an action for each of *findings* that suppresses it in place."""
+    desk = Desk(view.examination, view.session.texts, view.settings)
     for finding in findings[:MOST]:
         try:
             edits = desk.edits(finding)

@@ -11,7 +11,7 @@ from kinlint.model import Applicability
 from kinlint.reporters.summary import counted
 from kinlint.server.app import KinlintServer
 from kinlint.server.quick_fixes import remedies
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 MEND = "kinlint.applyAutofix"
 TOP = types.Range(types.Position(0, 0), types.Position(0, 0))
@@ -34,8 +34,8 @@ def register(server: KinlintServer) -> None:
         return lens
 
 
-def _command(uri: str, view: View) -> types.Command:
-    """What the line says; a click on it makes the safe fixes, if there are any."""
+def _command(uri: str, view: RequestContext) -> types.Command:
+    """Return the title of the line and its command, which makes the safe fixes if there are any."""
     title = counted(len(view.findings), "finding", "findings")
     offered = [fixes for _, fixes in remedies(view, view.findings)]
     safe = any(fix.applicability is Applicability.SAFE for each in offered for fix in each)

@@ -1,4 +1,4 @@
-"""What was found, as diagnostics of the protocol."""
+"""Findings as diagnostics of the Language Server Protocol."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from kinlint.lint import Examination
 from kinlint.model import Finding, Severity
 from kinlint.reporters.sarif.rule_descriptors import web_address
 from kinlint.server.request_context import Places
-from kinlint.server.session import Bench
+from kinlint.server.session import Session
 from kinlint.text import Location, SourceText, Span
 
 SOURCE = "kinlint"
@@ -30,7 +30,7 @@ SEVERITIES = {
 
 @dataclass(frozen=True)
 class Told:
-    """What is told of one file, whose text it is about; `version` is that of the buffer."""
+    """The diagnostics of one file, with its text; `version` is that of the open buffer."""
 
     items: tuple[types.Diagnostic, ...] = ()
     source: SourceText | None = None
@@ -38,21 +38,21 @@ class Told:
 
     @cached_property
     def result_id(self) -> str:
-        """What is equal exactly for equal diagnostics."""
+        """Return a digest that is equal exactly for equal diagnostics."""
         return hashlib.sha256(repr(self.items).encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
-def told(bench: Bench, places: Places, *, related: bool) -> Mapping[Path, Told]:
-    """The diagnostics of each file of the model of *bench*, or that it reads along.
+def told(session: Session, places: Places, *, related: bool) -> Mapping[Path, Told]:
+    """The diagnostics of each file of the model of *session*, or that it reads along.
 
     With *related* places, if the client can show them.
     """
     texts: dict[Path, SourceText] = {}
     items: dict[Path, list[types.Diagnostic]] = {}
-    for source in bench.model.sources:
+    for source in session.model.sources:
         texts[places.path(source.name)] = source
-    errors: Sequence[SourceError] = bench.model.errors
-    if (examination := bench.examination) is not None:
+    errors: Sequence[SourceError] = session.model.errors
+    if (examination := session.examination) is not None:
         for document in examination.documents:
             for source in document.sources:
                 texts.setdefault(places.path(source.name), source)
@@ -65,10 +65,10 @@ def told(bench: Bench, places: Places, *, related: bool) -> Mapping[Path, Told]:
     for error in errors:
         path = places.path(error.name)
         items.setdefault(path, []).append(unreadable(error, texts.get(path), places))
-    beside = {places.path(source.name) for source in bench.model.beside}
+    beside = {places.path(source.name) for source in session.model.beside}
     return {
         path: Told(tuple(items.get(path, ())), texts.get(path), _version(places, path))
-        for path in dict.fromkeys((*bench.model.paths.values(), *texts, *items))
+        for path in dict.fromkeys((*session.model.paths.values(), *texts, *items))
         if path not in beside
     }
 
@@ -81,7 +81,7 @@ def _version(places: Places, path: Path) -> int | None:
 def diagnostic(
     finding: Finding, examination: Examination, places: Places, *, related: bool
 ) -> types.Diagnostic:
-    """*finding* as the client shows it."""
+    """Convert *finding* to a diagnostic."""
     message = finding.message
     if advice := _advice(finding, examination):
         message += f"\nhelp: {advice}"
@@ -112,7 +112,7 @@ def unreadable(error: SourceError, source: SourceText | None, places: Places) ->
 
 
 def _advice(finding: Finding, examination: Examination) -> str:
-    """What the preferred repair does, if what it is called is known without making it."""
+    """Return the title of the preferred repair if it needs no computed fix, else ""."""
     for repair in finding.rule.repairs[:1]:
         title = examination.account.filled(repair.title, finding)
         return "" if "''" in title else title

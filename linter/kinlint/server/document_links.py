@@ -11,7 +11,7 @@ from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import uri_of
 from kinlint.server.navigators import ask
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 
 def register(server: KinlintServer) -> None:
@@ -19,7 +19,7 @@ def register(server: KinlintServer) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
     async def links(params: types.DocumentLinkParams) -> Sequence[types.DocumentLink] | None:
-        def found(view: View, navigator: Navigator) -> Sequence[types.DocumentLink]:
+        def found(view: RequestContext, navigator: Navigator) -> Sequence[types.DocumentLink]:
             return [
                 types.DocumentLink(view.range(each.location.span), target=_target(view, each))
                 for each in navigator.links(view.source.name)
@@ -28,7 +28,7 @@ def register(server: KinlintServer) -> None:
         return await ask(server, params.text_document.uri, found)
 
 
-def _target(view: View, link: Link) -> str:
+def _target(view: RequestContext, link: Link) -> str:
     if link.source is not None:
         return view.places.uri(link.source.name)
     return link.target if isinstance(link.target, str) else uri_of(link.target)

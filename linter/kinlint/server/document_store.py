@@ -11,22 +11,22 @@ from kinlint.errors import SourceError
 from kinlint.files.discovery import Input
 from kinlint.files.pathname import real
 from kinlint.project.reading import text_of
-from kinlint.server.frozen_state import Snapshot
+from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText
 
 Stamp: TypeAlias = tuple[int, int] | None
 
 
 @dataclass
-class Stock:
+class DocumentStore:
     """The texts at one moment, of which equal ones stay the same objects from one to the next."""
 
-    snapshot: Snapshot
+    snapshot: FrozenState
     _kept: dict[Path, tuple[Stamp, SourceText | SourceError]] = field(default_factory=dict)
     _seen: set[Path] = field(default_factory=set)
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
 
-    def turn(self, snapshot: Snapshot) -> None:
+    def advance(self, snapshot: FrozenState) -> None:
         """Go on to *snapshot*; files are looked at again if something happened on disk."""
         if snapshot.epoch != self.snapshot.epoch:
             self._seen.clear()
@@ -39,7 +39,10 @@ class Stock:
         return self._overlay
 
     def text(self, one: Input) -> SourceText:
-        """What *one* holds. Raises `SourceError` if it cannot be read."""
+        """Return the text of *one*: the open buffer, or the file.
+
+        Raises `SourceError` if it is unreadable.
+        """
         assert one.path is not None
         if (buffer := self.snapshot.buffers.get(one.path)) is not None:
             return buffer.source
@@ -63,7 +66,7 @@ def _read(one: Input) -> SourceText | SourceError:
 
 
 def stamp(path: Path) -> Stamp:
-    """What changes with the file at *path*; None if there is none."""
+    """Return modification time and size of the file at *path*; None if there is none."""
     try:
         state = path.stat()
     except (OSError, ValueError):
@@ -72,7 +75,7 @@ def stamp(path: Path) -> Stamp:
 
 
 def stamps(paths: Iterable[Path]) -> tuple[tuple[str, Stamp], ...]:
-    """What changes with any of the files at *paths* or below."""
+    """Return the stamps of the files at *paths*, directories followed."""
     found: dict[str, Stamp] = {}
     for path in paths:
         below = sorted(path.rglob("*")) if path.is_dir() else [path]

@@ -10,7 +10,7 @@ from kinlint.navigation.navigator import Navigator
 from kinlint.navigation.outline import Sort, Symbol
 from kinlint.server.app import KinlintServer
 from kinlint.server.navigators import ask
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 KINDS = {
     Sort.ROBOT: types.SymbolKind.Module,
@@ -38,17 +38,17 @@ def register(server: KinlintServer) -> None:
         return await ask(server, uri, _list)
 
 
-def _tree(view: View, navigator: Navigator) -> Sequence[types.DocumentSymbol]:
+def _tree(view: RequestContext, navigator: Navigator) -> Sequence[types.DocumentSymbol]:
     return [_symbol(view, each) for each in navigator.outline(view.source.name)]
 
 
-def _list(view: View, navigator: Navigator) -> Sequence[types.SymbolInformation]:
+def _list(view: RequestContext, navigator: Navigator) -> Sequence[types.SymbolInformation]:
     """The same in a row, for clients that show no trees."""
     return list(_flat(view, navigator.outline(view.source.name), None))
 
 
 def _flat(
-    view: View, symbols: Sequence[Symbol], holder: str | None
+    view: RequestContext, symbols: Sequence[Symbol], holder: str | None
 ) -> Iterator[types.SymbolInformation]:
     for each in symbols:
         place = types.Location(view.uri, view.range(each.whole))
@@ -56,7 +56,7 @@ def _flat(
         yield from _flat(view, each.below, each.name)
 
 
-def _symbol(view: View, symbol: Symbol) -> types.DocumentSymbol:
+def _symbol(view: RequestContext, symbol: Symbol) -> types.DocumentSymbol:
     return types.DocumentSymbol(
         name=symbol.name,
         detail=symbol.detail,

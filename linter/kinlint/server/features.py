@@ -1,4 +1,4 @@
-"""What the server can do, each in a module with a `register`."""
+"""The features of the server; each is a module with a `register` function."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where things are described and mentioned, across the files of a model."""
+"""Go to definition, find references and document highlights, across the files of a model."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from kinlint.navigation.navigator import Navigator
 from kinlint.navigation.occurrence import Role
 from kinlint.server.app import KinlintServer
 from kinlint.server.navigators import ask
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 from kinlint.text import Location
 
 HIGHLIGHTS = {
@@ -24,7 +24,7 @@ def register(server: KinlintServer) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DEFINITION)
     async def definition(params: types.DefinitionParams) -> Sequence[types.Location] | None:
-        def places(view: View, navigator: Navigator) -> Sequence[types.Location]:
+        def places(view: RequestContext, navigator: Navigator) -> Sequence[types.Location]:
             name, offset = view.source.name, view.offset(params.position)
             return _locations(view, navigator.definitions(name, offset))
 
@@ -34,7 +34,7 @@ def register(server: KinlintServer) -> None:
     async def references(params: types.ReferenceParams) -> Sequence[types.Location] | None:
         described = params.context.include_declaration
 
-        def places(view: View, navigator: Navigator) -> Sequence[types.Location]:
+        def places(view: RequestContext, navigator: Navigator) -> Sequence[types.Location]:
             name, offset = view.source.name, view.offset(params.position)
             return _locations(view, navigator.references(name, offset, described=described))
 
@@ -44,7 +44,7 @@ def register(server: KinlintServer) -> None:
     async def highlights(
         params: types.DocumentHighlightParams,
     ) -> Sequence[types.DocumentHighlight] | None:
-        def places(view: View, navigator: Navigator) -> Sequence[types.DocumentHighlight]:
+        def places(view: RequestContext, navigator: Navigator) -> Sequence[types.DocumentHighlight]:
             found = navigator.highlights(view.source.name, view.offset(params.position))
             return [
                 types.DocumentHighlight(view.range(each.location.span), HIGHLIGHTS[each.role])
@@ -54,5 +54,5 @@ def register(server: KinlintServer) -> None:
         return await ask(server, params.text_document.uri, places)
 
 
-def _locations(view: View, places: Iterable[Location]) -> list[types.Location]:
+def _locations(view: RequestContext, places: Iterable[Location]) -> list[types.Location]:
     return [view.location(each) for each in places]

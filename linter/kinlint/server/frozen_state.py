@@ -1,4 +1,4 @@
-"""What counts at one moment, for those who work on it while the client goes on typing."""
+"""An immutable copy of the client's state, for the worker thread."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.server.buffers import Buffer
-from kinlint.server.client_settings import Preferences
+from kinlint.server.client_settings import ClientSettings
 
 
 @dataclass(frozen=True)
-class Snapshot:
+class FrozenState:
     """The state that the `generation`-th change led to.
 
     `epoch` counts the changes that files on disk may have something to do with. `buffers` are the
@@ -24,7 +24,7 @@ class Snapshot:
     epoch: int
     buffers: Mapping[Path, Buffer]
     roots: tuple[Path, ...]
-    preferences: Preferences
+    preferences: ClientSettings
     wanted: frozenset[Path] = frozenset()
     everything: bool = False
 

@@ -1,4 +1,4 @@
-"""What is shown when the pointer rests on something."""
+"""The hover request."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from lsprotocol import types
 from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
 from kinlint.server.navigators import ask
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 
 def register(server: KinlintServer) -> None:
@@ -22,7 +22,7 @@ def register(server: KinlintServer) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     async def hover(params: types.HoverParams) -> types.Hover | None:
-        def shown(view: View, navigator: Navigator) -> types.Hover | None:
+        def shown(view: RequestContext, navigator: Navigator) -> types.Hover | None:
             found = navigator.hover(view.source.name, view.offset(params.position))
             if found is None:
                 return None

@@ -1,4 +1,4 @@
-"""From the first word of the client to the last: what it can do, wants and watches."""
+"""Initialize, shutdown and exit: capabilities, settings and watched files of the client."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from kinlint.files.discovery import GLOBBED
 from kinlint.server import publish_diagnostics, pull_diagnostics
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
-from kinlint.server.client_settings import Preferences
+from kinlint.server.client_settings import ClientSettings
 
 SECTION = "kinlint"
 WATCHED = (
@@ -33,7 +33,7 @@ def register(server: KinlintServer) -> None:
     @server.feature(types.INITIALIZE)
     def initialize(params: types.InitializeParams) -> None:
         _settle(server, _roots(params))
-        server.preferences = Preferences.of(params.initialization_options)
+        server.preferences = ClientSettings.from_json(params.initialization_options)
         known = params.capabilities.text_document
         (pull_diagnostics if known and known.diagnostic else publish_diagnostics).register(server)
         if params.process_id:
@@ -54,7 +54,7 @@ def register(server: KinlintServer) -> None:
         if _can_be_asked(server):
             await _ask(server)
         else:
-            server.prefer(Preferences.of(params.settings))
+            server.prefer(ClientSettings.from_json(params.settings))
 
     @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched(_params: types.DidChangeWatchedFilesParams) -> None:
@@ -118,7 +118,7 @@ async def _ask(server: KinlintServer) -> None:
         server.log(f"kinlint is not told its settings: {error}", types.MessageType.Warning)
         return
     if said and said[0] is not None:
-        server.prefer(Preferences.of(said[0]))
+        server.prefer(ClientSettings.from_json(said[0]))
 
 
 async def _outlive_nobody(process: int) -> None:

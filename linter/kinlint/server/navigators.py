@@ -8,11 +8,11 @@ from typing import TypeVar
 from kinlint.lint import Examination
 from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 T = TypeVar("T")
 MOST = 4
-"""How many are kept."""
+"""Number of navigators kept."""
 
 
 class Navigators:
@@ -21,7 +21,7 @@ class Navigators:
     def __init__(self) -> None:
         self._kept: list[tuple[Examination, Navigator]] = []
 
-    def of(self, view: View) -> Navigator:
+    def of(self, view: RequestContext) -> Navigator:
         """The navigator of the model of *view*."""
         for examination, navigator in self._kept:
             if examination is view.examination:
@@ -32,9 +32,9 @@ class Navigators:
 
 
 async def ask(
-    server: KinlintServer, uri: str, question: Callable[[View, Navigator], T]
+    server: KinlintServer, uri: str, question: Callable[[RequestContext, Navigator], T]
 ) -> T | None:
-    """What *question* gives for the text *uri*; None if that is part of no model."""
+    """Return the answer of *question* for the text *uri*; None if that is part of no model."""
     return await server.consult(uri, lambda view: question(view, _NAVIGATORS.of(view)))
 
 

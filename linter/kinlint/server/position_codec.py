@@ -21,7 +21,7 @@ MARK = "\ufeff"
 
 
 def _more(char: str, encoding: str) -> int:
-    """How many units *char* takes beyond one."""
+    """Return the number of code units that *char* takes beyond one in *encoding*."""
     if encoding == PositionEncodingKind.Utf16:
         return int(char > "\uffff")
     if encoding == PositionEncodingKind.Utf8:
@@ -29,7 +29,7 @@ def _more(char: str, encoding: str) -> int:
     return 0
 
 
-class Measure:
+class PositionCodec:
     """Converts between offsets of one text and places in it.
 
     `encoding` is the kind of units in which columns count. *marked* tells that the client counts
@@ -79,7 +79,7 @@ class Measure:
         return lambda offset: self._units(start, offset)
 
     def _units(self, start: int, end: int) -> int:
-        """How many units lie between two offsets."""
+        """Return the number of code units between two offsets."""
         wide, more = self._wide
         if not wide:
             return end - start
@@ -87,7 +87,7 @@ class Measure:
 
     @cached_property
     def _wide(self) -> tuple[list[int], list[int]]:
-        """Where wide characters stand, and how many units more they take up to each of them."""
+        """Return the offsets of wide characters and the cumulative count of their extra units."""
         pattern, text = WIDE.get(self._encoding), self.source.text
         if pattern is None or text.isascii():
             return [], [0]

@@ -22,7 +22,7 @@ class Protocol(LanguageServerProtocol):
     """Hands what happens to texts to the features of that name, and keeps nothing itself."""
 
     def structure_message(self, data: dict[str, Any]) -> Any:
-        """What *data* says. Raises `JsonRpcException`, after a request was answered with it."""
+        """Parse *data*. Raises `JsonRpcException`, after answering a request with that error."""
         try:
             return super().structure_message(data)
         except JsonRpcException as error:

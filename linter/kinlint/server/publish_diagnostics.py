@@ -52,7 +52,7 @@ class Publisher:
         )
 
     def _told(self, path: Path) -> Told:
-        """What is to be told of the file at *path*."""
+        """Return the diagnostics to publish of the file at *path*."""
         models = self.server.told.get(path, {})
         open_ = (each.path in key for key in models for each in self.server.buffers)
         return self.server.about(path) if any(open_) else Told()

@@ -1,4 +1,4 @@
-"""What can be done about findings, proven on the texts as they are."""
+"""Fixes and suppressions of findings, proven on the current texts."""
 
 from __future__ import annotations
 
@@ -7,29 +7,31 @@ from collections.abc import Iterable, Sequence
 from kinlint.fixes.offers import offers
 from kinlint.fixes.rounds import mended
 from kinlint.model import Applicability, Finding, Fix, TextEdit
-from kinlint.server.cancellation import Interruptible
-from kinlint.server.request_context import View
+from kinlint.server.cancellation import CancellablePhases
+from kinlint.server.request_context import RequestContext
 from kinlint.server.session import named
 from kinlint.server.workspace_edit import difference
 
 MOST = 100
-"""So many findings at most are looked after at once: each fix is tried."""
+"""Number of findings for which fixes are computed at once; each fix is tried."""
 
 
-def remedies(view: View, findings: Iterable[Finding]) -> list[tuple[Finding, tuple[Fix, ...]]]:
+def remedies(
+    view: RequestContext, findings: Iterable[Finding]
+) -> list[tuple[Finding, tuple[Fix, ...]]]:
     """The fixes that are offered for *findings* of *view*, as `kinlint` offers them."""
     asked = [each for each in findings if each.rule.repairs][:MOST]
-    known = view.bench.fixes
+    known = view.session.fixes
     missing = {named(each) for each in asked} - known.keys()
     if missing:
-        phases = Interruptible(view.cancelled)
+        phases = CancellablePhases(view.cancelled)
 
         def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
             return [each for each in found if named(each) in missing]
 
-        examination = view.bench.repairing(phases)
+        examination = view.session.repairing(phases)
         made = offers(
-            examination, view.bench.texts, view.settings, view.rulebook,
+            examination, view.session.texts, view.settings, view.rulebook,
             least=Applicability.UNSAFE, wanted=wanted, phases=phases,
         )  # fmt: skip
         known.update(dict.fromkeys(missing, ()))
@@ -37,20 +39,20 @@ def remedies(view: View, findings: Iterable[Finding]) -> list[tuple[Finding, tup
     return [(each, known[named(each)]) for each in asked if known[named(each)]]
 
 
-def all_safe(view: View) -> list[TextEdit]:
+def all_safe(view: RequestContext) -> list[TextEdit]:
     """The edits that make all safe fixes of what was found in the file of *view*."""
 
     def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
         return [each for each in found if each.location.source.name == view.source.name]
 
-    texts, model = view.bench.texts, view.bench.model
+    texts, model = view.session.texts, view.session.model
     outcome = mended(
         texts.given,
         model.errors,
         view.settings,
         view.rulebook,
         Applicability.SAFE,
-        Interruptible(view.cancelled),
+        CancellablePhases(view.cancelled),
         wanted=wanted,
         overlay=texts.changed,
     )

@@ -1,4 +1,4 @@
-"""What features work on: an open file with the examination of the model it belongs to."""
+"""The context of a request: an open file and the analysis of the model it belongs to."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from kinlint.files.pathglob import absolute
 from kinlint.lint import Examination
 from kinlint.model import Finding
 from kinlint.server.buffers import Buffer, uri_of
-from kinlint.server.frozen_state import Snapshot
-from kinlint.server.position_codec import Measure
-from kinlint.server.session import Bench
+from kinlint.server.frozen_state import FrozenState
+from kinlint.server.position_codec import PositionCodec
+from kinlint.server.session import Session
 from kinlint.text import Location, SourceText, Span
 
 
@@ -29,45 +29,45 @@ class Places:
     `paths` are the files of those texts whose names are not enough to find them.
     """
 
-    snapshot: Snapshot
+    snapshot: FrozenState
     encoding: str
     paths: dict[str, Path]
-    _measures: dict[str, tuple[SourceText, Measure]] = field(default_factory=dict)
+    _measures: dict[str, tuple[SourceText, PositionCodec]] = field(default_factory=dict)
 
     def path(self, name: str) -> Path:
         """The file of the text called *name*."""
         return self.paths.get(name) or absolute(name)
 
     def buffer(self, name: str) -> Buffer | None:
-        """What is open of the file of the text called *name*."""
+        """Return the open buffer of the text called *name*, or None."""
         return self.snapshot.buffers.get(self.path(name))
 
     def uri(self, name: str) -> str:
-        """What the client calls the file of the text called *name*."""
+        """Return the URI by which the client knows the text called *name*."""
         buffer = self.buffer(name)
         return uri_of(self.path(name)) if buffer is None else buffer.uri
 
-    def measure(self, source: SourceText) -> Measure:
+    def measure(self, source: SourceText) -> PositionCodec:
         """The measure of *source*."""
         known = self._measures.get(source.name)
         if known is None or known[0] is not source:
             buffer = self.buffer(source.name)
             marked = buffer is not None and buffer.marked
-            known = source, Measure(source, self.encoding, marked=marked)
+            known = source, PositionCodec(source, self.encoding, marked=marked)
             self._measures[source.name] = known
         return known[1]
 
     def range(self, place: Location) -> types.Range:
-        """Where *place* is in its file."""
+        """Convert *place* to a range in its file."""
         return self.measure(place.source).range(place.span)
 
     def location(self, place: Location) -> types.Location:
-        """Where *place* is."""
+        """Convert *place* to a location."""
         return types.Location(self.uri(place.source.name), self.range(place))
 
 
 @dataclass(frozen=True)
-class View:
+class RequestContext:
     """A file, and what was found in the model of which it is a part.
 
     Only where a view is handed out by `consult`, and only there, the store and the account of the
@@ -83,23 +83,23 @@ class View:
     settings: Settings
     rulebook: Rulebook
     places: Places
-    bench: Bench
+    session: Session
     cancelled: Callable[[], bool]
 
     @property
     def sources(self) -> tuple[SourceText, ...]:
         """All texts of the model that are linted."""
-        return (*self.bench.model.sources, *self.bench.model.beside)
+        return (*self.session.model.sources, *self.session.model.beside)
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
-        """What was found in this file."""
+        """Return the findings in this file."""
         told = self.examination.report.findings
         return tuple(each for each in told if each.location.source.name == self.source.name)
 
     @cached_property
     def document(self) -> Document | None:
-        """What the file says by itself; None if it is only read as a part of others, or not."""
+        """Return the document of this file; None if it is only included by others."""
         known = self.examination.documents
         return next((each for each in known if each.source.name == self.source.name), None)
 
@@ -112,9 +112,9 @@ class View:
         return self.places.measure(self.source).span(place)
 
     def range(self, span: Span) -> types.Range:
-        """Where *span* of this file is."""
+        """Convert *span* of this file to a range."""
         return self.places.measure(self.source).range(span)
 
     def location(self, place: Location) -> types.Location:
-        """Where *place*, in whatever file of the model, is."""
+        """Convert *place*, in any file of the model, to a location."""
         return self.places.location(place)

@@ -9,25 +9,25 @@ from functools import partial
 from pathlib import Path
 from traceback import format_exc
 
-from kinlint.server.frozen_state import Snapshot
+from kinlint.server.frozen_state import FrozenState
 from kinlint.server.worker import Worker
-from kinlint.server.workspace import Library, Step
+from kinlint.server.workspace import Step, Workspace
 
 BACKGROUND = 1
-"""How urgent examinations are beside what somebody asks."""
+"""Urgency of background analyses, below that of requests (0)."""
 
 
 @dataclass
-class Examiner:
+class Scheduler:
     """Examines as long as something changed.
 
     `snapshot` gives the state of now, and `deliver` takes each step. A change interrupts the step
     that is being made: what it would find is of no interest any more.
     """
 
-    library: Library
+    library: Workspace
     worker: Worker
-    snapshot: Callable[[frozenset[Path], bool], Snapshot]
+    snapshot: Callable[[frozenset[Path], bool], FrozenState]
     deliver: Callable[[Step], None]
     generation: int = 0
     _waiting: dict[asyncio.Future[None], Path | None] = field(default_factory=dict)
@@ -83,7 +83,7 @@ class Examiner:
                     return
 
     def interruption(self) -> Callable[[], bool]:
-        """What tells whether something changed since now."""
+        """Return a function that tells whether anything has changed since this call."""
         generation = self.generation
         return lambda: self.generation != generation
 

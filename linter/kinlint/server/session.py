@@ -15,9 +15,9 @@ from kinlint.incremental.examiner import Cancelled, Incremental
 from kinlint.lint import Examination, examine
 from kinlint.model import Finding, Fix
 from kinlint.phases import Phases
-from kinlint.server.cancellation import Interruptible
-from kinlint.server.document_store import Stamp, Stock, stamp
-from kinlint.server.frozen_state import Snapshot
+from kinlint.server.cancellation import CancellablePhases
+from kinlint.server.document_store import DocumentStore, Stamp, stamp
+from kinlint.server.frozen_state import FrozenState
 from kinlint.server.workspace_folder import Model
 from kinlint.text import SourceText, Span
 
@@ -27,31 +27,34 @@ Named: TypeAlias = tuple[str, str, Span, str]
 
 
 @dataclass
-class Bench:
-    """Examines a model again and again.
-
-    `examination` is None while it is not what the files hold now, or if it failed. `outside` are
-    files that are read along, with what changes with them. It is `resting` when nobody has one of
-    its files open: then only what was told of it is kept, elsewhere. It is `young` while what
-    it keeps is new.
-    """
+class Session:
+    """The analysis of one model, repeated as its files change."""
 
     model: Model
+    """The model as it was last given."""
     book: Rulebook
+    """The rules it is checked against."""
     examination: Examination | None = None
+    """The latest analysis; None while it is out of date, or if it failed."""
     outside: dict[Path, Stamp] = field(default_factory=dict)
+    """Included files that are no sources of their own, with their stamps."""
     fixes: dict[Named, tuple[Fix, ...]] = field(default_factory=dict)
+    """Fixes already proven, by finding."""
     _incremental: Incremental | None = None
     _repairing: Examination | None = None
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
-    resting: bool = False
-    young: bool = False
+    released: bool = False
+    """Whether the analysis was dropped since none of the files is open; its diagnostics stay."""
+    fresh_cache: bool = False
+    """Whether the incremental state is new, so that the garbage collector has not settled it."""
     _tried: bool = False
     _previewed: int = -1
     _complete: bool = False
 
-    def holds(self, model: Model, book: Rulebook, stock: Stock, *, looking: bool) -> bool:
-        """Whether what is known still is what there is to know of *model*.
+    def is_current(
+        self, model: Model, book: Rulebook, documents: DocumentStore, *, looking: bool
+    ) -> bool:
+        """Tell whether the last analysis still holds for *model*.
 
         *looking* tells that files on disk may have changed.
         """
@@ -62,32 +65,32 @@ class Bench:
             and mine.beside == model.beside
             and mine.settings == model.settings
             and self.book is book
-            and all(self._overlay.get(path) is stock.overlay.get(path) for path in self.outside)
+            and all(self._overlay.get(path) is documents.overlay.get(path) for path in self.outside)
             and not (looking and self._moved())
         )
 
     def _moved(self) -> bool:
         return any(stamp(path) != before for path, before in self.outside.items())
 
-    def look(
-        self, model: Model, book: Rulebook, stock: Stock, cancelled: Callable[[], bool]
-    ) -> Bench:
-        """Examine *model*; what knows now what can be told, which may be of its open files alone.
+    def analyze(
+        self, model: Model, book: Rulebook, documents: DocumentStore, cancelled: Callable[[], bool]
+    ) -> Session:
+        """Analyze *model* and return the session to report, which may cover its open files alone.
 
         Raises `Cancelled` if that is asked for, `UsageError` if the settings name what is not.
         """
-        part = self._preview(model, stock.snapshot, cancelled)
+        part = self._preview(model, documents.snapshot, cancelled)
         if part is not None:
             return part
-        self._examine(model, book, stock, cancelled)
+        self._examine(model, book, documents, cancelled)
         return self
 
     def _preview(
-        self, model: Model, snapshot: Snapshot, cancelled: Callable[[], bool]
-    ) -> Bench | None:
-        """What is found in the open files alone, once for each state of a large model.
+        self, model: Model, snapshot: FrozenState, cancelled: Callable[[], bool]
+    ) -> Session | None:
+        """Analyze the open files of a large model alone, once for each of its states.
 
-        None where that is not worth its time: the model is small, or known so far.
+        None where that is not worth its time: the model is small, or already analyzed.
         """
         if self._complete or self._previewed == snapshot.generation:
             return None
@@ -107,25 +110,25 @@ class Bench:
             part.errors,
             part.settings,
             self.book,
-            Interruptible(cancelled),
+            CancellablePhases(cancelled),
             overlay=overlay,
         )
         self._previewed = snapshot.generation
-        return Bench(part, self.book, made)
+        return Session(part, self.book, made)
 
     def _examine(
-        self, model: Model, book: Rulebook, stock: Stock, cancelled: Callable[[], bool]
+        self, model: Model, book: Rulebook, documents: DocumentStore, cancelled: Callable[[], bool]
     ) -> None:
         if self.model.settings != model.settings or self.book is not book or self._moved():
             self._incremental, self._complete = None, False
         self.model, self.book, self.examination = model, book, None
-        self._repairing, self._tried, self.resting = None, True, False
-        self._overlay = stock.overlay
+        self._repairing, self._tried, self.released = None, True, False
+        self._overlay = documents.overlay
         self.fixes.clear()
         try:
             if self._incremental is None:
                 Policies(model.settings, book.rules).check()
-                self._incremental, self.young = Incremental(model.settings, book), True
+                self._incremental, self.fresh_cache = Incremental(model.settings, book), True
             made = self._incremental.examine(
                 [*model.sources, *model.beside],
                 model.errors,
@@ -144,20 +147,20 @@ class Bench:
         self.outside = {path: stamp(path) for path in paths}
         self.examination, self._complete = made, True
 
-    def rest(self) -> None:
-        """Keep nothing of what was found, but that it is known."""
-        self.resting, self.examination = True, None
+    def release(self) -> None:
+        """Drop the analysis; its diagnostics stay published."""
+        self.released, self.examination = True, None
         self._incremental, self._repairing, self._complete = None, None, False
         self.fixes.clear()
 
-    def wake(self) -> None:
-        """Have it examined again, since somebody asks."""
+    def invalidate(self) -> None:
+        """Force a new analysis on the next step."""
         self._tried = False
 
     @property
     def failed(self) -> bool:
-        """Whether the examination broke down, and will do so again unless something changes."""
-        return self._tried and self.examination is None and not self.resting
+        """Tell whether the analysis raised an error and would again unless something changes."""
+        return self._tried and self.examination is None and not self.released
 
     def repairing(self, phases: Phases) -> Examination:
         """The examination with all that repairs ask for."""
@@ -181,6 +184,6 @@ class Bench:
 
 
 def named(finding: Finding) -> Named:
-    """What a finding has in common with the same one of another examination."""
+    """Return the key that equal findings of two analyses share."""
     place = finding.location
     return finding.rule.code, place.source.name, place.span, finding.message

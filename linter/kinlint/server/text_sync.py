@@ -14,7 +14,7 @@ def register(server: KinlintServer) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def opened(params: types.DidOpenTextDocumentParams) -> None:
         text = params.text_document
-        server.buffers.put(Buffer.of(text.uri, text.version, text.text))
+        server.buffers.put(Buffer.from_text(text.uri, text.version, text.text))
         server.changed(text.uri, disk=True)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)

@@ -10,7 +10,7 @@ from kinlint.server.features import made
 
 HOST = "127.0.0.1"
 PATIENCE = 5.0
-"""So many seconds the job that is being done may take to notice that nobody wants it."""
+"""Seconds that the running job may take to notice that it is cancelled."""
 
 
 def on_standard_streams() -> int:

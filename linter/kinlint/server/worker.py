@@ -1,4 +1,4 @@
-"""One thread that does what takes long, the urgent first, while the protocol goes on."""
+"""A worker thread with a priority queue, beside the thread of the protocol."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class Worker:
         return not self._thread.is_alive()
 
     async def do(self, job: Callable[[], T], *, urgency: int = 0) -> T:
-        """What *job* gives; jobs of less *urgency*, a number, come first, then the older ones.
+        """Return the result of *job*; jobs of lower *urgency* run first, then the older ones.
 
-        Cancelled before the job begins, it is not done; later, it is done in vain.
+        A job that is cancelled before it starts is skipped; later, its result is dropped.
         """
         future: Future[T] = Future()
         self._jobs.put((urgency, next(self._numbers), future, job))
@@ -46,7 +46,7 @@ class Worker:
 
     @property
     def wanted(self) -> bool:
-        """Whether a job waits."""
+        """Tell whether a job waits."""
         return not self._jobs.empty()
 
     def _work(self) -> None:

@@ -1,4 +1,4 @@
-"""All that is known of the files of a workspace. One thread works with it."""
+"""The models of a workspace and their analyses, for use by one thread."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
 from kinlint.incremental.examiner import Cancelled
 from kinlint.server.diagnostics import Told, told
-from kinlint.server.document_store import Stock, stamps
-from kinlint.server.frozen_state import Snapshot
-from kinlint.server.request_context import Places, View
-from kinlint.server.session import Bench
-from kinlint.server.workspace_folder import Model, Project
+from kinlint.server.document_store import DocumentStore, stamps
+from kinlint.server.frozen_state import FrozenState
+from kinlint.server.request_context import Places, RequestContext
+from kinlint.server.session import Session
+from kinlint.server.workspace_folder import Model, WorkspaceFolder
 from kinlint.text import SourceText
 
 T = TypeVar("T")
 
 
 class Outdated(Exception):
-    """What was asked for is about a state that is no more."""
+    """A request refers to a state of the text that is gone."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """What a step came to: what was `found` in the files of the model `key`, if it examined one.
+    """The result of analyzing one model: what was `found` in the files of the model `key`.
 
-    It is `done` if nothing is left to examine. `fresh` are the files of which all is known, and
-    `models` all that there are. `problems` are for the user, `faults` for those who mend kinlint.
+    `done`: nothing is left to analyze. `fresh`: the files whose analysis is complete. `models`: all
+    models of the workspace. `problems` are for the user, `faults` for maintainers of kinlint.
     """
 
     generation: int
@@ -47,21 +47,21 @@ class Step:
     faults: Sequence[str] = ()
 
 
-class Library:
+class Workspace:
     """The models of a workspace with what was found in each."""
 
     def __init__(self, cache: Path, encoding: str, *, related: bool) -> None:
         self._cache, self._encoding, self._related = cache, encoding, related
         self._blamed: dict[frozenset[Path], str] = {}
-        self._stock: Stock | None = None
-        self._projects: dict[tuple[Path, bool], Project] = {}
-        self._benches: dict[frozenset[Path], Bench] = {}
+        self._stock: DocumentStore | None = None
+        self._projects: dict[tuple[Path, bool], WorkspaceFolder] = {}
+        self._sessions: dict[frozenset[Path], Session] = {}
         self._books: dict[tuple[object, ...], Rulebook] = {}
         self._models: dict[frozenset[Path], Model] = {}
         self._problems: list[str] = []
         self._looked = -1
 
-    def step(self, snapshot: Snapshot, cancelled: Callable[[], bool]) -> Step:
+    def step(self, snapshot: FrozenState, cancelled: Callable[[], bool]) -> Step:
         """Examine the most urgent model that changed.
 
         Stops when *cancelled*, with a step that found nothing and is not done.
@@ -74,11 +74,11 @@ class Library:
                 break
             try:
                 book = self._book(model.settings)
-                bench = self._benches.setdefault(model.key, Bench(model, book))
-                if bench.holds(model, book, self._stocked, looking=looking):
-                    fresh |= model.key | bench.outside.keys()
+                session = self._sessions.setdefault(model.key, Session(model, book))
+                if session.is_current(model, book, self._documents, looking=looking):
+                    fresh |= model.key | session.outside.keys()
                     continue
-                shown = bench.look(model, book, self._stocked, cancelled)
+                shown = session.analyze(model, book, self._documents, cancelled)
             except Cancelled:
                 return Step(snapshot.generation)
             except KinlintError as error:
@@ -87,26 +87,26 @@ class Library:
                 continue
             except Exception:  # noqa: BLE001  a fault in a rule or a reader ends no session
                 faults.append(format_exc())
-                shown = self._benches[model.key]
+                shown = self._sessions[model.key]
             self._blamed.pop(model.key, None)
             found = told(shown, self._places(shown, snapshot), related=self._related)
             if urgency == _LAST:
-                shown.rest()
+                shown.release()
             fresh |= shown.model.key | shown.outside.keys()
             return self._step(model.key, found, fresh, faults)
         self._looked = snapshot.epoch
         for urgency, model in self._ranked(snapshot):
-            if urgency >= _LAST and model.key in self._benches:
-                self._benches[model.key].rest()
+            if urgency >= _LAST and model.key in self._sessions:
+                self._sessions[model.key].release()
         self._settle()
         return replace(self._step(frozenset(), {}, fresh, faults), done=True)
 
     def _settle(self) -> None:
         """Search what new models keep for garbage now, and not while somebody types."""
-        young = [bench for bench in self._benches.values() if bench.young]
-        for bench in young:
-            bench.young = False
-        if young:
+        fresh = [session for session in self._sessions.values() if session.fresh_cache]
+        for session in fresh:
+            session.fresh_cache = False
+        if fresh:
             gc.unfreeze()
             gc.collect()
             gc.freeze()
@@ -119,7 +119,7 @@ class Library:
         faults: Sequence[str],
     ) -> Step:
         return Step(
-            self._stocked.snapshot.generation,
+            self._documents.snapshot.generation,
             key,
             found,
             fresh=frozenset(fresh),
@@ -132,87 +132,90 @@ class Library:
         self,
         path: Path,
         source: SourceText | None,
-        ask: Callable[[View], T],
+        ask: Callable[[RequestContext], T],
         cancelled: Callable[[], bool],
     ) -> T | None:
-        """What *ask* gives for the file at *path*; None if it is part of no model.
+        """Return the answer of *ask* for the file at *path*; None if it is part of no model.
 
-        *ask* may be told that it is *cancelled*. Raises `Outdated` if it is not known what is to
-        be said of it, or its text is not *source*.
+        *ask* may be *cancelled*. Raises `Outdated` if the analysis is not up to date, or the text
+        is not *source*.
         """
-        for bench in self._benches.values():
-            for text in self._texts(bench):
-                if self._places(bench, self._stocked.snapshot).path(text.name) == path:
-                    if bench.examination is None:
-                        if bench.failed:
+        for session in self._sessions.values():
+            for text in self._texts(session):
+                if self._places(session, self._documents.snapshot).path(text.name) == path:
+                    if session.examination is None:
+                        if session.failed:
                             return None
-                        bench.wake()
+                        session.invalidate()
                         raise Outdated
-                    return ask(self._view(bench, text, source, cancelled))
+                    return ask(self._view(session, text, source, cancelled))
         return None
 
     def _view(
         self,
-        bench: Bench,
+        session: Session,
         text: SourceText,
         source: SourceText | None,
         cancelled: Callable[[], bool],
-    ) -> View:
-        assert bench.examination is not None
+    ) -> RequestContext:
+        assert session.examination is not None
         if source is not None and source != text:
             raise Outdated
-        snapshot = self._stocked.snapshot
-        places = self._places(bench, snapshot)
+        snapshot = self._documents.snapshot
+        places = self._places(session, snapshot)
         buffer = places.buffer(text.name)
-        return View(
+        return RequestContext(
             uri=places.uri(text.name),
             path=places.path(text.name),
             source=text,
             version=None if buffer is None else buffer.version,
-            examination=bench.examination,
-            settings=bench.model.settings,
-            rulebook=bench.book,
+            examination=session.examination,
+            settings=session.model.settings,
+            rulebook=session.book,
             places=places,
-            bench=bench,
+            session=session,
             cancelled=cancelled,
         )
 
-    def _texts(self, bench: Bench) -> Iterator[SourceText]:
-        yield from bench.model.sources
-        if bench.examination is not None:
-            for document in bench.examination.documents:
+    def _texts(self, session: Session) -> Iterator[SourceText]:
+        yield from session.model.sources
+        if session.examination is not None:
+            for document in session.examination.documents:
                 yield from document.sources
 
-    def _places(self, bench: Bench, snapshot: Snapshot) -> Places:
-        return Places(snapshot, self._encoding, dict(bench.model.paths))
+    def _places(self, session: Session, snapshot: FrozenState) -> Places:
+        return Places(snapshot, self._encoding, dict(session.model.paths))
 
     @property
-    def _stocked(self) -> Stock:
+    def _documents(self) -> DocumentStore:
         assert self._stock is not None
         return self._stock
 
-    def _turn(self, snapshot: Snapshot) -> bool:
+    def _turn(self, snapshot: FrozenState) -> bool:
         """Go on to *snapshot*; whether files on disk may have changed since the last time."""
         before = self._stock
         before_generation = -1 if before is None else before.snapshot.generation
         if before is None or before.snapshot.epoch != snapshot.epoch:
             self._projects.clear()
         if before is None:
-            self._stock = Stock(snapshot)
-        self._stocked.turn(snapshot)
+            self._stock = DocumentStore(snapshot)
+        self._documents.advance(snapshot)
         if before is None or before_generation != snapshot.generation:
             self._problems = []
             self._models = {model.key: model for model in self._found(snapshot)}
-            self._benches = {k: one for k, one in self._benches.items() if k in self._models}
+            self._sessions = {k: one for k, one in self._sessions.items() if k in self._models}
             self._blamed = {k: one for k, one in self._blamed.items() if k in self._models}
         return self._looked != snapshot.epoch
 
-    def _ranked(self, snapshot: Snapshot) -> Iterator[tuple[int, Model]]:
+    def _ranked(self, snapshot: FrozenState) -> Iterator[tuple[int, Model]]:
         for key, model in self._models.items():
-            bench = self._benches.get(key)
-            yield _urgency(key if bench is None else key | bench.outside.keys(), snapshot), model
+            session = self._sessions.get(key)
+            yield (
+                _urgency(key if session is None else key | session.outside.keys(), snapshot),
+                model,
+            )
 
-    def _found(self, snapshot: Snapshot) -> Iterator[Model]:
+    def _found(self, snapshot: FrozenState) -> Iterator[Model]:
         """All models; those of a project whose configuration is wrong are left out."""
         loose = (path.parent for path in snapshot.buffers if snapshot.root_of(path) is None)
         homes = [(root, False) for root in snapshot.roots] + [(folder, True) for folder in loose]
@@ -220,9 +223,9 @@ class Library:
             try:
                 project = self._projects.get((directory, apart))
                 if project is None:
-                    project = Project(directory, snapshot, self._cache, loose=apart)
+                    project = WorkspaceFolder(directory, snapshot, self._cache, loose=apart)
                     self._projects[directory, apart] = project
-                yield from list(project.models(self._stocked))
+                yield from list(project.models(self._documents))
             except KinlintError as error:
                 self._problems.append(str(error))
 
@@ -237,13 +240,13 @@ class Library:
 
 
 _LAST = 3
-"""How urgent at least is what is examined at all."""
+"""Highest urgency number at which models are analyzed at all."""
 
 
-def _urgency(paths: Collection[Path], snapshot: Snapshot) -> int:
-    """How urgent a model is that is read from *paths*.
+def _urgency(paths: Collection[Path], snapshot: FrozenState) -> int:
+    """Return the urgency of the model read from *paths*, 0 being the most urgent.
 
-    0 for what is typed at, then what is waited for, what is open, and what nobody asked for.
+    0 is the buffer being typed in, then what is waited for, what is open, and the rest.
     """
     newest = next(iter(snapshot.buffers), None)
     if newest is not None and newest in paths:

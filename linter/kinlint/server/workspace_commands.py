@@ -15,7 +15,7 @@ from kinlint.reporters.picture.finding_badges import marks
 from kinlint.reporters.picture.mermaid import lines
 from kinlint.server.app import KinlintServer
 from kinlint.server.code_actions import FIX_ALL, fix_all
-from kinlint.server.request_context import View
+from kinlint.server.request_context import RequestContext
 
 
 def register(server: KinlintServer) -> None:
@@ -37,7 +37,7 @@ def register(server: KinlintServer) -> None:
 
     @server.command("kinlint.printDebugInformation")
     def print_debug_information(*_arguments: Any) -> str:
-        """What a report of a fault should have in it; also written to the log."""
+        """Return the state of the server for a bug report, and log it."""
         page = "\n".join(_state(server))
         server.log(page, types.MessageType.Info)
         return page
@@ -57,7 +57,7 @@ def _uri(arguments: tuple[Any, ...]) -> str:
     return str(first)
 
 
-def _graph(view: View) -> str | None:
+def _graph(view: RequestContext) -> str | None:
     examination = view.examination
     found = examination.report.findings
     drawn = structures(examination.store, examination.documents, found)

@@ -19,7 +19,10 @@ MOST_LINES = 2_000
 def workspace_edit(
     edits: Iterable[TextEdit], places: Places, *, versioned: bool
 ) -> types.WorkspaceEdit:
-    """*edits* in whatever files; *versioned* if the client can refuse those that come too late."""
+    """Convert *edits* of any files to a workspace edit.
+
+    *versioned* if the client can refuse stale edits.
+    """
     by_name: dict[str, list[TextEdit]] = {}
     for edit in edits:
         by_name.setdefault(edit.location.source.name, []).append(edit)
@@ -67,6 +70,6 @@ def _edits(old: Sequence[str], new: Sequence[str], at: int) -> Iterator[Edit]:
 
 
 def _alike(one: Sequence[str], other: Sequence[str]) -> int:
-    """How many lines the two begin with in common."""
+    """Return the number of leading lines that two texts share."""
     pairs = zip(one, other, strict=False)
     return next((n for n, (a, b) in enumerate(pairs) if a != b), min(len(one), len(other)))

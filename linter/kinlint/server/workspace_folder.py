@@ -1,4 +1,4 @@
-"""One folder of the workspace, or the open files of one folder outside it: a run of its own."""
+"""One folder of the workspace, or the open files of a folder outside it: a lint run of its own."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from kinlint.files.pathname import shown
 from kinlint.project.layers import Layers
 from kinlint.project.reading import beside, own_contexts
 from kinlint.project.recognition import is_model
-from kinlint.server.document_store import Stock
-from kinlint.server.frozen_state import Snapshot
+from kinlint.server.document_store import DocumentStore
+from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText
 
 
@@ -34,17 +34,17 @@ class Model:
 
     @property
     def key(self) -> frozenset[Path]:
-        """What tells models apart, whatever their files hold."""
+        """Return the paths of the model's files, which identify it whatever they contain."""
         return frozenset(self.paths.values())
 
 
-class Project:
+class WorkspaceFolder:
     """The models below a directory, found as `kinlint DIRECTORY` finds them.
 
     A *loose* one has only what is open.
     """
 
-    def __init__(self, directory: Path, snapshot: Snapshot, cache: Path, *, loose: bool) -> None:
+    def __init__(self, directory: Path, snapshot: FrozenState, cache: Path, *, loose: bool) -> None:
         self.directory, self._loose, self._cache = directory, loose, cache
         preferences = snapshot.preferences
         self._layers = Layers(
@@ -61,12 +61,12 @@ class Project:
                 one for one in found.inputs if one.path and self._own(one.path, snapshot)
             ]
 
-    def _own(self, path: Path, snapshot: Snapshot) -> bool:
+    def _own(self, path: Path, snapshot: FrozenState) -> bool:
         root = snapshot.root_of(path)
         return path.parent == self.directory if root is None else root == self.directory
 
-    def _inputs(self, snapshot: Snapshot) -> Iterator[Input]:
-        """What was found, and what is open and not passed over."""
+    def _inputs(self, snapshot: FrozenState) -> Iterator[Input]:
+        """Yield the files that a search found, and open ones that are not excluded."""
         known = {one.path for one in self._found}
         yield from self._found
         for path in snapshot.buffers:
@@ -76,15 +76,15 @@ class Project:
     def _excluded(self, path: Path) -> bool:
         return any(pattern.covers(path) for pattern in self._layers.excluding(path.parent))
 
-    def models(self, stock: Stock) -> Iterator[Model]:
+    def models(self, documents: DocumentStore) -> Iterator[Model]:
         """The models, as the files are now. Raises `UsageError` for a wrong configuration."""
         sources: list[SourceText] = []
         given: dict[str, Input] = {}
-        inputs = sorted(self._inputs(stock.snapshot), key=lambda one: one.name)
+        inputs = sorted(self._inputs(documents.snapshot), key=lambda one: one.name)
         for one in inputs:
             given[one.name] = one
             try:
-                source = stock.text(one)
+                source = documents.text(one)
             except SourceError as error:
                 yield Model(_paths([one]), (), self._of([one]), errors=(error,))
                 continue
@@ -93,7 +93,7 @@ class Project:
         for group in models(sources, self._ties) if sources else ():
             inputs = [given[source.name] for source in group]
             settings = self._of(inputs)
-            more = beside(group, settings, stock.overlay)
+            more = beside(group, settings, documents.overlay)
             yield Model(_paths(inputs), tuple(group), settings, tuple(more))
 
     def _is_model(self, one: Input, source: SourceText) -> bool:

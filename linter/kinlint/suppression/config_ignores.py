@@ -16,7 +16,7 @@ from kinlint.text import Location, Span
 
 
 @dataclass(frozen=True)
-class Ignores:
+class ConfigIgnores:
     """The ignores of a run; remembers which of their selectors silenced something."""
 
     policies: Policies

@@ -24,7 +24,7 @@ FAULTS = (UNUSED, UNKNOWN, UNREASONED, EXPIRED)
 
 
 @dataclass(frozen=True, slots=True)
-class Fault:
+class SuppressionFault:
     """What the rule called `rule` has to say of `directive`; `values` fill its message."""
 
     rule: str
@@ -34,23 +34,25 @@ class Fault:
 
 def faults(
     directives: Iterable[Directive], used: frozenset[Directive], policies: Policies
-) -> Iterator[Fault]:
+) -> Iterator[SuppressionFault]:
     """What is wrong with *directives*, of which *used* silenced something."""
     for one in directives:
         named = {"rule": one.selector} if one.selector else {}
         if not one.codes:
             suggestion = nearest(one.selector, policies.catalogue.selectors)
-            yield Fault(UNKNOWN, one, named | ({"suggestion": suggestion} if suggestion else {}))
+            yield SuppressionFault(
+                UNKNOWN, one, named | ({"suggestion": suggestion} if suggestion else {})
+            )
         elif one.until is not None and not one.active:
             key = "until" if _is_date(one.until) else "written"
-            yield Fault(EXPIRED, one, named | {key: one.until})
+            yield SuppressionFault(EXPIRED, one, named | {key: one.until})
         elif one not in used and _could_be_used(one, policies):
-            yield Fault(UNUSED, one, named)
+            yield SuppressionFault(UNUSED, one, named)
         if one.reason is None and policies.settings.of(one.document.source.name).require_reason:
-            yield Fault(UNREASONED, one, named)
+            yield SuppressionFault(UNREASONED, one, named)
 
 
-def reported(fault: Fault, rules: Mapping[str, Rule]) -> Finding | None:
+def reported(fault: SuppressionFault, rules: Mapping[str, Rule]) -> Finding | None:
     """The finding that states *fault*; None if the catalogue lacks its rule."""
     rule = rules.get(fault.rule)
     if rule is None:

@@ -13,7 +13,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Nest(Generic[T]):
+class IntervalIndex(Generic[T]):
     """Spans by their beginning, with what lies in each; `outer` is the number of the next larger.
 
     No span is longer than one that it begins in, but equal ones may come several times.
@@ -24,7 +24,7 @@ class Nest(Generic[T]):
     contents: Sequence[T]
 
     @classmethod
-    def of(cls, found: Iterable[tuple[Span, T]]) -> Nest[T]:
+    def of(cls, found: Iterable[tuple[Span, T]]) -> IntervalIndex[T]:
         """The nest of all that is *found*."""
         ordered = sorted(found, key=lambda pair: (pair[0].start, -pair[0].end))
         spans = [span for span, _ in ordered]

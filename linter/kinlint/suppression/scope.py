@@ -6,24 +6,24 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from kinlint.suppression.directive import Directive
-from kinlint.suppression.interval_index import Nest
+from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.text import Location, Span
 
 
 @dataclass(frozen=True, slots=True)
-class Extents:
+class SuppressionScopes:
     """The directives that cover what is written within an element, by the names of files."""
 
-    nests: dict[str, Nest[Directive]]
+    nests: dict[str, IntervalIndex[Directive]]
 
     @classmethod
-    def of(cls, directives: Iterable[Directive]) -> Extents:
+    def of(cls, directives: Iterable[Directive]) -> SuppressionScopes:
         """Those of *directives* that have an extent."""
         files: dict[str, list[tuple[Span, Directive]]] = {}
         for one in directives:
             if one.extent is not None and not one.whole_file:
                 files.setdefault(one.extent.source.name, []).append((one.extent.span, one))
-        return cls({name: Nest.of(found) for name, found in files.items()})
+        return cls({name: IntervalIndex.of(found) for name, found in files.items()})
 
     def around(self, place: Location) -> Iterator[Directive]:
         """The directives whose extent *place* lies in, the innermost first."""

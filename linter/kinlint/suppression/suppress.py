@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.model import Finding
-from kinlint.suppression.config_ignores import Ignores
-from kinlint.suppression.diagnostics import FAULTS, UNUSED, Fault, faults, reported
+from kinlint.suppression.config_ignores import ConfigIgnores
+from kinlint.suppression.diagnostics import FAULTS, UNUSED, SuppressionFault, faults, reported
 from kinlint.suppression.directive import Directive, directives
-from kinlint.suppression.scope import Extents
+from kinlint.suppression.scope import SuppressionScopes
 from kinlint.terms import Term
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def apply(
         for fault in faults(stated, used, policies)
         if fault.rule != UNUSED or (complete and not settings.partial)
     ]
-    ignores = Ignores(policies)
+    ignores = ConfigIgnores(policies)
     found = [*ignores.silence(marked), *ignores.silence(_own(wrong, stated, used, policies, about))]
     if complete and not settings.partial:
         rules = {rule.name: rule for rule in policies.rules}
@@ -60,7 +60,7 @@ def apply(
 
 
 def _own(
-    wrong: Iterable[Fault],
+    wrong: Iterable[SuppressionFault],
     stated: Sequence[Directive],
     used: frozenset[Directive],
     policies: Policies,
@@ -95,7 +95,7 @@ def _silence(
             in_file.setdefault(one.document.location(one.span).source.name, []).append(one)
         else:
             on_node.setdefault(one.node, []).append(one)
-    within = Extents.of(stated)
+    within = SuppressionScopes.of(stated)
     for finding in findings:
         candidates = [
             *on_node.get(finding.focus, ()),
