@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from kinlint.conversion.coverage import FORMATS, coverage
+from kinlint.conversion.coverage import coverage
 from kinlint.conversion.coverage_page import PATH, main, readme
+from kinlint.engine.lifting import FORMATS
 from kinlint.resources import data
 
 

@@ -175,5 +175,5 @@ def test_a_rule_alone_finds_what_it_finds_where_everything_is_made(rule: Rule) -
 
 def test_every_lifted_format_has_rules() -> None:
     """Else the test above would show nothing."""
-    assert FORMATS <= {each for rule in BOOK.rules for each in rule.formats}
+    assert set(FORMATS) <= {each for rule in BOOK.rules for each in rule.formats}
     assert any(resources.data("shapes").glob("lifting/*/*.rq"))

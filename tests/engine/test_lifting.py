@@ -9,7 +9,7 @@ from turtle_document import document
 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.engine.lifting import EVERYWHERE, FOUNDATION, Lifting, asked, lift, queries
+from kinlint.engine.lifting import EVERYWHERE, FORMATS, FOUNDATION, Lifting, asked, lift, queries
 from kinlint.engine.store import Store
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -18,6 +18,7 @@ from kinlint.text import SourceText
 from kinlint.vocabulary import KIN
 
 SAMPLES = Path(__file__).parents[2] / "samples"
+QUERIES = [query for form in FORMATS for query in queries(form)]
 MODELS = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "urdf/six-axis.urdf", "sdf/six-axis.sdf")
 
 
@@ -41,7 +42,7 @@ def named(store: Store) -> set[Triple]:
     }
 
 
-@pytest.mark.parametrize("query", queries(), ids=lambda each: f"{each.format}-{each.name}")
+@pytest.mark.parametrize("query", QUERIES, ids=lambda each: f"{each.format}-{each.name}")
 def test_a_query_makes_what_it_is_said_to_make(query: Lifting) -> None:
     """No property and no class that nobody could ask it for."""
     store = model(*MODELS)

@@ -102,9 +102,10 @@ def possible(
     What is *coming* and what is lifted or computed may yet be there. Where no file is lifted, all:
     what is asked for makes no difference there.
     """
-    if not any(_lifted_as(document) in FORMATS for document in documents):
+    present = {_lifted_as(document) for document in documents}
+    if present.isdisjoint(FORMATS):
         return list(constraints)
-    presence = Presence(store, coming | lifts())
+    presence = Presence(store, coming | lifts(present))
     return [each for each in constraints if presence.may_violate(each)]
 
 
@@ -115,7 +116,7 @@ def axioms_for(
 
     What is lifted is complete by construction, and most of it asked for by nobody.
     """
-    if wanted is None or not {_lifted_as(document) for document in documents} <= FORMATS:
+    if wanted is None or not {_lifted_as(document) for document in documents}.issubset(FORMATS):
         return axioms
     return relevant(axioms, wanted)
 

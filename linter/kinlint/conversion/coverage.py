@@ -12,9 +12,10 @@ from kinlint import resources
 from kinlint.conversion.published import published
 from kinlint.engine.lifting import Lifting, queries
 from kinlint.formats.xml.schema import ElementType, schema
+from kinlint.sparql.scope import words
 from kinlint.terms import iri_value
+from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
-FORMATS = ("urdf", "srdf", "sdf")
 REASONS = "lifting/left-out.tsv"
 """Where below shapes/ the reasons stand."""
 
@@ -63,7 +64,7 @@ class Coverage:
     def __init__(self, form: str) -> None:
         self.form = form
         self.reasons = [one for one in reasons() if one.format == form]
-        self._mentions = [_mentions(each) for each in queries() if each.format == form]
+        self._mentions = list(map(_mentions, queries(form)))
 
     def reason(self, path: tuple[str, ...], attribute: str = "") -> Reason | None:
         """Why the element at *path*, or its *attribute*, is not lifted, or not all of it."""
@@ -111,9 +112,14 @@ def _mentions(query: Lifting) -> tuple[frozenset[str], frozenset[str]]:
     known = published()
     if not any(iri_value(term) in known for term in query.makes):
         return frozenset(), frozenset()
-    names = re.findall(rf"\b({query.format}|at):([\w.-]+)", query.update())
-    tags = frozenset(name for prefix, name in names if prefix == query.format)
-    return tags, frozenset(_COMPONENT.sub("", name) for prefix, name in names if prefix == "at")
+    tags = _local(f"{KINLINT}{query.format}#", query)
+    return tags, frozenset(_COMPONENT.sub("", each) for each in _local(ATTRIBUTE, query))
+
+
+def _local(namespace: str, query: Lifting) -> frozenset[str]:
+    """Return the local names of the terms of *namespace* that *query* matches."""
+    start = f"<{namespace}"
+    return frozenset(each[len(start) : -1] for each in words(query.where) if each.startswith(start))
 
 
 @cache

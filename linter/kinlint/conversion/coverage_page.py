@@ -7,7 +7,8 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from kinlint.conversion.coverage import FORMATS, Coverage, Reason, coverage
+from kinlint.conversion.coverage import Coverage, Reason, coverage
+from kinlint.engine.lifting import FORMATS
 from kinlint.resources import data
 
 PATH = "lifting/README.md"

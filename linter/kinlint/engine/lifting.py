@@ -1,4 +1,4 @@
-"""Makes composable models of XML formats, by the CONSTRUCT queries of `shapes/lifting`."""
+"""Lift XML formats to composable models, by the CONSTRUCT queries of `shapes/lifting`."""
 
 from __future__ import annotations
 
@@ -13,8 +13,12 @@ import pyoxigraph as ox
 from kinlint import resources
 from kinlint.document import LIFTED_AS
 from kinlint.engine.store import ASSERTED_GRAPH, Store
-from kinlint.engine.template import Made, needed, parsed, trimmed
+from kinlint.engine.template import Made, made_by, needed, trimmed
 from kinlint.errors import RuleInvalid
+from kinlint.sparql.ast import Group, render
+from kinlint.sparql.parser import parse_construct
+from kinlint.sparql.scope import words
+from kinlint.sparql.tokens import NotSparql
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value
 from kinlint.vocabulary import (
     ATTRIBUTE,
@@ -31,12 +35,7 @@ from kinlint.vocabulary import (
     URDF,
 )
 
-_PREFIX = re.compile(r"(?im)^\s*PREFIX\s+([\w.-]*):\s*<([^<>\s]*)>")
-_CONSTRUCT = re.compile(r"\bCONSTRUCT\s*\{")
-_NAME = re.compile(r"(?<![\w?$:<\"])([A-Za-z][\w.-]*):([A-Za-z_][\w-]*)")
-_VARIABLE = re.compile(r"\?\w+")
-_COMMENT = re.compile(r"(?m)^\s*#.*\n?")
-
+_IRI = re.compile(r"<[^<>]+>")
 _REL = f"{METAMODELS}geometry/spatial-relations#"
 _GEOM = f"{METAMODELS}geometry/structural-entities#"
 _COORD = f"{METAMODELS}geometry/coordinates#"
@@ -52,87 +51,75 @@ EVERYWHERE = frozenset(
 READ = (URDF, SDF, SRDF, ATTRIBUTE, EXTENSION, SRC)
 """The namespaces that queries match; a name of another one below the template is chosen for it."""
 
-
 FOUNDATION = frozenset({"bodies", "joints"})
 """Queries that make what everything else is about."""
 
 
 @dataclass(frozen=True, slots=True)
 class Lifting:
-    """One query: the `format` it reads, the triples and the terms it `makes`, and its text."""
+    """One query."""
 
     format: str
+    """The format that it reads."""
     name: str
+    """The name of its file."""
     made: tuple[Made, ...]
+    """The triples of its template."""
     makes: frozenset[Term]
-    prologue: str
-    where: str
+    """The properties and classes that it states, but for those that nodes of many kinds have."""
+    where: Group
+    """What it matches."""
 
     def serves(self, wanted: Collection[Term]) -> bool:
         """Whether it makes something of what is *wanted*."""
         return self.name in FOUNDATION or not self.makes.isdisjoint(wanted)
 
     def update(self, wanted: Collection[Term] | None = None) -> str:
-        """What stores all that it makes, or what of it has a property or class of the *wanted*."""
+        """Return what stores all that it makes, or what of it `part` returns for *wanted*."""
         made, where = self.part(wanted)
-        template = _text(made)
+        template = " ".join(f"{s} {p} {o} ." for s, p, o in made)
         return (
-            f"{self.prologue} INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
-            f"USING {ASSERTED_GRAPH} {where}"
+            f"INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
+            f"USING {ASSERTED_GRAPH} WHERE {render(where)}"
         )
 
-    def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], str]:
-        """What of its triples has a property or class of the *wanted*, and where from."""
+    def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], Group]:
+        """Return the triples that have a property or class of the *wanted*, and their WHERE."""
         if wanted is None:
             return self.made, self.where
         made = needed(self.made, wanted)
-        return made, trimmed(self.where, set(_VARIABLE.findall(_text(made))))
-
-    @property
-    def prefixes(self) -> dict[str, str]:
-        """The namespaces of its prefixes."""
-        return dict(_PREFIX.findall(self.prologue))
+        return made, trimmed(self.where, set[str]().union(*(each.variables for each in made)))
 
 
-def _text(made: Iterable[Made]) -> str:
-    return "".join([f"{s} {p} {o} .\n" for s, p, o, _ in made])
+FORMATS = ("urdf", "srdf", "sdf")
+"""The formats that are lifted."""
 
 
-@lru_cache(maxsize=1)
-def queries() -> tuple[Lifting, ...]:
-    """All lifting queries, by format and name."""
-    files = sorted(resources.data("shapes").glob("lifting/*/*.rq"))
-    return tuple(map(_read, files))
+@lru_cache(maxsize=len(FORMATS))
+def queries(form: str) -> tuple[Lifting, ...]:
+    """Return the lifting queries of the format *form*, by name."""
+    return tuple(map(_read, sorted(resources.data("shapes").glob(f"lifting/{form}/*.rq"))))
 
 
 def _read(file: Path) -> Lifting:
-    text = _COMMENT.sub("", file.read_text(encoding="utf-8"))
-    found = _CONSTRUCT.search(text)
-    close = text.find("}", found.end()) if found else -1
-    if found is None or close < 0:
-        raise RuleInvalid(f"{file}: not a CONSTRUCT query")
-    template = text[found.end() : close]
-    prefixes = dict(_PREFIX.findall(text))
-    made = tuple(parsed(template, prefixes))
-    domain = {p for p, namespace in prefixes.items() if not namespace.startswith(READ)}
-    chosen = [each for each in _NAME.findall(text[close:]) if each[0] in domain]
-    names = (each for each in (*_NAME.findall(template), *chosen) if each[0] in prefixes)
-    terms = (prefixes[prefix] + local for prefix, local in names)
-    named = {iri(term) for term in terms if not term.startswith((UNIT, QUANTITY_KIND))}
-    return Lifting(
-        format=file.parent.name,
-        name=file.stem,
-        made=made,
-        makes=frozenset(named - EVERYWHERE),
-        prologue=text[: found.start()],
-        where=text[close + 1 :],
-    )
+    try:
+        query = parse_construct(file.read_text(encoding="utf-8"))
+    except NotSparql as error:
+        raise RuleInvalid(f"{file}: {error}") from error
+    made = made_by(query.template)
+    stated = {term for each in made for term in (each.predicate, each.term) if term}
+    chosen = {
+        each
+        for each in words(query.group)
+        if _IRI.fullmatch(each) and not each[1:].startswith(READ)
+    }
+    named = {each for each in stated | chosen if not each[1:].startswith((UNIT, QUANTITY_KIND))}
+    return Lifting(file.parent.name, file.stem, made, frozenset(named - EVERYWHERE), query.group)
 
 
-@lru_cache(maxsize=1)
-def lifts() -> frozenset[Term]:
-    """All properties and classes that lifting may make."""
-    return EVERYWHERE.union(*(each.makes for each in queries()))
+def lifts(formats: Iterable[str]) -> frozenset[Term]:
+    """Return all properties and classes that lifting files of *formats* may make."""
+    return EVERYWHERE.union(*(each.makes for each in asked(formats)))
 
 
 def lift(
@@ -155,13 +142,8 @@ def lift(
 
 
 def asked(formats: Iterable[str], wanted: Collection[Term] | None = None) -> Iterator[Lifting]:
-    """The queries for *formats* that make something *wanted*; all if nothing says what is."""
+    """Yield the queries for *formats* that make something *wanted*; all if nothing says what is."""
     present = {LIFTED_AS.get(each, each) for each in formats}
-    if present & FORMATS:
-        for each in queries():
-            if each.format in present and (wanted is None or each.serves(wanted)):
-                yield each
-
-
-FORMATS = frozenset({"urdf", "sdf", "srdf"})
-"""The formats that are lifted."""
+    for form in FORMATS:
+        if form in present:
+            yield from (each for each in queries(form) if wanted is None or each.serves(wanted))

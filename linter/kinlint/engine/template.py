@@ -2,74 +2,67 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Collection
+from dataclasses import replace
 from typing import NamedTuple
 
 from kinlint.document import FROM
-from kinlint.terms import RDF_TYPE, Term, iri
-
-_WORD = re.compile(r'"[^"]*"\S*|[();,]|[^\s();,]+')
-_VARIABLE = re.compile(r"\?\w+")
-_OPENING = re.compile(r"\b(BIND) *\(|\b(OPTIONAL) *\{")
-_CLOSING = {"(": ")", "{": "}"}
-_BRACED = re.compile(r"\{[^{}]*\}")
-_NESTED = re.compile(r"\([^()]*\)")
+from kinlint.engine.required_terms import ANY_CLASS
+from kinlint.sparql.ast import Bind, Clause, Element, Group, Triples, Union
+from kinlint.sparql.patterns import template
+from kinlint.sparql.scope import variables, words
+from kinlint.sparql.tokens import is_variable
+from kinlint.terms import RDF_TYPE, Term
 
 
 class Made(NamedTuple):
-    """One triple of a template, an object that is a list included.
-
-    `term` is the property, or the class that the subject is said to be of; None for a class that
-    is worked out.
-    """
+    """One triple of a template; an object that is a list is one term, `( ?x ?y )`."""
 
     subject: str
     predicate: str
     object: str
-    term: Term | None
+
+    @property
+    def term(self) -> Term | None:
+        """The property, or the class that the subject is said to be of; None for a variable."""
+        named = self.object if self.predicate == RDF_TYPE else self.predicate
+        return None if is_variable(named) else named
+
+    @property
+    def items(self) -> tuple[str, ...] | None:
+        """The members of an object that is a list; None for one that is not."""
+        return tuple(self.object[1:-1].split()) if self.object[0] == "(" else None
+
+    @property
+    def variables(self) -> set[str]:
+        """The variables of the triple."""
+        terms = (self.subject, self.predicate, *(self.items or (self.object,)))
+        return set(filter(is_variable, terms))
 
 
-def parsed(template: str, prefixes: Mapping[str, str]) -> Iterator[Made]:
-    """The triples of *template*: subjects with `;` and `,`, full stops apart, and no brackets."""
-    subject = predicate = ""
-    words = iter(_WORD.findall(template))
-    for word in words:
-        if word in {".", ";"}:
-            subject, predicate = (subject if word == ";" else ""), ""
-        elif not subject:
-            subject = word
-        elif not predicate:
-            predicate = word
-        elif word != ",":
-            value = f"( {' '.join(iter(words.__next__, ')'))} )" if word == "(" else word
-            named = value if predicate == "a" else predicate
-            term = None if named.startswith("?") else _resolved(named, prefixes)
-            yield Made(subject, predicate, value, term)
-
-
-def _resolved(name: str, prefixes: Mapping[str, str]) -> Term:
-    if name == "a":
-        return RDF_TYPE
-    prefix, _, local = name.partition(":")
-    return iri(prefixes[prefix] + local)
+def made_by(triples: Triples) -> tuple[Made, ...]:
+    """Return the triples of a template."""
+    return tuple(Made(*each) for each in template(triples.tokens, lists=True))
 
 
 def needed(made: Collection[Made], wanted: Collection[Term]) -> list[Made]:
-    """What of *made* has a property or class of the *wanted*.
+    """Return those of *made* that have a property or class of the *wanted*.
 
-    With it comes what explanations say of these nodes: one class, and what they are made of.
+    With them come what explanations say of these nodes: one class, and what they are made of.
     """
     kept = {
         each
         for each in made
-        if each.term is None or each.term in wanted or (each.predicate == "a" and "a" in wanted)
+        if each.term is None
+        or each.term in wanted
+        or (each.predicate == RDF_TYPE and ANY_CLASS in wanted)
     }
     stated = {each.subject for each in kept}
-    named = stated.union(*(each.object.split() for each in kept))
+    named = stated.union(*(each.variables for each in kept))
     kinds: dict[str, Made] = {}
     for each in made:
-        if each.predicate == "a" and each.term is not None and each.subject in stated:
+        if each.predicate == RDF_TYPE and each.term is not None and each.subject in stated:
             known = kinds.get(each.subject)
             if known is None or (known.term is not None and each.term < known.term):
                 kinds[each.subject] = each
@@ -79,50 +72,48 @@ def needed(made: Collection[Made], wanted: Collection[Term]) -> list[Made]:
     return [each for each in made if each in kept]
 
 
-def trimmed(where: str, used: Collection[str]) -> str:
-    """*where*, the rest of a query, without what binds nothing but variables nobody looks at.
+def trimmed(group: Group, used: Collection[str]) -> Group:
+    """Return *group*, that of a query, without what binds only variables that nobody looks at.
 
     *used* are the variables that the template has. What is optional adds no solutions that
     differ in those, and neither does what is worked out.
     """
+    sure = {
+        name
+        for each in group.elements
+        if isinstance(each, Triples)
+        for name in each.tokens
+        if is_variable(name)
+    }
     while True:
-        for found in _OPENING.finditer(where):
-            end = _end(where, found.end() - 1)
-            rest = where[: found.start()] + where[end:]
-            idle = _binds_nothing if found[1] else _extends_nothing
-            if idle(where[found.end() : end], rest, used):
-                where = rest
-                break
+        named = Counter(filter(is_variable, words(group)))
+
+        def idle(part: Element, named: Counter[str] = named) -> bool:
+            if isinstance(part, Bind):
+                free = {part.variable}
+            elif isinstance(part, Clause) and part.head[0].upper() == "OPTIONAL":
+                free = variables(part) - sure
+            else:
+                return False
+            own = Counter(filter(is_variable, words(part)))
+            return all(name not in used and named[name] == own[name] for name in free)
+
+        smaller = _without(group, idle)
+        if smaller == group:
+            return group
+        group = smaller
+
+
+def _without(group: Group, idle: Callable[[Element], bool]) -> Group:
+    """Return *group* without the elements that are *idle*, those of groups within included."""
+    left: list[Element] = []
+    for each in group.elements:
+        if idle(each):
+            continue
+        if isinstance(each, Union):
+            left.append(Union(tuple(_without(branch, idle) for branch in each.branches)))
+        elif isinstance(each, Clause):
+            left.append(replace(each, group=_without(each.group, idle)))
         else:
-            return where
-
-
-def _end(text: str, at: int) -> int:
-    """Where the bracket that opens *at* is closed again."""
-    opening, depth = text[at], 0
-    for found in re.finditer(rf"[{opening}{_CLOSING[opening]}]", text[at:]):
-        depth += 1 if found[0] == opening else -1
-        if not depth:
-            return at + found.end()
-    return len(text)
-
-
-def _binds_nothing(bound: str, rest: str, used: Collection[str]) -> bool:
-    name = _VARIABLE.findall(bound)[-1]
-    return name not in used and name not in _VARIABLE.findall(rest)
-
-
-def _extends_nothing(optional: str, rest: str, used: Collection[str]) -> bool:
-    """Whether each variable is bound without what is *optional*, or looked at nowhere else."""
-    sure = set(_VARIABLE.findall(_flat(rest[rest.find("{") + 1 : rest.rfind("}")])))
-    elsewhere = {*_VARIABLE.findall(rest), *used}
-    return all(name in sure or name not in elsewhere for name in _VARIABLE.findall(optional))
-
-
-def _flat(text: str) -> str:
-    """*text* less all that stands in brackets."""
-    for pattern in (_BRACED, _NESTED):
-        before = None
-        while before != text:
-            before, text = text, pattern.sub(" ", text)
-    return text
+            left.append(each)
+    return Group(tuple(left))

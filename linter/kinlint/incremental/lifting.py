@@ -17,8 +17,8 @@ from kinlint.incremental.change import Changes, quads
 from kinlint.incremental.focus import Focus, TooMany
 from kinlint.incremental.reading import Reading, reading
 from kinlint.incremental.restriction import Restriction, restricted, restriction
-from kinlint.sparql.patterns import literal_token
-from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, iri_value
+from kinlint.sparql.ast import render
+from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
 
 Row: TypeAlias = tuple[Term | None, ...]
@@ -26,7 +26,6 @@ FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
 ASSERTED = ox.NamedNode(iri_value(ASSERTED_GRAPH))
 NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
 """An IRI that a query may hold; a file may use others, which a store takes."""
-_VARIABLE = re.compile(r"\?(\w+)")
 
 
 @dataclass
@@ -47,20 +46,16 @@ class Unit:
     def of(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
         """What makes all that *lifting* makes, or what of it is *kept*."""
         made, where = lifting.part(kept)
-        prefixes = lifting.prefixes
-        names = tuple(
-            dict.fromkeys(_VARIABLE.findall(" ".join(" ".join(each[:3]) for each in made)))
-        )
-        body = f"WHERE {where.strip().removeprefix('WHERE')}"
-        narrow = restriction(f"{lifting.prologue} SELECT * {body}") if names else None
+        used = set[str]().union(*(each.variables for each in made))
+        names = tuple(sorted(name[1:] for name in used))
+        body = f"WHERE {render(where)}"
+        narrow = restriction(f"SELECT * {body}") if names else None
         if narrow is not None:
             root = narrow.root[1:]
             names = (*(name for name in names if name != root), root)
         shown = " ".join(f"?{name}" for name in names) or "*"
-        select = f"{lifting.prologue} SELECT {shown} {body}"
-        template = [
-            (_word(s, prefixes), _word(p, prefixes), _object(o, prefixes)) for s, p, o, _ in made
-        ]
+        select = f"SELECT {shown} {body}"
+        template = [(each.subject, each.predicate, each.items or each.object) for each in made]
         return cls(select, names, template, reading(select), narrow)
 
 
@@ -166,18 +161,3 @@ def _triple(subject: Term | None, predicate: Term | None, value: Term | None) ->
 
 def _of(word: str, known: dict[str, Term | None]) -> Term | None:
     return known[word[1:]] if word[0] == "?" else word
-
-
-def _object(text: str, prefixes: dict[str, str]) -> tuple[str, ...] | str:
-    if text.startswith("("):
-        return tuple(_word(each, prefixes) for each in text[1:-1].split())
-    return _word(text, prefixes)
-
-
-def _word(text: str, prefixes: dict[str, str]) -> str:
-    if text[0] in '?<"':
-        return text
-    if text == "a":
-        return RDF_TYPE
-    prefix, colon, local = text.partition(":")
-    return iri(prefixes[prefix] + local) if colon else literal_token(text)
