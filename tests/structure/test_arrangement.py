@@ -7,26 +7,26 @@ from collections import Counter
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.kinematics.arrangement import Branch, arranged
+from kinlint.facts.arrangement import Edge, arranged
 
 ends = st.one_of(st.none(), st.integers(0, 12).map(str))
-branches = st.lists(st.tuples(ends, ends, st.booleans()), max_size=20)
+edges = st.lists(st.tuples(ends, ends, st.booleans()), max_size=20)
 
 
-@given(branches)
+@given(edges)
 def test_every_graph_becomes_a_forest(pairs: list[tuple[str | None, str | None, bool]]) -> None:
     made = [
-        Branch(f"j{index}", parent, child, (), directed)
+        Edge(f"j{index}", parent, child, (), directed)
         for index, (parent, child, directed) in enumerate(pairs)
     ]
     bodies = tuple(dict.fromkeys(end for each in made for end in each.ends))
     found = arranged(bodies, made)
-    assert [each.joint for each in found.branches] == [each.joint for each in made]
-    for before, after in zip(made, found.branches, strict=True):
+    assert [each.joint for each in found.edges] == [each.joint for each in made]
+    for before, after in zip(made, found.edges, strict=True):
         assert set(after.ends) == set(before.ends)
         if before.directed:
             assert (after.parent, after.child) == (before.parent, before.child)
-    carried = [each for each in found.branches if not each.closes and each.child is not None]
+    carried = [each for each in found.edges if not each.closes and each.child is not None]
     assert set(found.roots).isdisjoint(each.child for each in carried)
     reached = set(found.roots)
     reached.update(each.child for each in carried if each.parent is None and each.child)
@@ -35,14 +35,14 @@ def test_every_graph_becomes_a_forest(pairs: list[tuple[str | None, str | None, 
     assert reached == set(bodies)
 
 
-@given(branches)
+@given(edges)
 def test_no_directed_joints_carry_a_body_twice(
     pairs: list[tuple[str | None, str | None, bool]],
 ) -> None:
     made = [
-        Branch(f"j{i}", parent, child, directed=True) for i, (parent, child, _) in enumerate(pairs)
+        Edge(f"j{i}", parent, child, directed=True) for i, (parent, child, _) in enumerate(pairs)
     ]
     bodies = tuple(dict.fromkeys(end for each in made for end in each.ends))
-    open_ = [each for each in arranged(bodies, made).branches if not each.closes]
+    open_ = [each for each in arranged(bodies, made).edges if not each.closes]
     counts = Counter(each.child for each in open_ if each.child is not None)
     assert all(count == 1 for count in counts.values())

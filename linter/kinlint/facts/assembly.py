@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
-from kinlint.addresses import lifted
 from kinlint.facts.companion import Companions
 from kinlint.facts.component import joined_by
 from kinlint.facts.forest import Roots
@@ -69,8 +68,7 @@ class Assemblies:
     @cached_property
     def _still(self) -> frozenset[Term]:
         """The assemblies that hold the root of a tree: nothing in the file moves them."""
-        roots = self.trees.roots.values()
-        return frozenset(self.of(lifted(link)) for links in roots for link in links)
+        return frozenset(map(self.of, self.trees.bases))
 
     @cached_property
     def _weighed(self) -> frozenset[Term]:
@@ -97,6 +95,7 @@ class Assemblies:
     def _bare(self) -> Iterator[Triple]:
         """The bodies that a joint of a tree moves, where nothing fixed to them has an inertia."""
         excused = self._weighed | self._still
-        for link, edge in self.trees.above.items():
-            if edge.kind in MOVING and self.of(lifted(link)) not in excused:
-                yield lifted(link), fact("moved-by"), lifted(edge.joint)
+        for body, edge in self.trees.above.items():
+            kind = self.trees.mechanism.kind(edge.joint)
+            if kind in MOVING and self.of(body) not in excused:
+                yield body, fact("moved-by"), edge.joint

@@ -7,14 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import count
 
 from kinlint.facts.forest import Roots
-from kinlint.facts.names import chain, kin
+from kinlint.facts.mechanism import ATTACHMENTS, ON_BODY
+from kinlint.facts.names import chain
 from kinlint.facts.scan import Place, Scan
 from kinlint.facts.statement import DERIVED_FROM, MEMBER, fact, fact_node, integer
 from kinlint.terms import Term, Triple
 
 JOINTS = chain("joints")
-ATTACHMENTS = chain("between-attachments")
-ON_BODY = kin("on-body")
 
 
 def components(scan: Scan) -> Iterator[Triple]:

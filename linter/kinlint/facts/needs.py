@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from kinlint.facts.mechanism import DIRECTED
 from kinlint.facts.names import (
     AS_SEEN_BY,
     COORDINATE_OF,
@@ -37,6 +38,7 @@ INERTIAS = (*TENSORS, *MASSES, *ABOUT)
 FIRST_MOMENT = inertia("first-moment-of-mass")
 ON_BODY = kin("on-body")
 WELDS = (kin("FixedJoint"), chain("between-attachments"), ON_BODY)
+TREES = (geom("RigidBody"), chain("Joint"), *DIRECTED)
 RANGES = (*map(kin, ("JointPositionLimit", "of-joint", "lower", "upper")), *UNITS)
 BOUNDS = (
     *map(kin, ("ActuatorForceLimit", "ActuatorVelocityLimit", "ActuatorAccelerationLimit")),
@@ -81,7 +83,7 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     ),
     "mass": (*MASSES, *TENSORS),
     **dict.fromkeys(
-        ("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS, kin("MassProperty"))
+        ("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS, *TREES, kin("MassProperty"))
     ),
     **dict.fromkeys(
         ("extent", "least-density", "greatest-density", "shared-with", "shapes"),
@@ -93,7 +95,11 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     ),
     "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, chain("Joint")),
     **dict.fromkeys(("twin", "unlike-siblings"), (*INERTIAS, *RANGES, *BOUNDS)),
-    **dict.fromkeys(("comprises", "moves", "joints", "between", "resembles"), REFERENCES),
+    **dict.fromkeys(("comprises", "moves", "joints", "between"), (*REFERENCES, *TREES)),
+    "resembles": REFERENCES,
+    **dict.fromkeys(
+        ("root", "root-beside", "claimed-by", "circle", "unresolved", "near-name", "links"), TREES
+    ),
     "leads-back-to": (kin("leader"), kin("follower"), *REFERENCES),
     **dict.fromkeys(("component", "undecided"), (chain("joints"), *WELDS)),
     **{name: (kin(name), *UNITS) for name in ("lower", "upper", "offset")},

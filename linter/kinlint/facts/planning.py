@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 
+from kinlint.facts.arrangement import Edge
 from kinlint.facts.circle import parts
 from kinlint.facts.names import attribute, reference, srdf, urdf
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact, integer
 from kinlint.facts.strong import strong_components
-from kinlint.facts.tree import Edge, Trees
+from kinlint.facts.tree import Trees
 from kinlint.terms import Term, Triple, iri, is_iri, literal
 from kinlint.vocabulary import SRC
 
@@ -71,7 +73,7 @@ class Planning:
 
     def _carrier(self, link: Term) -> Term:
         """The joint that carries *link*: a virtual one where nothing else does."""
-        edge = self.trees.above.get(link)
+        edge = self._above.get(link)
         return edge.joint if edge is not None else self._virtual.get(link, "")
 
     @cached_property
@@ -82,7 +84,24 @@ class Planning:
 
     @cached_property
     def _edges(self) -> dict[Term, Edge]:
-        return {edge.joint: edge for edges in self.trees.robots.values() for edge in edges}
+        """The joints, with the links at their ends, as elements."""
+        found: dict[Term, Edge] = {}
+        for edges in self.trees.robots.values():
+            for edge in edges:
+                joint = self._element(edge.joint) or edge.joint
+                ends = self._element(edge.parent), self._element(edge.child)
+                found[joint] = replace(edge, joint=joint, parent=ends[0], child=ends[1])
+        return found
+
+    @cached_property
+    def _above(self) -> Mapping[Term, Edge]:
+        """The joint that carries each link, as elements."""
+        carrying = (self._element(edge.joint) for edge in self.trees.above.values())
+        found = (self._edges[joint] for joint in carrying if joint is not None)
+        return {edge.child: edge for edge in found if edge.child is not None}
+
+    def _element(self, node: Term | None) -> Term | None:
+        return None if node is None else self.trees.mechanism.element(node)
 
     def _ends(self, element: Term, *names: str) -> tuple[Term | None, Term | None]:
         one, other = names or ("base_link", "tip_link")
@@ -100,7 +119,7 @@ class Planning:
         found: dict[Term, Edge | None] = {}
         at: Term | None = link
         while at is not None and at not in found:
-            found[at] = edge = self.trees.above.get(at)
+            found[at] = edge = self._above.get(at)
             at = edge.parent if edge is not None else None
         return found
 

@@ -14,6 +14,7 @@ from kinlint.facts.geometry import Geometries
 from kinlint.facts.identifier import Identifiers
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.likeness import Twins
+from kinlint.facts.mechanism import Mechanism
 from kinlint.facts.planning import Planning
 from kinlint.facts.quantity import Quantities
 from kinlint.facts.relation import Relations
@@ -93,9 +94,14 @@ class Workings:
         return Agreements(self.relations, self.attitudes, self.inertias)
 
     @cached_property
+    def mechanism(self) -> Mechanism:
+        """Bodies and joints."""
+        return Mechanism(self.scan.part("mechanism"))
+
+    @cached_property
     def trees(self) -> Trees:
-        """The links and joints of URDF files."""
-        return Trees(self.scan.part("trees"))
+        """The links and joints of files that tell parent from child."""
+        return Trees(self.scan.part("trees", "mechanism"), self.mechanism)
 
     @cached_property
     def assemblies(self) -> Assemblies:

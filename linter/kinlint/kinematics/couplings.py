@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from kinlint.facts.mechanism import named
 from kinlint.facts.names import kin
 from kinlint.facts.scan import Scan
 from kinlint.findings.locator import Locator
-from kinlint.kinematics.mechanics import named
 from kinlint.kinematics.numbers import Numbers
 from kinlint.structure import Coupling
 from kinlint.terms import Term

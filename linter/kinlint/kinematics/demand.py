@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from kinlint.facts.mechanism import BODY, DIRECTED, FRAME, JOINT, KINDS
 from kinlint.facts.names import chain, geom, kin
-from kinlint.kinematics.mechanics import BODY, FRAME, JOINT, KINDS
 from kinlint.kinematics.numbers import NEEDED
 
 ASKED = frozenset(
     {
+        *DIRECTED,
         *(BODY, JOINT, FRAME, geom("simplices"), kin("on-body"), kin("JointCoupling")),
         *(chain("between-attachments"), chain("joints"), kin("leader"), kin("follower")),
         *(kin("multiplier"), kin("TwoAxisJoint"), *(kind for kind, _ in KINDS), *NEEDED),

@@ -9,16 +9,16 @@ from functools import cached_property
 from kinlint.addresses import element_of, is_address, last_tag
 from kinlint.document import Document
 from kinlint.engine.store import Store
+from kinlint.facts.arrangement import Edge, arranged
+from kinlint.facts.mechanism import Mechanism, model_of, named
 from kinlint.facts.names import attribute
 from kinlint.facts.scan import Scan
 from kinlint.findings.locator import Locator
-from kinlint.kinematics.arrangement import Branch, arranged
 from kinlint.kinematics.couplings import Couplings
-from kinlint.kinematics.mechanics import Mechanics, named
 from kinlint.kinematics.naming import Names, element_name
 from kinlint.kinematics.numbers import Numbers
 from kinlint.kinematics.owners import Owners
-from kinlint.kinematics.robots import Robots, model_of
+from kinlint.kinematics.robots import Robots
 from kinlint.model import Finding
 from kinlint.structure import Frame, Joint, Link, Structure
 from kinlint.terms import Term, literal_value
@@ -44,36 +44,34 @@ class Extraction:
         self.findings = findings
         self.scan = Scan(store)
         self.locator = Locator(documents, store)
-        self.mechanics = Mechanics(self.scan)
-        self.numbers = Numbers(self.scan, self.mechanics)
+        self.mechanism = Mechanism(self.scan)
+        self.numbers = Numbers(self.scan, self.mechanism)
         self.names = Names(self.locator)
         self.couplings = Couplings(self.scan, self.locator, self.numbers)
-        self.trees = arranged(self.mechanics.bodies, self.mechanics.branches)
+        self.trees = arranged(self.mechanism.bodies, self.mechanism.edges)
         self.roots = frozenset(self.trees.roots)
 
     def structures(self) -> tuple[Structure, ...]:
         """All robots; each knows the owners of all that the findings are about and that is its."""
-        robots = Robots(self.scan, self.mechanics, self.trees.branches)
+        robots = Robots(self.scan, self.mechanism, self.trees.edges)
         chains: dict[Term, list[Term]] = {}
         for chain, joints in robots.chains.items():
             for joint in joints:
                 chains.setdefault(joint, []).append(chain)
-        return tuple(
-            self._structure(bodies, branches, chains) for bodies, branches in robots.groups()
-        )
+        return tuple(self._structure(bodies, edges, chains) for bodies, edges in robots.groups())
 
     def _structure(
         self,
         bodies: Sequence[Term],
-        branches: Sequence[Branch],
+        edges: Sequence[Edge],
         chains: Mapping[Term, Sequence[Term]],
     ) -> Structure:
-        joints = [each.joint for each in branches]
+        joints = [each.joint for each in edges]
         parts = (*bodies, *joints)
         own = Counter(chain for joint in joints for chain in chains.get(joint, ()))
         names = self.names.of(parts)
         links = tuple(self._link(body, names[body]) for body in bodies)
-        made = tuple(self._joint(each, names[each.joint]) for each in branches)
+        made = tuple(self._joint(each, names[each.joint]) for each in edges)
         places = [*(link.location for link in links), *(joint.location for joint in made)]
         roots = [body for body in bodies if body in self.roots]
         whole = self._whole((*roots, *parts), next(iter(own.most_common(1)), None), len(joints))
@@ -98,7 +96,7 @@ class Extraction:
         models = {model_of(part) for part in parts if is_address(part)}
         if models:
             inner = {each for each in models if last_tag(each) == "model"}
-            return min(inner or models, key=self.mechanics.place)
+            return min(inner or models, key=self.mechanism.place)
         return longest[0] if longest is not None and longest[1] == joints else parts[0]
 
     def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
@@ -110,8 +108,8 @@ class Extraction:
     @cached_property
     def _owned(self) -> Mapping[Term, list[Term]]:
         """What findings are about, by the part that it belongs to."""
-        parts = {*self.mechanics.bodies, *self.mechanics.joints}
-        owners = Owners(self.store, parts, frozenset(self.mechanics.joints)).of(self.findings)
+        parts = {*self.mechanism.bodies, *self.mechanism.joints}
+        owners = Owners(self.store, parts, frozenset(self.mechanism.joints)).of(self.findings)
         found: dict[Term, list[Term]] = {}
         for focus, part in owners.items():
             found.setdefault(part, []).append(focus)
@@ -119,10 +117,10 @@ class Extraction:
 
     @cached_property
     def _described(self) -> frozenset[Term]:
-        return frozenset(self.mechanics.described)
+        return frozenset(self.mechanism.described)
 
     def _link(self, body: Term, name: str) -> Link:
-        frames = self.mechanics.frames.get(body, ())
+        frames = self.mechanism.frames.get(body, ())
         titles = self.names.of(frames)
         return Link(
             iri=named(body),
@@ -136,18 +134,18 @@ class Extraction:
             absent=body not in self._described,
         )
 
-    def _joint(self, branch: Branch, name: str) -> Joint:
-        joint = branch.joint
+    def _joint(self, edge: Edge, name: str) -> Joint:
+        joint = edge.joint
         lower, upper = self.numbers.limits(joint)
         return Joint(
             iri=named(joint),
             name=name,
-            kind=self.mechanics.kind(joint),
-            parent=branch.parent and named(branch.parent),
-            child=branch.child and named(branch.child),
-            others=tuple(map(named, branch.others)),
-            closes=branch.closes,
-            origin=self.numbers.origin(branch),
+            kind=self.mechanism.kind(joint),
+            parent=edge.parent and named(edge.parent),
+            child=edge.child and named(edge.child),
+            others=tuple(map(named, edge.others)),
+            closes=edge.closes,
+            origin=self.numbers.origin(edge),
             axis=self.numbers.axis(joint),
             lower=lower,
             upper=upper,

@@ -6,7 +6,9 @@ import math
 from collections.abc import Mapping
 from functools import cached_property
 
+from kinlint.facts.arrangement import Edge
 from kinlint.facts.linear import Matrix, Vector
+from kinlint.facts.mechanism import Mechanism
 from kinlint.facts.names import geom, kin
 from kinlint.facts.needs import RANGES, RELATIONS
 from kinlint.facts.placement import Placements
@@ -15,8 +17,6 @@ from kinlint.facts.relation import Relations, Shift, Turn
 from kinlint.facts.rotation import LOCKED, Rotations
 from kinlint.facts.scan import Scan
 from kinlint.facts.units import Units
-from kinlint.kinematics.arrangement import Branch
-from kinlint.kinematics.mechanics import Mechanics
 from kinlint.structure import Origin
 from kinlint.terms import Term, literal
 
@@ -31,9 +31,9 @@ NEEDED = (*RELATIONS, *RANGES, DIRECTION, *BASIS)
 class Numbers:
     """The numbers of a closed model, in SI, by joint."""
 
-    def __init__(self, scan: Scan, mechanics: Mechanics) -> None:
+    def __init__(self, scan: Scan, mechanism: Mechanism) -> None:
         self.scan = scan
-        self.mechanics = mechanics
+        self.mechanism = mechanism
         self.units = Units(scan)
         quantities = Quantities(scan, self.units)
         self.angles = tuple(quantities.angles[name] for name in ("alpha", "beta", "gamma"))
@@ -53,18 +53,18 @@ class Numbers:
             found.setdefault(each.of, []).append(each)
         return found
 
-    def origin(self, branch: Branch) -> Origin | None:
+    def origin(self, edge: Edge) -> Origin | None:
         """Where the joint is on its parent, as far as one relation to a frame there says it."""
-        near = self.mechanics.near(branch.joint, branch.parent) if branch.parent else None
+        near = self.mechanism.near(edge.joint, edge.parent) if edge.parent else None
         if near is None:
             return None
-        carrier = self.mechanics.carrier
+        carrier = self.mechanism.carrier
         xyz = next(
             (
                 each.vector
                 for each in self._shifts.get(self.relations.point(near), ())
-                if carrier.get(self.relations.base[each.relation]) == branch.parent
-                and carrier.get(each.seen_by) == branch.parent
+                if carrier.get(self.relations.base[each.relation]) == edge.parent
+                and carrier.get(each.seen_by) == edge.parent
             ),
             None,
         )
@@ -72,7 +72,7 @@ class Numbers:
             (
                 self._written(each.source) or roll_pitch_yaw(each.matrix)
                 for each in self._turns.get(self.relations.axes(near), ())
-                if carrier.get(each.base) == branch.parent
+                if carrier.get(each.base) == edge.parent
             ),
             None,
         )
@@ -95,7 +95,7 @@ class Numbers:
         if (written := self._placements.axes.get(joint)) is not None:
             return written
         direction = self.scan.single(DIRECTION).get(joint)
-        for frame in self.mechanics.attachments(joint):
+        for frame in self.mechanism.attachments(joint):
             for basis, unit in zip(BASIS, UNITS, strict=True):
                 if direction is not None and self.scan.single(basis).get(frame) == direction:
                     return unit

@@ -6,11 +6,12 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from kinlint.facts.strong import strong_components
 from kinlint.terms import Term
 
 
 @dataclass(frozen=True, slots=True)
-class Branch:
+class Edge:
     """A joint with the bodies at its ends, None where none is said.
 
     `directed` tells that the file says which is the parent; otherwise they come as written.
@@ -32,19 +33,19 @@ class Branch:
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Branches in the order in which they were given, and the bodies that trees begin with."""
+    """Edges in the order in which they were given, and the bodies that trees begin with."""
 
-    branches: Sequence[Branch] = ()
+    edges: Sequence[Edge] = ()
     roots: Sequence[Term] = field(default=())
 
 
-def arranged(bodies: Sequence[Term], branches: Sequence[Branch]) -> Arrangement:
-    """The trees that *branches* make of *bodies*, which have all their ends; both in text order.
+def arranged(bodies: Sequence[Term], edges: Sequence[Edge]) -> Arrangement:
+    """The trees that *edges* make of *bodies*, which have all their ends; both in text order.
 
     Takes time linear in both.
     """
-    directed = [each for each in branches if each.directed]
-    loose = [each for each in branches if not each.directed]
+    directed = [each for each in edges if each.directed]
+    loose = [each for each in edges if not each.directed]
     held = {end for each in directed for end in each.ends}
     reached = {end for each in loose for end in each.ends} - held
     told = [body for body in bodies if body not in reached]
@@ -53,59 +54,51 @@ def arranged(bodies: Sequence[Term], branches: Sequence[Branch]) -> Arrangement:
     done = {each.joint: each for each in (*found, *spread)}
     first = {*roots, *(body for body in starts if body not in held)}
     return Arrangement(
-        [done[each.joint] for each in branches], [body for body in bodies if body in first]
+        [done[each.joint] for each in edges], [body for body in bodies if body in first]
     )
 
 
-def _followed(
-    bodies: Sequence[Term], branches: Sequence[Branch]
-) -> tuple[list[Branch], list[Term]]:
+def _followed(bodies: Sequence[Term], edges: Sequence[Edge]) -> tuple[list[Edge], list[Term]]:
     """The trees by what files say of parents: the first joint that claims a body carries it.
 
     Where that leads round in a circle, its first body is a root.
     """
-    carrier: dict[Term, Branch] = {}
-    for each in branches:
+    carrier: dict[Term, Edge] = {}
+    for each in edges:
         if each.child is not None and each.child != each.parent:
             carrier.setdefault(each.child, each)
     for root in list(_circles(bodies, carrier)):
         del carrier[root]
-    closing = (each.child is not None and carrier.get(each.child) is not each for each in branches)
-    found = [replace(each, closes=is_) for each, is_ in zip(branches, closing, strict=True)]
+    closing = (each.child is not None and carrier.get(each.child) is not each for each in edges)
+    found = [replace(each, closes=is_) for each, is_ in zip(edges, closing, strict=True)]
     return found, [body for body in bodies if body not in carrier]
 
 
-def _circles(bodies: Sequence[Term], carrier: Mapping[Term, Branch]) -> Iterator[Term]:
+def _circles(bodies: Sequence[Term], carrier: Mapping[Term, Edge]) -> Iterator[Term]:
     """The first body of each circle."""
     place = {body: index for index, body in enumerate(bodies)}
-    done: set[Term] = set()
-    for body in bodies:
-        way: dict[Term, None] = {}
-        at: Term | None = body
-        while at is not None and at not in done and at not in way:
-            way[at] = None
-            above = carrier.get(at)
-            at = above.parent if above is not None else None
-        if at is not None and at in way:
-            circle = list(way)[list(way).index(at) :]
+    above = {
+        body: [edge.parent] if edge.parent is not None else [] for body, edge in carrier.items()
+    }
+    for circle in strong_components(above):
+        if len(circle) > 1:
             yield min(circle, key=lambda each: place.get(each, len(place)))
-        done.update(way)
 
 
 def _spread(
-    bodies: Sequence[Term], branches: Sequence[Branch], held: Iterable[Term]
-) -> tuple[list[Branch], list[Term]]:
+    bodies: Sequence[Term], edges: Sequence[Edge], held: Iterable[Term]
+) -> tuple[list[Edge], list[Term]]:
     """Trees that spread from one body of each connected piece, the first that is nobody's child.
 
     From those *held* by other trees, if the piece has one.
     """
-    near: dict[Term, list[Branch]] = {}
-    for each in branches:
+    near: dict[Term, list[Edge]] = {}
+    for each in edges:
         for end in each.ends:
             near.setdefault(end, []).append(each)
-    children = {end for each in branches for end in (each.child, *each.others)}
+    children = {end for each in edges for end in (each.child, *each.others)}
     fitting = [body for body in bodies if body not in children]
-    done: dict[Term, Branch] = {}
+    done: dict[Term, Edge] = {}
     starts = [body for body in held if body in near]
     seen = set(starts)
     for start in starts:
@@ -115,13 +108,13 @@ def _spread(
             starts.append(start)
             seen.add(start)
             _grow(start, near, seen, done)
-    for each in branches:
+    for each in edges:
         done.setdefault(each.joint, each)
     return list(done.values()), starts
 
 
 def _grow(
-    start: Term, near: Mapping[Term, Sequence[Branch]], seen: set[Term], done: dict[Term, Branch]
+    start: Term, near: Mapping[Term, Sequence[Edge]], seen: set[Term], done: dict[Term, Edge]
 ) -> None:
     """Let a tree grow from *start* to all that it reaches, nearest first."""
     waiting = deque([start])

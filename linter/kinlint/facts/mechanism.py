@@ -1,25 +1,25 @@
-"""Bodies and joints of a model: who is fixed to whom, and which body carries each joint."""
+"""Bodies and joints of a closed model: what each joint joins, and which body carries which."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from kinlint.addresses import is_address, sibling
+from kinlint.addresses import lifted_at, split, steps
 from kinlint.document import FROM, TREES
-from kinlint.facts.component import ATTACHMENTS, ON_BODY
-from kinlint.facts.names import attribute, chain, geom, kin, sdf
+from kinlint.facts.arrangement import Edge
+from kinlint.facts.names import attribute, chain, geom, kin
 from kinlint.facts.scan import Place, Scan
-from kinlint.kinematics.arrangement import Branch
-from kinlint.terms import Term, iri, is_iri, literal_value
-from kinlint.vocabulary import SRC
+from kinlint.terms import Term, iri_value, is_iri, literal_value
 
 BODY, JOINT, FRAME = geom("RigidBody"), chain("Joint"), geom("Frame")
 LISTS = geom("simplices")
+ON_BODY = kin("on-body")
+ATTACHMENTS = chain("between-attachments")
+SIDES = tuple((kin(f"{side}-attachment"), kin(f"{side}-body")) for side in ("parent", "child"))
+"""The properties of a lifted joint that tell parent from child: the attachment, and its body."""
+DIRECTED = tuple(term for side in SIDES for term in side)
 TYPE = attribute("type")
-TEXT = iri(f"{SRC}text")
-FRAME_OF = "/frame>"
-"""How the address of the frame ends that an element has, behind that of the element."""
 
 KINDS = tuple(
     (kin(f"{name}Joint") if name != "Revolute" else chain("RevoluteJoint"), name.lower())
@@ -32,7 +32,7 @@ KINDS = tuple(
 TWO_AXES = (kin("TwoAxisJoint"), "two-axis")
 
 
-class Mechanics:
+class Mechanism:
     """What is joined in a closed model; bodies and joints come in the order of the text."""
 
     def __init__(self, scan: Scan) -> None:
@@ -79,25 +79,31 @@ class Mechanics:
         return found
 
     @cached_property
-    def branches(self) -> Sequence[Branch]:
+    def edges(self) -> Sequence[Edge]:
         """Each joint with the bodies that it joins; what is attached to nothing is a body."""
-        return list(map(self._branch, self.joints))
+        return list(map(self._edge, self.joints))
 
     @cached_property
     def bodies(self) -> Sequence[Term]:
         """All bodies, those that only joints speak of behind those that are described."""
-        ends = (end for each in self.branches for end in each.ends)
+        ends = (end for each in self.edges for end in each.ends)
         return tuple(dict.fromkeys((*self.described, *ends)))
 
     def near(self, joint: Term, body: Term | None) -> Term | None:
         """The attachment of *joint* on *body*."""
-        return next((end for end in self.attachments(joint) if self._on(end) == body), None)
+        ends = self.attachments(joint)
+        return next((end for end in ends if self._on(joint, end) == body), None)
 
     def attachments(self, joint: Term) -> Sequence[Term]:
         """What *joint* is between, as written: that of the parent first, if one is said to be."""
         ends = self.scan.table(ATTACHMENTS).of(joint)
-        own = f"{joint[:-1]}{FRAME_OF}"
+        own = self._sides[0][0].get(joint)
         return sorted(ends, key=lambda end: (end != own, self._written.get((joint, end), 0), end))
+
+    @cached_property
+    def _sides(self) -> Sequence[tuple[Mapping[Term, Term], Mapping[Term, Term]]]:
+        """The attachment and the body of each joint at its parent, and at its child."""
+        return [(self.scan.single(end), self.scan.single(body)) for end, body in SIDES]
 
     @cached_property
     def _written(self) -> Mapping[tuple[Term, Term], int]:
@@ -111,42 +117,23 @@ class Mechanics:
         )
         return {pair: index for index, pair in enumerate(said)}
 
-    def _branch(self, joint: Term) -> Branch:
-        ends = [self._on(end) for end in self.attachments(joint)]
-        if self.element(joint) is None:
-            known = [end for end in ends if end is not None]
-            first, second = (known[at] if len(known) > at else None for at in range(2))
-            return Branch(joint, first, second, tuple(known[2:]))
-        own = f"{joint[:-1]}{FRAME_OF}"
-        parent = self._on(own) or self._named(joint, "parent")
-        child = next((self._on(end) for end in self.attachments(joint) if end != own), None)
-        return Branch(joint, parent, child or self._named(joint, "child"), directed=True)
+    def _edge(self, joint: Term) -> Edge:
+        if self.element(joint) is not None:
+            parent, child = (bodies.get(joint) for _, bodies in self._sides)
+            return Edge(joint, parent, child, directed=True)
+        ends = [self._on(joint, end) for end in self.attachments(joint)]
+        known = [end for end in ends if end is not None]
+        first, second = (known[at] if len(known) > at else None for at in range(2))
+        return Edge(joint, first, second, tuple(known[2:]))
 
-    def _on(self, attachment: Term) -> Term | None:
+    def _on(self, joint: Term, attachment: Term) -> Term | None:
         """The body that *attachment* is on, or what stands for the one that is not there."""
         if (body := self.carrier.get(attachment)) is not None:
             return body
-        if attachment in self._bodies or not is_address(attachment):
-            return attachment
-        owner = f"{attachment.removesuffix(FRAME_OF)}>"
-        return owner if attachment.endswith(FRAME_OF) and owner not in self._known_joints else None
-
-    @cached_property
-    def _bodies(self) -> frozenset[Term]:
-        return self.scan.instances(BODY)
-
-    @cached_property
-    def _known_joints(self) -> frozenset[Term]:
-        return frozenset(self.joints)
-
-    def _named(self, joint: Term, side: str) -> Term | None:
-        """What an SDF joint calls its parent or child, where nothing bears that name."""
-        element = self.element(joint)
-        assert element is not None
-        for said in self.scan.table(sdf(side)).of(element):
-            for text in self.scan.table(TEXT).of(said):
-                return sibling(joint, "link", literal_value(text).strip())
-        return None
+        for ends, bodies in self._sides:
+            if ends.get(joint) == attachment:
+                return bodies.get(joint)
+        return attachment
 
     def kind(self, joint: Term) -> str:
         """What kind of joint it is, as its file says, or by its class; nothing if neither does."""
@@ -162,3 +149,15 @@ class Mechanics:
 def named(node: Term) -> str:
     """The IRI of *node*, or its label if it has none."""
     return node[1:-1] if is_iri(node) else node
+
+
+def model_of(part: Term) -> Term:
+    """The robot or the outermost model that an element's *part* is in, by its address."""
+    way: list[str] = []
+    kinds = ["world", "model"]
+    for tag, name in steps(split(iri_value(part))[1], tuple(kinds)):
+        if not name or tag not in kinds:
+            break
+        del kinds[: kinds.index(tag) + 1]
+        way += (tag, name)
+    return lifted_at(part, "/".join(way))
