@@ -175,6 +175,17 @@ def test_what_cannot_be_silenced_is_told(kinlint, write):
     assert "SRC019 at bad.urdf:1:32 is not silenced: it would be found all the same" in err
 
 
+def test_what_can_be_silenced_is_although_something_cannot(kinlint, arm, write):
+    """Suppressions in one model are tried together, and apart where they do not hold."""
+    path = write("bad.urdf", "<robot name='arm'><link name='l'></robot>")
+    before = path.read_bytes()
+    code, _, err = kinlint("--add-ignore=a slip", "--select", "LIM001,FRM009,SRC019")
+    assert (code, path.read_bytes()) == (1, before)
+    assert "2 findings silenced" in err
+    assert "SRC019 at bad.urdf:1:34 is not silenced: it would be found all the same" in err
+    assert arm.read_bytes().decode() == IGNORED
+
+
 def test_standard_input_comes_out_with_suppressions(kinlint, here, capsys, monkeypatch):
     """The text on standard output, the report aside."""
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(ARM.encode())))

@@ -11,7 +11,7 @@ from kinlint.cli import fix_files
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
 from kinlint.files.discovery import Input
-from kinlint.fixes import reach
+from kinlint.fixes import writable
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.decoding import decode
 from kinlint.model import Applicability
@@ -212,7 +212,7 @@ def test_installed_files_stay(here, limits, monkeypatch):
     put(arm__xacro=ROBOT.format(included="install/macros.xacro"))
     put(**{"install/macros__xacro": MACROS})
     assert fix(limits, "arm.xacro")[1] == []
-    monkeypatch.setattr(reach, "SYSTEM", (here / "ros",))
+    monkeypatch.setattr(writable, "SYSTEM", (here / "ros",))
     put(**{"arm__xacro": ROBOT.format(included="ros/macros.xacro"), "ros/macros__xacro": MACROS})
     assert fix(limits, "arm.xacro")[1] == []
 

@@ -6,7 +6,7 @@ from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.edits import Edit, Unsayable, applied
 from kinlint.fixes.texts import Texts
-from kinlint.ignoring.proposal import Desk
+from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.lint import examine
 from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.text import SourceText, Span
@@ -32,10 +32,10 @@ def silenced(rules_cache):
         sources = [SourceText(name, text)]
         book = rulebook.load(cache=rules_cache)
         found = examine(sources, [], Settings(), book)
-        desk = Desk(found, Texts(sources), Settings(), reason)
+        generator = SuppressionGenerator(found, Texts(sources), Settings(), book, reason=reason)
         findings = [one for one in found.report.findings if one.rule.code == code]
         assert findings
-        edits = [edit for one in findings for edit in desk.edits(one)]
+        edits = [edit for one in findings for edit in generator.suppression([one]).text_edits]
         assert all(edit.location.source is sources[0] for edit in edits)
         return applied(text, [Edit(edit.location.span, edit.text) for edit in edits])
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from argparse import Namespace
 from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli import fix_files
@@ -12,8 +14,9 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.discovery import Found
 from kinlint.fixes.offers import Sieve
-from kinlint.fixes.rounds import Mended
-from kinlint.ignoring.ignoring import Ignored, ignored
+from kinlint.fixes.rounds import Mended, mended
+from kinlint.ignoring.suppression_generator import SuppressionGenerator
+from kinlint.model import Applicability
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.reporters.summary import counted
@@ -35,21 +38,27 @@ def silenced(  # noqa: PLR0913, PLR0917
     What cannot be silenced is told on standard error.
     """
     streamed = {one.name for one in found.inputs if one.path is None}
-    reason = options.add_ignore or None
-    outcome = ignored(
-        sources, failed, settings, book, reason, wanted, phases, streamed, found.asides
-    )
+    outcome = mended(
+        sources, failed, settings, book, Applicability.SAFE, phases, streamed, found.asides, wanted,
+        generator=partial(SuppressionGenerator, reason=options.add_ignore or None),
+    )  # fmt: skip
     if not options.silent:
         sys.stderr.writelines(_told(outcome))
-    mended = Mended(outcome.report, [], outcome.changed)
-    report = fix_files.written(mended, found.inputs, "silenced")
+    report = replace(outcome.report, fixed=(), unfixed=())
+    report = fix_files.written(replace(outcome, report=report), found.inputs, "silenced")
     fix_files.pass_on(sources, outcome.changed, found.inputs)
     return report
 
 
-def _told(outcome: Ignored) -> Iterable[str]:
-    yield f"kinlint: {counted(len(outcome.done), 'finding')} silenced\n"
-    for finding, why in outcome.refused:
+def _told(outcome: Mended) -> Iterable[str]:
+    yield f"kinlint: {counted(len(outcome.report.fixed), 'finding')} silenced\n"
+    refused = [(finding, why) for finding, _, why in outcome.left.generator.refused]
+    refused += [
+        (each.finding, verdict.why)
+        for each, verdict in outcome.left.verdicts.items()
+        if verdict.applicability is not Applicability.SAFE
+    ]
+    for finding, why in sorted(refused, key=lambda one: one[0].sort_key):
         source, start = finding.location.source, finding.location.start
         place = f"{source.name}:{start.line}:{start.column}"
         yield f"kinlint: warning: {finding.rule.code} at {place} is not silenced: {why}\n"

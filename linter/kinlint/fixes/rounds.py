@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeAlias
@@ -10,11 +10,12 @@ from typing import TypeAlias
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.fixes.candidate import Candidate
-from kinlint.fixes.offers import Offers, Sieve, every, offers
+from kinlint.fixes.fix_generator import FixGenerator
+from kinlint.fixes.generator import Candidate, MakeGenerator
+from kinlint.fixes.offers import Offers, Sieve, every, examined, offers
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
-from kinlint.lint import NOTHING, Examination, examine
+from kinlint.lint import NOTHING, Examination
 from kinlint.model import Applicability, Finding
 from kinlint.phases import Phases
 from kinlint.report import Report
@@ -28,16 +29,17 @@ ROUNDS = 10
 
 @dataclass(frozen=True)
 class Mended:
-    """What is left to find in `texts`, and what `changed`, each with what it was before.
-
-    These may also be texts that others include. `restless` are the rules, by their codes, whose
-    fixes undo each other or find no end.
-    """
+    """The outcome of changing texts until nothing is left to change."""
 
     report: Report
+    """What is left to find."""
     texts: Sequence[SourceText]
     changed: Sequence[tuple[SourceText, SourceText]]
-    restless: Sequence[str] = ()
+    """The texts that changed, before and after; these may be such that others include."""
+    restless: Sequence[str]
+    """The rules, by their codes, whose fixes undo each other or find no end."""
+    left: Offers
+    """The trial of what is left."""
 
 
 def linted(
@@ -47,11 +49,11 @@ def linted(
     rulebook: Rulebook,
     phases: Phases | None = None,
 ) -> Offers:
-    """What `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
+    """Return what `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
     spent, texts = phases or Phases(), Texts(sources)
-    examination = _examined(texts, errors, settings, rulebook, spent)
+    examination = examined(texts, errors, settings, rulebook, spent)
     with spent.phase("fixing"):
-        return offers(examination, texts, settings, rulebook)
+        return offers(FixGenerator(examination, texts, settings, rulebook))
 
 
 def mended(  # noqa: PLR0913, PLR0917
@@ -65,8 +67,9 @@ def mended(  # noqa: PLR0913, PLR0917
     kept: Collection[str] = (),
     wanted: Sieve = every,
     overlay: Mapping[Path, SourceText] = NOTHING,
+    generator: MakeGenerator = FixGenerator,
 ) -> Mended:
-    """*sources* after all fixes that may be trusted at *least* so far, and what is left to find.
+    """Make all changes of *generator* in *sources* that may be trusted at *least* so far.
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
     is mended, too, but not what those do that are *streamed*; those called one of *kept* stay as
@@ -78,33 +81,39 @@ def mended(  # noqa: PLR0913, PLR0917
     reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
     restless: Sequence[Finding] = ()
     spent = phases or Phases()
-    examination = _examined(texts, errors, settings, rulebook, spent)
+    examination = examined(texts, errors, settings, rulebook, spent)
     for _ in range(ROUNDS):
         with spent.phase("fixing"):
-            found = offers(examination, texts, settings, rulebook, least, wanted)
+            made = generator(examination, texts, settings, rulebook)
+            found = offers(made, least, wanted)
         chosen = list(_chosen(found, least))
         if not chosen:
             restless = ()
             break
-        for each in chosen:
+        changes = [change for batch in chosen for change in made.combined(batch)]
+        for each in changes:
             originals = {**each.sources, **originals}
-        texts = texts.rewritten(chosen)
+        texts = texts.rewritten(changes)
+        before = len(fixed)
         fixed += [
-            replace(each.finding, fixes=(fix,)) for each in chosen if (fix := found.fix(each))
+            replace(each.finding, fixes=(fix,))
+            for batch in chosen
+            for each in batch
+            if (fix := found.fix(each))
         ]
         state = _state(texts, originals)
         if state in reached:
             texts, count = reached[state]
             fixed, restless = fixed[:count], fixed[count:]
-            examination = _examined(texts, errors, settings, rulebook, spent)
+            examination = examined(texts, errors, settings, rulebook, spent)
             break
         reached[state] = texts, len(fixed)
-        restless = fixed[-len(chosen) :]
-        examination = _known(found, texts, errors) or _examined(
+        restless = fixed[before:]
+        examination = _known(found, texts, errors) or examined(
             texts, errors, settings, rulebook, spent
         )
     with spent.phase("fixing"):
-        left = offers(examination, texts, settings, rulebook, wanted=wanted)
+        left = offers(generator(examination, texts, settings, rulebook), wanted=wanted)
     if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
         restless = ()
     given = set(map(texts.path, sources))
@@ -116,6 +125,7 @@ def mended(  # noqa: PLR0913, PLR0917
         texts.given,
         [(before, after) for before, after in pairs if before.text != after.text],
         sorted({one.rule.code for one in restless}),
+        left,
     )
 
 
@@ -134,30 +144,18 @@ def _state(texts: Texts, originals: Mapping[Path, SourceText]) -> State:
     )
 
 
-def _examined(
-    texts: Texts,
-    errors: Iterable[SourceError],
-    settings: Settings,
-    rulebook: Rulebook,
-    phases: Phases | None,
-) -> Examination:
-    return examine(
-        texts.given, errors, settings, rulebook, phases, repairing=True, overlay=texts.changed
-    )
-
-
-def _chosen(found: Offers, least: Applicability) -> Iterable[Candidate]:
-    """Candidates that were proven together, of each model those of one batch."""
+def _chosen(found: Offers, least: Applicability) -> Iterator[Sequence[Candidate]]:
+    """Yield of each model those candidates that were proven together."""
     for group in found.groups:
         if group.held:
-            yield from max(group.held, key=len)
+            yield max(group.held, key=len)
             continue
         for each in (one for one in found.verdicts if _lies_in(one, group)):
             fix = found.fix(each)
             if fix is not None and fix.applicability >= least:
-                yield each
+                yield [each]
                 break
 
 
 def _lies_in(candidate: Candidate, group: Group) -> bool:
-    return candidate.finding.location.source.name in group.names
+    return candidate.kind[0] in group.names

@@ -58,7 +58,7 @@ def _examined(
             from kinlint.fixes.rounds import linted  # noqa: PLC0415  few outputs show fixes
 
         offers = linted(sources, errors, job.settings, job.book, phases)
-        return offers.report, offers.examination.documents
+        return offers.report, offers.generator.examination.documents
     with phases.phase("imports"):
         from kinlint.lint import examine  # noqa: PLC0415  engines are slow to import
 

@@ -8,7 +8,7 @@ from functools import partial
 from lsprotocol import types
 
 from kinlint.edits import Unsayable
-from kinlint.ignoring.proposal import Desk
+from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.model import Applicability, Finding
 from kinlint.server.app import KinlintServer
 from kinlint.server.diagnostics import diagnostic
@@ -99,10 +99,12 @@ def _ignores(
     server: KinlintServer, view: RequestContext, findings: Sequence[Finding]
 ) -> Iterator[types.CodeAction]:
     """Yield an action for each of *findings* that suppresses it in place."""
-    desk = Desk(view.examination, view.session.texts, view.settings)
+    generator = SuppressionGenerator(
+        view.examination, view.session.texts, view.settings, view.rulebook
+    )
     for finding in findings[:MOST]:
         try:
-            edits = desk.edits(finding)
+            edits = generator.suppression([finding]).text_edits
         except Unsayable:
             continue
         yield types.CodeAction(

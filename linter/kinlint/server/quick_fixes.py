@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.offers import offers
 from kinlint.fixes.rounds import mended
 from kinlint.model import Applicability, Finding, Fix, TextEdit
@@ -31,9 +32,11 @@ def remedies(
 
         examination = view.session.repairing(phases)
         made = offers(
-            examination, view.session.texts, view.settings, view.rulebook,
-            least=Applicability.UNSAFE, wanted=wanted, phases=phases,
-        )  # fmt: skip
+            FixGenerator(examination, view.session.texts, view.settings, view.rulebook),
+            least=Applicability.UNSAFE,
+            wanted=wanted,
+            phases=phases,
+        )
         known.update(dict.fromkeys(missing, ()))
         known.update({named(each): each.fixes for each in wanted(made.report.findings)})
     return [(each, known[named(each)]) for each in asked if known[named(each)]]

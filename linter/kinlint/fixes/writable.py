@@ -1,4 +1,4 @@
-"""Which of the files that others include are the user's to be written."""
+"""Tells which of the files that others include may be written."""
 
 from __future__ import annotations
 
@@ -19,15 +19,17 @@ SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "
 
 
 @dataclass(frozen=True)
-class Reach:
-    """Files that are `given`, and those below one of `roots`, may be written."""
+class WritableFiles:
+    """The files that may be written."""
 
     given: frozenset[Path]
+    """Real paths of files that were named themselves."""
     roots: tuple[Path, ...]
+    """Directories whose files may be written, unless they are installed or made there."""
 
     @classmethod
-    def of(cls, texts: Texts, settings: Settings) -> Reach:
-        """What lies below the directory that all given files share, or where kinlint works."""
+    def from_texts(cls, texts: Texts, settings: Settings) -> WritableFiles:
+        """Return those below the directory that all given files share, or where kinlint works."""
         named = [each for each in texts.given if not each.companion]
         given = [path for each in named if kind(path := texts.path(each)) == "file"]
         spaces = {settings.of(each.name).workspace for each in named}
@@ -37,7 +39,7 @@ class Reach:
         return cls(frozenset(given), tuple(each for each in roots if each != each.parent))
 
     def check(self, path: Path, name: str) -> None:
-        """Raises Unsayable if the file at *path*, called *name*, is not to be written."""
+        """Raise `Unsayable` if the file at *path*, called *name*, is not to be written."""
         if path in self.given:
             return
         if not any(_holds(root, path) for root in self.roots):

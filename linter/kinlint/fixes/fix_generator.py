@@ -1,0 +1,116 @@
+"""Generates fixes: the repairs of rules, written as edits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from pathlib import Path
+
+from kinlint.catalogue.applicability import covers
+from kinlint.edits import Edit, Unsayable, overlap
+from kinlint.fixes.change import change
+from kinlint.fixes.generator import Candidate, Generator
+from kinlint.fixes.placing import placed
+from kinlint.model import Applicability, Finding, Fix, Repair
+from kinlint.text import SourceText
+
+
+class FixGenerator(Generator):
+    """Writes the repairs of what an examination found in texts."""
+
+    def candidates(self, findings: Sequence[Finding], least: Applicability) -> list[Candidate]:
+        """Return the repairs of *findings* that can be written, of each the preferred first."""
+        found = []
+        for finding in findings:
+            trust = self.policies.trust(finding.location.source.name)
+            if finding.rule.repairs and trust.mends(finding.rule):
+                found += [
+                    each
+                    for each in self._repairs(finding)
+                    if trust.applicability(finding.rule, each.repair.applicability) >= least
+                ]
+        return found
+
+    def batches(self, candidates: Sequence[Candidate]) -> Iterator[list[Candidate]]:
+        """Sort *candidates* into batches: the preferred of each finding first.
+
+        Findings that the same edits mend are mended together.
+        """
+        left = sorted(candidates, key=lambda each: (each.rank, each.finding.sort_key))
+        while left:
+            batch, later = list[Candidate](), list[Candidate]()
+            taken: dict[Path, list[Edit]] = {}
+            mended = set[int]()
+            for each in left:
+                clash = id(each.finding) in mended or any(
+                    overlap(edits, taken.get(path, ()))
+                    and not set(edits) <= set(taken.get(path, ()))
+                    for path, edits in each.edits.items()
+                )
+                (later if clash else batch).append(each)
+                if not clash:
+                    mended.add(id(each.finding))
+                    for path, edits in each.edits.items():
+                        taken.setdefault(path, []).extend(edits)
+            yield batch
+            left = later
+
+    def combined(self, batch: Sequence[Candidate]) -> Sequence[Candidate]:
+        """Return *batch*, whose edits do not touch each other."""
+        return batch
+
+    def weighed(self, finding: Finding, fix: Fix) -> Fix:
+        """Return *fix* with the applicability that the settings give it."""
+        trust = self.policies.trust(finding.location.source.name)
+        return trust.weighed_fix(finding.rule, fix)
+
+    def _repairs(self, finding: Finding) -> Sequence[Candidate]:
+        """Return the repairs of *finding* that can be written, the preferred first."""
+        found: list[Candidate] = []
+        form = self.homes[finding.location.source.name].format
+        for rank, repair in enumerate(finding.rule.repairs):
+            if not covers(repair.formats, form):
+                continue
+            try:
+                candidate = self._written(finding, repair, rank)
+            except Unsayable as reason:
+                self.refused.append((finding, repair, str(reason)))
+            else:
+                again = any(candidate and candidate.edits == each.edits for each in found)
+                found += [candidate] if candidate is not None and not again else []
+        return found
+
+    def _written(self, finding: Finding, repair: Repair, rank: int) -> Candidate | None:
+        """Return *repair* of *finding* as edits; None where it changes nothing."""
+        account, store = self.examination.account, self.examination.store
+        members = finding.members or (finding,)
+        results = [result for each in members for result in account.results(each)]
+        meant = change(store, repair, results)
+        if not meant:
+            return None
+        where = placed(store, meant, self.homes[finding.location.source.name])
+        edits: dict[Path, dict[Edit, None]] = {}
+        sources: dict[Path, SourceText] = {}
+        for graph, delta in where.deltas.items():
+            document = store.documents[graph]
+            made = self.editor(document).edits(delta)
+            if not made:
+                raise Unsayable("the text says it already")
+            for span, text in made:
+                place = document.location(span)
+                path = self.writable_path(document, place.source)
+                if sources.setdefault(path, place.source).text != place.source.text:
+                    raise Unsayable("the file has changed since it was read")
+                edits.setdefault(path, {})[Edit(place.span, text)] = None
+        return Candidate(
+            finding, repair, rank, meant, where.lifted, where.deltas,
+            {path: _ordered(own) for path, own in edits.items()}, sources,
+        )  # fmt: skip
+
+
+def _ordered(edits: Iterable[Edit]) -> tuple[Edit, ...]:
+    """*edits* of one text; raises Unsayable if its uses are to say different things."""
+    ordered = sorted(edits, key=lambda edit: edit.span)
+    if any(overlap((one,), (other,)) for one, other in pairwise(ordered)):
+        raise Unsayable("the text stands for several elements, which differ then")
+    return tuple(ordered)

@@ -1,0 +1,170 @@
+"""Generates suppressions: comments and statements that silence rules where they found something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import ClassVar
+
+from kinlint.addresses import is_address
+from kinlint.document import TREES, Document
+from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.fixes.generator import Candidate, Generator
+from kinlint.ignoring.comments import ELEMENT, comment
+from kinlint.ignoring.statements import APPENDED, appended, delta
+from kinlint.model import Applicability, Finding, Fix, Repair
+from kinlint.suppression.diagnostics import FAULTS
+from kinlint.suppression.interval_index import IntervalIndex
+from kinlint.terms import Term, is_blank, is_iri
+from kinlint.text import Location, SourceText, Span
+from kinlint.vocabulary import SRC
+
+SUPPRESSION = Repair("Ignore it here", Applicability.SAFE, "", "", (), (), ())
+"""What all suppressions are: they change nothing that a model says of its robot."""
+UNREASONED = "the configuration requires a reason, as in --add-ignore='set at run time'"
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A place where findings are silenced."""
+
+    graph: Term
+    """The document."""
+    node: Term
+    """The node that the document describes; the document itself where an element is silenced."""
+    element: Location | None = None
+    """The element, in a tree of elements."""
+
+
+@dataclass
+class SuppressionGenerator(Generator):
+    """Writes suppressions of what an examination found in texts."""
+
+    reason: str | None = None
+    """What each suppression gives as its reason."""
+    _nests: dict[Term, Mapping[str, IntervalIndex[Location]]] = field(default_factory=dict)
+
+    remains: ClassVar[str] = "it would be found all the same"
+
+    def candidates(self, findings: Sequence[Finding], least: Applicability) -> list[Candidate]:
+        """Return a suppression for each of *findings* that can be silenced at all."""
+        assert least <= Applicability.SAFE
+        found = list[Candidate]()
+        for finding in findings:
+            try:
+                candidate = self.suppression([finding])
+                if self.settings.of(finding.location.source.name).require_reason:
+                    self._require_reason()
+            except Unsayable as problem:
+                self.refused.append((finding, SUPPRESSION, str(problem)))
+            else:
+                found.append(candidate)
+        return found
+
+    def batches(self, candidates: Sequence[Candidate]) -> Iterator[list[Candidate]]:
+        """Put all *candidates* into one batch: those at one place join."""
+        yield list(candidates)
+
+    def combined(self, batch: Sequence[Candidate]) -> Sequence[Candidate]:
+        """Return what silences the findings of all of *batch*."""
+        return [self.suppression([each.finding for each in batch])]
+
+    def weighed(self, finding: Finding, fix: Fix) -> Fix:  # noqa: ARG002
+        """Return *fix* as it is: the settings rate repairs only."""
+        return fix
+
+    def suppression(self, findings: Sequence[Finding]) -> Candidate:
+        """Return what silences all of *findings*, as a candidate for the first.
+
+        Raises `Unsayable` if that cannot be written.
+        """
+        codes: dict[Site, dict[str, None]] = {}
+        for finding in findings:
+            for each in finding.members or (finding,):
+                codes.setdefault(self._site(each), {})[each.rule.code] = None
+        sources: dict[Path, SourceText] = {}
+        edits: dict[Path, list[Edit]] = {}
+        nodes: dict[Term, dict[Term, list[str]]] = {}
+        deltas: dict[Term, Delta] = {}
+        for site, own in codes.items():
+            if site.element is None:
+                nodes.setdefault(site.graph, {})[site.node] = sorted(own)
+                continue
+            source, span = site.element.source, site.element.span
+            path = self.writable_path(self.examination.store.documents[site.graph], source)
+            sources[path] = source
+            edits.setdefault(path, []).append(comment(source, span, sorted(own), self.reason))
+            deltas[site.graph] = Delta()
+        for graph, codes_of in nodes.items():
+            document = self.examination.store.documents[graph]
+            path = self.writable_path(document, document.source)
+            deltas[graph] = delta(document, codes_of, self.reason)
+            sources[path] = document.source
+            edits.setdefault(path, []).extend(self._statements(document, deltas[graph]))
+        joined = {path: _joined(made) for path, made in edits.items()}
+        meant = Delta(added=tuple(triple for each in deltas.values() for triple in each.added))
+        return Candidate(findings[0], SUPPRESSION, 0, meant, Delta(), deltas, joined, sources)
+
+    def _require_reason(self) -> None:
+        if not self.reason:
+            raise Unsayable(UNREASONED)
+
+    def _site(self, finding: Finding) -> Site:
+        """Return where *finding* is silenced.
+
+        Raises `Unsayable` where the configuration alone can do that.
+        """
+        if finding.rule.name in FAULTS:
+            raise Unsayable("a suppression at fault is to be mended, not silenced")
+        home = self.homes.get(finding.location.source.name)
+        if home is None:
+            raise Unsayable("it lies in no robot model")
+        if home.format in TREES:
+            return self._element(home, finding.location)
+        node = self._about.get(finding.focus, finding.focus)
+        if is_address(node):
+            raise Unsayable("it is about the file as a whole; use per-file-ignores")
+        describing = [
+            each for each in (home, *self.examination.documents) if node in each.map.nodes
+        ]
+        own = [
+            each for each in describing if each.format not in TREES and not each.source.companion
+        ]
+        if not (is_iri(node) or is_blank(node)) or not own or node.startswith(f"<{SRC}"):
+            raise Unsayable("it is about no node that the file describes; use per-file-ignores")
+        return Site(own[0].graph, node)
+
+    def _element(self, home: Document, place: Location) -> Site:
+        if home.graph not in self._nests:
+            found: dict[str, list[tuple[Span, Location]]] = {}
+            for spans in home.map.nodes.values():
+                location = home.location(spans.whole)
+                if ELEMENT.match(location.source.text, location.span.start):
+                    found.setdefault(location.source.name, []).append((location.span, location))
+            self._nests[home.graph] = {name: IntervalIndex.of(own) for name, own in found.items()}
+        nest = self._nests[home.graph].get(place.source.name)
+        around = None if nest is None else next(nest.around(place.span), None)
+        if around is None:
+            raise Unsayable("it lies in no element; use per-file-ignores")
+        return Site(home.graph, home.graph, around)
+
+    def _statements(self, document: Document, change: Delta) -> Iterable[Edit]:
+        if not change:
+            return ()
+        if document.format in APPENDED:
+            return [appended(document, change)]
+        return self.editor(document).edits(change)
+
+    @cached_property
+    def _about(self) -> Mapping[Term, Term]:
+        return {s: o for each in self.examination.documents for s, o in each.about.items()}
+
+
+def _joined(edits: Iterable[Edit]) -> tuple[Edit, ...]:
+    """Return *edits* of one text in order, insertions at one place as one, equal ones once."""
+    joined: dict[Span, dict[str, None]] = {}
+    for span, text in sorted(edits):
+        joined.setdefault(span, {})[text] = None
+    return tuple(Edit(span, "".join(texts)) for span, texts in joined.items())
