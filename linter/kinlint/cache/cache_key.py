@@ -1,4 +1,4 @@
-"""What a report follows from, as a digest: texts, rules, settings, and kinlint itself."""
+"""Cache keys of reports: a digest of texts, rules, settings, and kinlint itself."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from kinlint.text import SourceText
 PLAIN = frozenset({"urdf", "sdf"})
 """Formats whose files include others by elements of that name alone, if at all."""
 LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacro")
-"""What reads and judges models beside kinlint."""
+"""Libraries whose versions are part of the key."""
 
 
 @dataclass(frozen=True)
 class CacheKeys:
-    """What all reports of a run follow from; with *fixing*, they have the fixes on offer."""
+    """The common part of all keys of a run; with *fixing*, reports contain fixes."""
 
     settings: Settings
     book: Rulebook
@@ -55,9 +55,9 @@ class CacheKeys:
         object.__setattr__(self, "_base", _digest(said))
 
     def of(self, sources: Sequence[SourceText], *, complete: bool) -> str:
-        """What the report of *sources* follows from.
+        """Return the key of the report of *sources*.
 
-        *complete* tells that nothing is known that could not be read.
+        *complete* tells that no file was left unread.
         """
         each = [[plain(one), self._file(self.settings.of(one.name))] for one in sources]
         others = [] if all(map(alone, sources)) else self._special()
@@ -76,7 +76,7 @@ class CacheKeys:
 
 
 def alone(source: SourceText) -> bool:
-    """Whether *source* surely includes no other file."""
+    """Tell whether *source* surely includes no other file."""
     return "include" not in source.text and recognise(source.name, source.text) in PLAIN
 
 

@@ -18,7 +18,7 @@ from pathlib import Path
 
 BEGIN, END, UNDONE = "report-", ".json", ".tmp"
 MOST_BYTES = 128 * 2**20
-"""How much a directory holds at most, and how much of that is left when something has to go."""
+"""Size in bytes at which the oldest entries are removed."""
 KEPT = 0.75
 ABANDONED = 3600.0
 """After how many seconds what nobody finished writing is nobody's."""
@@ -101,7 +101,7 @@ class DirectoryStore:
 
 
 def _ours(about: os.stat_result) -> bool:
-    """Whether a file is a regular one that this user wrote."""
+    """Tell whether a file is a regular one that this user wrote."""
     return stat.S_ISREG(about.st_mode) and (
         not hasattr(os, "geteuid") or about.st_uid == os.geteuid()
     )

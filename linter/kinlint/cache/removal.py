@@ -13,7 +13,7 @@ from kinlint.catalogue.rulebook import STORED
 
 @dataclass(frozen=True)
 class Cleared:
-    """How many reports and compiled catalogues were removed, and their bytes."""
+    """Number of reports and compiled catalogues removed, and their size in bytes."""
 
     reports: int = 0
     catalogues: int = 0

@@ -18,7 +18,7 @@ from kinlint.report import Report
 from kinlint.text import SourceText
 
 FOLDER = "reports"
-"""Where reports are kept, in the directory of the cache."""
+"""Directory of reports in the cache."""
 
 
 @dataclass
@@ -35,7 +35,7 @@ class ReportCache:
 
     @classmethod
     def of(cls, settings: Settings, book: Rulebook, *, fixing: bool) -> ReportCache | None:
-        """What *settings* let a run remember; None for nothing."""
+        """Return the cache that *settings* allow, or None."""
         if settings.cache is None or not book.digest:
             return None
         return cls(DirectoryStore(settings.cache / FOLDER), CacheKeys(settings, book, fixing))

@@ -31,7 +31,7 @@ CLASSES = {
 """The classes that reports are made of, and their modules."""
 ENUMS = {"Severity": Severity, "Applicability": Applicability}
 OWN = ("root", "version", "seconds")
-"""What a report says of the run that made it."""
+"""Fields of a report that belong to the run, not to the models."""
 
 
 class Unwritable(Exception):
@@ -39,7 +39,7 @@ class Unwritable(Exception):
 
 
 def written(report: Report, given: Sequence[SourceText]) -> str:
-    """*report* of *given* as JSON. Raises Unwritable."""
+    """Serialize *report* of *given* as JSON. Raises Unwritable."""
     writer = _Writer(given)
     values = {
         one.name: writer.value(getattr(report, one.name))

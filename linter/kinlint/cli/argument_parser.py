@@ -52,7 +52,7 @@ class Parser(argparse.ArgumentParser):
 
     @property
     def actions(self) -> Sequence[argparse.Action]:
-        """All that may be given, in the order of the help."""
+        """Return all arguments, in the order of the help."""
         return self._actions
 
     def bare(self, option: str) -> None:
@@ -96,7 +96,7 @@ _choices: dict[object, tuple[str, ...]] = {}
 
 
 def choices(kind: object) -> tuple[str, ...]:
-    """What arguments of *kind* must be one of, if it is such a type."""
+    """Return the values that arguments of *kind* may have; empty if *kind* is no such type."""
     return _choices.get(kind, ())
 
 

@@ -172,7 +172,7 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
 def _knowledge(
     options: Namespace, layers: Layers, found: Found, settings: Settings, book: Rulebook
 ) -> KnownFindings | None:
-    """What was known before, if anybody asks for what is new."""
+    """Return the findings known before this run, if an option asks for new ones only."""
     project = layers.project(found.inputs)
     if project.baseline is None and not any(getattr(options, name) for name in COMPARING):
         return None
@@ -191,7 +191,7 @@ def _knowledge(
 
 
 def account() -> ModuleType:
-    """What speaks for `-v`, which few ask for."""
+    """Import the module that prints what `-v` says."""
     return import_module("kinlint.cli.verbose")
 
 

@@ -42,7 +42,7 @@ def run(arguments: list[str]) -> int:
 
 
 def hint(word: str) -> str:
-    """What to add where *word* is no path: it may be a command, or a slip of one."""
+    """Return a hint for *word*, which is no path: it may be a command, or a misspelt one."""
     if word in COMMANDS:
         return f"; the command '{word}' comes first: kinlint {word} ..."
     return did_you_mean(word, COMMANDS) if word.replace("-", "").isalpha() else ""

@@ -27,11 +27,11 @@ __all__ = ["every", "least", "mended", "pass_on", "show", "unending", "written"]
 
 Change = tuple[SourceText, SourceText]
 BOM = "\ufeff"
-"""What stands before some texts, and so in the patch of their first line."""
+"""Byte order mark, which belongs to the first line of a patch."""
 
 
 def least(settings: Settings) -> Applicability:
-    """How far a fix must be trusted to be made."""
+    """Return the least applicability of fixes that are made."""
     return Applicability.UNSAFE if settings.unsafe_fixes else Applicability.SAFE
 
 
@@ -66,7 +66,7 @@ def written(outcome: Mended, inputs: Iterable[Input], done: str = "fixed") -> Re
 
 
 def unending(codes: Sequence[str]) -> str:
-    """What to say of rules, by their *codes*, that nobody can satisfy."""
+    """Return the warning about rules, by their *codes*, whose fixes undo each other."""
     names = " and ".join(filter(None, (", ".join(codes[:-1]), codes[-1])))
     return f"fixes of {names} undo each other or find no end, and not all of them were made"
 
@@ -88,7 +88,7 @@ def _partners(name: str, fixed: Iterable[Finding], failed: Mapping[str, str]) ->
 
 
 def _files(finding: Finding, *, edited: bool = False) -> Iterable[str]:
-    """Where the fixes of *finding* change something, and, unless only *edited*, where it lies."""
+    """Yield the files that the fixes of *finding* edit and, unless only *edited*, its own."""
     changed = (edit.location.source.name for fix in finding.fixes for edit in fix.edits)
     return changed if edited else (finding.location.source.name, *changed)
 

@@ -47,7 +47,7 @@ def _robots(report: Report) -> Sequence[Structure]:
 
 
 def _changed(root: Path, said: Mapping[str, str]) -> Mapping[Path, Path | None]:
-    """What changed since a pull request left its base, or else by the last commit.
+    """Return the files changed since a pull request left its base, or else by the last commit.
 
     Raises UsageError where git cannot tell.
     """
@@ -59,7 +59,7 @@ def _changed(root: Path, said: Mapping[str, str]) -> Mapping[Path, Path | None]:
 
 
 def _url(path: str, line: int | None) -> str:
-    """Where GitHub shows the file at *path*; nothing if nobody says where it has it."""
+    """Return the address of the file at *path* on GitHub; "" outside of a workflow."""
     where = [os.environ.get(f"GITHUB_{name}", "") for name in ("SERVER_URL", "REPOSITORY", "SHA")]
     if not all(where) or path.startswith("/"):
         return ""

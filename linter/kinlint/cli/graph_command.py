@@ -149,7 +149,7 @@ def _check(output: Path | None, found: Found) -> None:
 
 
 def _report(found: Found, settings: Settings, options: Namespace) -> Report:
-    """What is to be drawn. Raises `SourceError` for what cannot be read or has no robot."""
+    """Return the report to draw. Raises `SourceError` for what cannot be read or has no robot."""
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
     from kinlint.project.reading import beside, read  # noqa: PLC0415
 

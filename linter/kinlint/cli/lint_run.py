@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class LintRun:
-    """What to lint, how, and by which rules; if *watched*, somebody waits for what it says."""
+    """One lint: files, settings and rules; with *watched*, progress is shown."""
 
     settings: Settings
     found: Found

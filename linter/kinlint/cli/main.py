@@ -16,7 +16,7 @@ ABNORMAL = 2
 INTERRUPTED = 130
 BROKEN_PIPE = 141
 GARBAGE = 100_000
-"""How many more objects there have to be before the interpreter looks for garbage."""
+"""Number of new objects that triggers the garbage collector."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:

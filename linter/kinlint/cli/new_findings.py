@@ -1,4 +1,4 @@
-"""What was known before a run: reports what is new, and keeps the baseline."""
+"""Compares findings with those known before: reports new ones, and keeps the baseline."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from kinlint.text import SourceText
 
 @dataclass(frozen=True)
 class KnownFindings:
-    """What was known: what the `baseline` has, and what was found at a revision, `before`.
+    """Findings known before: those of the `baseline`, and those at a revision, `before`.
 
-    `options` tell whether the baseline is to be written, or pruned.
+    `options` tell whether the baseline is written or pruned.
     """
 
     settings: Settings
@@ -38,15 +38,15 @@ class KnownFindings:
     options: Namespace
 
     def new(self, findings: Sequence[Finding]) -> Sequence[Finding]:
-        """Those of *findings* that were not known."""
+        """Return the *findings* that were not known."""
         if self.baseline is not None and not self.options.write_baseline:
             findings = ledger(self.baseline).new(findings)
         return findings if self.before is None else self.before.new(findings)
 
     def told(self, report: Report) -> Report:
-        """*report* with what is new, and how much of the rest there is.
+        """Return *report* with new findings only, and the number of the others.
 
-        Entries of the baseline that are found no more are reported, or forgotten.
+        Entries of the baseline without a finding are reported, or removed.
         """
         findings, aged = list(report.findings), list[Finding]()
         if self.baseline is not None:
@@ -109,7 +109,7 @@ class KnownFindings:
 
 
 def ledger(baseline: Baseline) -> Ledger:
-    """What *baseline* knows; its paths start where it lies."""
+    """Return the ledger of *baseline*, whose paths are relative to its directory."""
     root = real(baseline.path).parent
     return Ledger(baseline.entries, Names(root), lambda path: not (root / path).exists())
 

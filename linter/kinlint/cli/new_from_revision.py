@@ -37,7 +37,7 @@ class FindingsAtRevision:
     settings_of: Callable[[Found], Settings]
 
     def ledger(self, options: Namespace) -> Ledger:
-        """What kinlint finds in the files as they were, by the rules and settings of today."""
+        """Lint the files as they were, by today's rules and settings."""
         revision, top = self.revision, self.revision.repository.top
         gone = {relative(path, top) for path in revision.deleted}
         renamed = {
@@ -98,7 +98,7 @@ class FindingsAtRevision:
         )
 
     def _moved(self, settings: Settings, root: Path) -> Settings:
-        """*settings* with what lies in the repository as it was then, but not rules and shapes."""
+        """Return *settings* with the paths of the repository as it was, except rules and shapes."""
 
         def moved(path: Path) -> Path:
             return at(real(path), self.revision, root)

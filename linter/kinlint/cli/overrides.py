@@ -1,4 +1,4 @@
-"""What the options of `kinlint check` say, as a configuration on top of all others."""
+"""The options of `kinlint check` as a configuration on top of all others."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def overrides(options: Namespace) -> Config:
 
 
 def configs(options: Namespace) -> Configs:
-    """Where configuration comes from: `--config PATH`, nowhere, or the nearest file."""
+    """Return where configuration comes from: `--config PATH`, nowhere, or the nearest file."""
     paths = [text for text in options.config or () if not _is_key(text)]
     if len(paths) > 1:
         raise UsageError(f"--config: two files, '{paths[0]}' and '{paths[1]}'; one may be given")

@@ -45,7 +45,7 @@ class ProgressBar:
             self.advance(1)
 
     def advance(self, files: int) -> None:
-        """So many more files are read, or linted."""
+        """Count *files* as read, or linted."""
         if not self._wanted:
             return
         self._done += files

@@ -21,7 +21,10 @@ if TYPE_CHECKING:
     from kinlint.fixes.offers import Sieve
 
 UNREADABLE = "<!DOCTYPE"
-"""What no reader of XML takes: a file with it counts for what is said of others in the run."""
+"""Text that no XML reader accepts.
+
+A file with it may affect findings in any other file of the run.
+"""
 
 
 def amid(given: Found, project: Found) -> Found:
@@ -47,7 +50,7 @@ def amid(given: Found, project: Found) -> Found:
 def concerning(
     sources: Sequence[SourceText], asides: Collection[str], settings: Settings
 ) -> list[SourceText]:
-    """Those of *sources* that may say something of one that is not among *asides*."""
+    """Return the *sources* that may affect findings in one that is not among *asides*."""
     if all(source.name in asides for source in sources):
         return []
     from kinlint.file_groups import models  # noqa: PLC0415
@@ -61,7 +64,7 @@ def concerning(
 
 
 def named(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
-    """What is *wanted* of findings, without those in files that are among *asides*."""
+    """Return *wanted*, restricted to findings in files that are not among *asides*."""
 
     def sieve(findings: Sequence[Finding]) -> Sequence[Finding]:
         own = [one for one in findings if one.location.source.name not in asides]
@@ -71,7 +74,7 @@ def named(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
 
 
 def within(report: Report, asides: frozenset[str], wanted: Sieve | None) -> Report:
-    """*report* without what lies in files that are among *asides*; what is *wanted* is counted."""
+    """Return *report* without findings in files among *asides*; the *wanted* ones are counted."""
 
     def kept(findings: Sequence[Finding]) -> tuple[Finding, ...]:
         return tuple(one for one in findings if one.location.source.name not in asides)

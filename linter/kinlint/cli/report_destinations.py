@@ -1,4 +1,4 @@
-"""Where the options say that reports go, refused before any work if they cannot go there."""
+"""Destinations of reports as the options name them, refused before any work if unusable."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STDOUT = "-"
 
 
 def destinations(options: Namespace, project: Config) -> Outputs:
-    """What to write and where: options first, then the environment, then *project*."""
+    """Return the outputs that options ask for, else the environment, else *project*."""
     said = os.environ.get("KINLINT_OUTPUT_FORMAT")
     if said and (problem := unknown(said, OUTPUT_FORMATS)):
         raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")

@@ -1,4 +1,4 @@
-"""Where a report goes: one format to standard output or a file, others to files of their own."""
+"""Writes a report: one format to standard output or a file, others to files of their own."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ SUMMARY = "GITHUB_STEP_SUMMARY"
 
 @dataclass(frozen=True, slots=True)
 class Outputs:
-    """What to write: `main` to `path`, or to standard output; `copies` by format to files.
+    """Outputs of a run: format `main` to `path` or standard output, and `copies` to files.
 
-    `only_fixes` leaves unsaid what was not fixed. `would` tells that fixes were shown, not made.
+    `only_fixes` omits what was not fixed. `would` says that fixes were shown, not made.
     """
 
     main: str
@@ -50,18 +50,18 @@ class Outputs:
 
     @property
     def tells_fixes(self) -> bool:
-        """Whether anything that is written tells how findings can be fixed."""
+        """Tell whether any output contains fixes."""
         told = any(FORMATS[name].fixes for name in self._written)
         return told or (self.statistics and not self.silent)
 
     @property
     def watched(self) -> bool:
-        """Whether the report is for people, who may want to hear meanwhile how far it is."""
+        """Tell whether the report is for people, who may want to see progress."""
         return not (self._machine or self.quiet or self.silent)
 
     @property
     def shows_structure(self) -> bool:
-        """Whether anything that is written shows how robots are built."""
+        """Tell whether any output shows the structure of robots."""
         return self._summarises or any(FORMATS[name].drawn for name in self._written)
 
     def emit(self, report: Report, out: TextIO | None = None) -> None:
@@ -103,7 +103,7 @@ class Outputs:
             self._conclude(report, stream)
 
     def _aside(self, report: Report, told: Report, out: TextIO) -> None:
-        """What standard error is told: all that standard output leaves unsaid."""
+        """Write to standard error what standard output leaves out."""
         if self.path is not None or self.silent or self._machine or self.statistics:
             for error in report.errors:
                 sys.stderr.write(f"kinlint: error: {shown(str(error))}\n")
@@ -138,7 +138,7 @@ class Outputs:
 
     @property
     def _summarises(self) -> bool:
-        """Whether GitHub shows a summary of this step beside the annotations."""
+        """Tell whether GitHub shows a summary of this step beside the annotations."""
         return "github" in self._written and bool(os.environ.get(SUMMARY))
 
     @property

@@ -1,4 +1,4 @@
-"""What `-v` tells of a run: what it goes by before, and what it came to after."""
+"""The lines of `-v`: configuration before a run, and its results."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def run(arguments: list[str]) -> int:
 
 
 def _facts() -> Iterator[tuple[str, str]]:
-    """What kinlint runs on, without looking into any of it."""
+    """Yield names and versions of what kinlint runs on, without importing any of it."""
     import platform  # noqa: PLC0415  slow, rare
 
     from kinlint import resources  # noqa: PLC0415
@@ -59,7 +59,7 @@ def _facts() -> Iterator[tuple[str, str]]:
 
 
 def _configuration() -> str:
-    """Which configuration governs the working directory."""
+    """Return the name of the configuration that governs the working directory."""
     from kinlint.configuration.config_file import Configs  # noqa: PLC0415
     from kinlint.errors import ConfigError  # noqa: PLC0415
     from kinlint.files.pathglob import absolute  # noqa: PLC0415
@@ -72,7 +72,7 @@ def _configuration() -> str:
 
 
 def _shown(path: Path) -> str:
-    """*path* with the home directory, which is nobody's business, as `~`."""
+    """Return *path* with the home directory abbreviated to `~`."""
     try:
         return str(Path("~") / path.relative_to(Path.home()))
     except (RuntimeError, ValueError):

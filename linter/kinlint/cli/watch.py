@@ -31,9 +31,12 @@ if TYPE_CHECKING:
     from watchfiles import Change
 
 CLEAR = "\x1b[2J\x1b[3J\x1b[H"
-"""What empties a terminal, and what was scrolled out of it."""
+"""Escape sequence that clears the terminal and its scrollback."""
 SUFFIXES = frozenset({"", ".config", ".toml", ".xml", ".yaml", ".yml"}.union(GLOBBED, *KINDS))
-"""How what may matter ends: models, what they name, what governs them. Directories have no end."""
+"""Suffixes of files that may affect a run.
+
+Models, what they name, what governs them; "" for directories.
+"""
 PASSED_OVER = frozenset({"node_modules", "__pycache__", "site-packages"})
 GLANCE, CALM, MOST = 200, 50, 400
 """Milliseconds: between two looks at what lies elsewhere; without a change before a series of them
@@ -101,7 +104,7 @@ class Watcher:
             self._polling = True
 
     def _changes(self, tops: Sequence[Path]) -> Generator[bool, None, None]:
-        """Whether anything changed below *tops* since it was asked before, or for a glance."""
+        """Yield at each poll whether anything changed below *tops* since the last one."""
         import watchfiles  # noqa: PLC0415  few runs stay
 
         changes = watchfiles.watch(
@@ -163,9 +166,9 @@ class Watcher:
 
 @dataclass(frozen=True)
 class Filter:
-    """What may matter of what changes below `tops`: what is `given`, and all that models may need.
+    """Filter of changes below `tops`: the files `given`, and all that models may name.
 
-    What kinlint itself keeps in the directory `cache` does not.
+    Changes in the directory `cache` are ignored.
     """
 
     tops: Sequence[Path]
@@ -173,7 +176,7 @@ class Filter:
     cache: str
 
     def __call__(self, _change: Change, path: str) -> bool:
-        """Whether to look at what changed at *path*."""
+        """Tell whether a change at *path* matters."""
         if path in self.given:
             return True
         place = Path(path)
@@ -210,7 +213,7 @@ def _real(paths: Iterable[Path]) -> Iterator[Path]:
 
 
 def _state(path: Path) -> object:
-    """What differs whenever somebody has written to *path*, or removed it."""
+    """Return a value that differs whenever the file at *path* was written or removed."""
     try:
         about = path.stat()
     except OSError:

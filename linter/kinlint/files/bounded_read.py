@@ -56,7 +56,7 @@ def head(path: Path, size: int) -> str | None:
 
 
 def _is_private(path: Path, near: Path) -> bool:
-    """Whether *path* leads to where *near* does not lie and no robots are kept."""
+    """Tell whether *path* leads out of the tree of *near* to where no robots are kept."""
     try:
         real, own = Path(os.path.realpath(path)), Path(os.path.realpath(near))
     except (OSError, ValueError):

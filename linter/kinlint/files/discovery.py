@@ -21,9 +21,9 @@ ROBOTS = (".urdf", ".xacro", ".srdf", ".sdf", ".world")
 SEARCHED = (".jsonld", ".json", *ROBOTS)
 GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
-"""What directories hold that is nobody's model; the default of `exclude`."""
+"""Names of directories that hold no models; the default of `exclude`."""
 ENVIRONMENT = "pyvenv.cfg"
-"""What marks a directory as a virtual environment of Python, whatever it is called."""
+"""File that marks a directory as a virtual environment of Python."""
 HEAD = 1 << 16
 
 
@@ -55,10 +55,10 @@ class Found:
 
 @dataclass(frozen=True)
 class Search:
-    """How to look for files.
+    """A search for files.
 
-    `excluding` gives the patterns of what to pass over in a directory. They hold for what is
-    found, and with `force` for what is named, too. `stdin` is the name of what `-` stands for.
+    `excluding` gives the patterns of paths to pass over in a directory. They hold for what is
+    found, and with `force` for what is named, too. `stdin` is the name of `-`.
     """
 
     excluding: Callable[[Path], Sequence[Glob]]
@@ -147,7 +147,7 @@ class Search:
 
 
 def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:
-    """What adds to *errors* that a directory cannot be looked into."""
+    """Return a handler that adds unreadable directories to *errors*."""
 
     def tell(error: OSError) -> None:
         where = shown(absolute(error.filename or given))
@@ -157,7 +157,7 @@ def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:
 
 
 def speaks_of_context(path: Path) -> bool:
-    """Whether the file at *path* may be JSON-LD, told without decoding or parsing it."""
+    """Tell whether the file at *path* may be JSON-LD, without decoding or parsing it."""
     if not path.is_file():
         return False
     wanted = b'"@context"'

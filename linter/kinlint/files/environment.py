@@ -1,4 +1,7 @@
-"""What is there: files, directories, the environment, the day. Each is a question."""
+"""Access to the environment: files, directories, variables, the date.
+
+Each is a tracked question.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +12,12 @@ from pathlib import Path
 from kinlint.files.tracked_io import question
 
 WRITING = 0o222
-"""What the mode of a file has if somebody may write it."""
+"""Mode bits of files that somebody may write."""
 
 
 @question
 def variable(name: str) -> str | None:
-    """What the variable *name* of the environment holds; None if there is none."""
+    """Return the environment variable *name*; None if it is not set."""
     return os.environ.get(name)
 
 
@@ -44,7 +47,10 @@ def today() -> str:
 
 @question
 def kind(path: Path) -> str | None:
-    """What there is at *path*, links followed: `file`, `directory`, `other`, or None: nothing."""
+    """Return the kind of *path*, links followed.
+
+    `file`, `directory`, `other`; None if it is not there.
+    """
     try:
         if path.is_dir():
             return "directory"
@@ -67,7 +73,7 @@ def listing(directory: Path) -> dict[str, bool]:
 
 @question
 def writable(path: Path) -> bool:
-    """Whether the file at *path* may be written, and be replaced by another."""
+    """Tell whether the file at *path* may be written and replaced."""
     try:
         mode = path.stat().st_mode
     except OSError:

@@ -1,4 +1,4 @@
-"""Whether the files that a model names are there, by looking at each directory once."""
+"""Checks that the files a model names exist, reading each directory once."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinlint.suggestion import nearest
 
 PACKAGED = re.compile(r"((?:package|model)://([^/]+)/)/*")
 ELSEWHERE = re.compile(r"[\w+.-]+:|[/\\~]|.*(?:\$[({]|\\)", re.DOTALL)
-"""How a reference begins that leads into no package and not from the file on: it is left alone."""
+"""Start of a reference that is neither in a package nor relative to the file: it is not checked."""
 KINDS = (
     frozenset({".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".vtk", ".off", ".wrl", ".usd"}),
     frozenset({".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".bmp", ".gif", ".dds", ".hdr"}),
@@ -58,9 +58,9 @@ class References:
     _faults: dict[tuple[str, Path], Fault | None] = field(default_factory=dict)
 
     def fault(self, written: str, near: Path) -> Fault | None:
-        """What is wrong with the reference *written* in a file in *near*; None if nothing is.
+        """Return the fault of the reference *written* in a file in *near*; None if it is sound.
 
-        Nothing is said of absolute paths and of addresses, which mean something elsewhere.
+        Absolute paths and addresses, which mean something elsewhere, are not checked.
         """
         key = written, near
         if key not in self._faults:
@@ -83,7 +83,7 @@ class References:
         return self._missing(prefix, root, target)
 
     def _missing(self, prefix: str, root: Path, target: Path) -> Fault | None:
-        """What is wrong with *target*, a file that should be in or about *root*."""
+        """Return the fault of *target*, a file expected in or near *root*."""
         start = Path(os.path.commonpath([root, target]))
         at, spelt = start, True
         for part in target.relative_to(start).parts:
@@ -105,7 +105,10 @@ class References:
         return AbsentDirectory(_written(prefix, root, at if absent == target else absent))
 
     def _entry(self, directory: Path, name: str) -> str | None:
-        """How *directory* spells the entry *name*, whatever the case; None if it has none."""
+        """Return the spelling of the entry *name* in *directory*, ignoring case.
+
+        None if there is none.
+        """
         names = self._listing(directory)
         if name in names:
             return name
@@ -144,13 +147,13 @@ class References:
 
 
 def _of_kind(names: Iterable[str], suffix: str) -> list[str]:
-    """Those of *names* that are files of the kind that *suffix* is of."""
+    """Return those of *names* whose kind of file is that of *suffix*."""
     own = suffix.lower()
     kind = next((kind for kind in KINDS if own in kind), {own})
     return [name for name in names if PurePosixPath(name).suffix.lower() in kind]
 
 
 def _written(prefix: str, root: Path, path: Path) -> str:
-    """How a model names *path* that names the rest of *root* by *prefix*."""
+    """Return *path* as a model writes it that names *root* by *prefix*."""
     below = Path(os.path.relpath(path, root)).as_posix()
     return (prefix.rstrip("/") if below == "." else prefix + below) or "."

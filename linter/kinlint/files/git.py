@@ -17,9 +17,9 @@ QUIET = {
     "GIT_ALLOW_PROTOCOL": "none",
     "GIT_LITERAL_PATHSPECS": "1",
 }
-"""What keeps git from asking, waiting, and reaching for the network."""
+"""Environment that keeps git from asking, waiting and using the network."""
 CONFIGURED = ("core.fsmonitor=false", "core.splitIndex=false", "core.quotePath=false")
-"""What a repository may not configure here: programs to be run, and files to be written."""
+"""Overrides of what a repository could configure: programs to run, and files to write."""
 
 
 class GitFailed(Exception):
@@ -32,9 +32,10 @@ def git(
     given: bytes = b"",
     more: Mapping[str, str] | None = None,
 ) -> bytes:
-    """What `git WORDS` prints in *directory*, *given* on its standard input; *more* environment.
+    """Return the output of `git WORDS` in *directory*.
 
-    Raises GitFailed, and UsageError if there is no git.
+    *given* is its standard input, *more* its environment. Raises GitFailed, and UsageError if there
+    is no git.
     """
     settings = [word for each in CONFIGURED for word in ("-c", each)]
     try:

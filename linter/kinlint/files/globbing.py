@@ -54,7 +54,7 @@ class _Walk:
         self._unreadable = unreadable
 
     def below(self, base: Path, parts: Sequence[str]) -> Iterator[Path]:
-        """What *parts* of a pattern match below *base*."""
+        """Yield the matches of *parts* of a pattern below *base*."""
         if not parts:
             yield base
             return
@@ -82,7 +82,7 @@ class _Walk:
                 yield base / entry.name
 
     def _entries(self, base: Path, wanted: str) -> list[os.DirEntry[str]]:
-        """What in *base* the wildcards of *wanted* stand for."""
+        """Return the entries of *base* that match the wildcards of *wanted*."""
         name = re.compile(translate(wanted), re.DOTALL)
         hidden = wanted.startswith(".")
         return [

@@ -1,12 +1,11 @@
-"""Where ROS packages and Gazebo models lie: what `$(find x)`, `package://x` and `model://x` mean.
+"""Locations of ROS packages and Gazebo models: `$(find x)`, `package://x` and `model://x`.
 
 A package is looked for in this order, and nowhere before it is asked for:
 
-1. where the user says (`--package x=DIR`, `[tool.kinlint.packages]`);
-2. in the directories above the file, by the name in their `package.xml`, or their own name;
-3. in the workspace: below the configuration's directory or else in the repository, by the names
-   in `package.xml`;
-4. in ROS_PACKAGE_PATH, GZ_SIM_RESOURCE_PATH and its elders for models, and AMENT_PREFIX_PATH.
+1. where the user says (`--package x=DIR`, `[tool.kinlint.packages]`); 2. in the directories above
+the file, by the name in their `package.xml`, or their own name; 3. in the workspace: below the
+configuration's directory or else in the repository, by the names in `package.xml`; 4. in
+ROS_PACKAGE_PATH, GZ_SIM_RESOURCE_PATH and its elders for models, and AMENT_PREFIX_PATH.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ IGNORED = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 SKIPPED = frozenset({"node_modules", "__pycache__", "site-packages", "build", "install", "log"})
 DEPTH = 6
 DIRECTORIES = 10_000
-"""How deep below a directory, and through how many in all, a search goes."""
+"""Limits of a search: depth below a directory, and number of directories in all."""
 HEAD = 1 << 14
 MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH", "GAZEBO_MODEL_PATH")
 _NAME = re.compile(r"<name>\s*([^<>\s]+)\s*</name>")
@@ -118,7 +117,7 @@ class Packages:
                 yield absolute(part)
 
     def _index(self, root: Path) -> Mapping[str, Path]:
-        """What `packages_below` says of *root*."""
+        """Return the packages below *root*, indexed once."""
         if root not in self._indexed:
             self._indexed[root] = packages_below(root)
         return self._indexed[root]
@@ -131,7 +130,7 @@ class Packages:
 
 
 def _is_top(directory: Path) -> bool:
-    """Whether *directory* is a working copy of a repository."""
+    """Tell whether *directory* is the top of a working copy."""
     return kind(directory / REPOSITORY) is not None
 
 

@@ -25,12 +25,12 @@ class Glob:
     pattern: str
 
     def covers(self, path: Path) -> bool:
-        """Whether *path*, which is absolute, or a directory below `root` that holds it, matches."""
+        """Tell whether *path*, which is absolute, or a directory between it and `root` matches."""
         below = [each for each in path.parents if each.is_relative_to(self.root)]
         return any(map(self._found, (path, *below))) is not self.pattern.startswith("!")
 
     def matches(self, path: Path) -> bool:
-        """Whether *path* itself matches, wherever it lies."""
+        """Tell whether *path* itself matches."""
         return self._found(path) is not self.pattern.startswith("!")
 
     def _found(self, path: Path) -> bool:

@@ -1,4 +1,4 @@
-"""How paths are called in messages, and what there is in place of one that is not there."""
+"""Path names for messages, and suggestions for paths that do not exist."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ NOTHING = "no such file or directory"
 
 
 def shown(path: Path, given: str = "") -> str:
-    """What *path* is called: from the working directory if below it, else as it was *given*."""
+    """Return *path* relative to the working directory if it is below it, else as it was *given*."""
     here = Path.cwd()
     if path.is_relative_to(here):
         return printable(path.relative_to(here).as_posix())
@@ -20,7 +20,10 @@ def shown(path: Path, given: str = "") -> str:
 
 
 def printable(name: str) -> str:
-    """*name* with bytes that are no UTF-8 as escapes: a file name may be any bytes but NUL."""
+    """Return *name* with bytes that are not UTF-8 escaped.
+
+    A file name may hold any byte but NUL.
+    """
     return os.fsencode(name).decode("utf-8", "backslashreplace").replace("\0", "\\x00")
 
 

@@ -1,6 +1,6 @@
-"""What a git repository held at a revision, and what has changed in the working tree since then.
+"""The contents of a git repository at a revision, and the changes in the working tree since then.
 
-Submodules are left out: what lies in them has a history of its own.
+Submodules are left out: they have a history of their own.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from kinlint.files.pathname import printable, real
 from kinlint.suggestion import did_you_mean
 
 REGULAR, MODULE = b"100", b"160000"
-"""How the modes of files begin, and the mode of submodules."""
+"""First digits of the modes of regular files, and the mode of submodules."""
 SHALLOW = "; the clone is shallow: git fetch --unshallow, or fetch-depth: 0 for actions/checkout"
 
 
@@ -109,12 +109,12 @@ class Revision:
 
     @cached_property
     def submodules(self) -> Sequence[Path]:
-        """Where repositories of their own were."""
+        """Return the paths of submodules."""
         return [path for path, mode, _ in self._tree if mode == MODULE]
 
     @cached_property
     def ignored(self) -> Sequence[Path]:
-        """What is in the working tree that git is told to ignore: files, and whole directories."""
+        """Return the files and directories in the working tree that git ignores."""
         words = ["ls-files", "-z", "--others", "--ignored", "--exclude-standard", "--directory"]
         told = git(self._top, words).split(b"\0")
         return [self._path(name) for name in told if name]
@@ -140,11 +140,11 @@ class Revision:
 
     @cached_property
     def deleted(self) -> frozenset[Path]:
-        """What was there and is there no more, not even by another name."""
+        """Return the files that were deleted since, renamed ones excluded."""
         return frozenset(before for path, before, _ in self._changes if path is None and before)
 
     def read(self, paths: Iterable[Path]) -> Mapping[Path, bytes]:
-        """What the files at *paths* held; those that were not there are left out."""
+        """Return the contents of the files at *paths*; those that did not exist are left out."""
         wanted = [path for path in dict.fromkeys(paths) if path in self.files]
         return dict(zip(wanted, self._contents(self.files[path] for path in wanted)))  # noqa: B905
 
@@ -182,7 +182,7 @@ class Revision:
         return found
 
     def _told_of(self, names: bytes) -> list[tuple[Path | None, Path | None, bytes]]:
-        """What changed, as git would see it if it were told of the files called *names*."""
+        """Return the changes that git would see if the files called *names* were added."""
         own = self._of_git("index")
         with tempfile.TemporaryDirectory(prefix="kinlint") as scratch:
             copy = Path(scratch) / "index"

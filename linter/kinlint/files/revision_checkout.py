@@ -24,7 +24,7 @@ EMPTY = KINDS[0] | KINDS[1]
 POINTER = re.compile(
     rb"version https://git-lfs\.github\.com/spec/v1\n(?:.*\n)*?oid sha256:([0-9a-f]{64})\n"
 )
-"""What git has in place of a file that Git LFS keeps."""
+"""Content of a file in git whose data Git LFS keeps."""
 
 
 @contextmanager
@@ -38,7 +38,10 @@ def snapshot(revision: Revision) -> Iterator[Path]:
 
 
 def at(path: Path, revision: Revision, root: Path) -> Path:
-    """Where in the snapshot at *root* the file or directory at *path* is; itself, if it is not."""
+    """Return the path in the checkout at *root* of the file at *path*.
+
+    *path* if it is not in there.
+    """
     top = revision.repository.top
     there = root / path.relative_to(top) if path.is_relative_to(top) else path
     return there if there.exists() else path
@@ -79,7 +82,7 @@ def _made(root: Path, below: Path) -> Path | None:
 
 
 def _copied(path: Path, target: Path) -> bool:
-    """Whether there is a file at *path*, which is then copied unless it is too large to be read."""
+    """Copy the file at *path* unless it is too large to be read, and tell whether it exists."""
     try:
         if path.suffix.lower() in GLOBBED or path.stat().st_size <= SIZE:
             shutil.copyfile(path, target)

@@ -1,11 +1,11 @@
-"""What a lint asks of the system it runs on, written down so that it can be asked again.
+"""Tracked input: records what a run reads, so that a cache can tell whether it changed.
 
 A report follows from the texts that were given, the rules and the settings, and from what was
-looked up besides: files that others include, directories, packages, the environment, the day.
-Whatever looks something up is a `question`. While a `Record` is being kept, it notes what was asked
-and a digest of the answer; as long as all these answers stay the same, so does the report.
+looked up besides: files that others include, directories, packages, the environment, the date. Each
+look-up is a `question`. While a `Record` is being kept, it notes the question and a digest of the
+answer; as long as all these answers stay the same, so does the report.
 
-What a question remembers from one call to the next must not outlive a record.
+A question must not remember anything that outlives a record.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Asked: TypeAlias = tuple[str, tuple[Any, ...]]
 """The name of a question, and what it is about: paths, texts and numbers."""
 
 HOME = "kinlint.files."
-"""Where all questions are."""
+"""Package of all questions."""
 
 
 @dataclass

@@ -19,9 +19,9 @@ def merged(
     seconds: float,
     recalled: int | None = None,
 ) -> Report:
-    """One report of all, in the order of *names*; what several found at one place comes once.
+    """Merge *reports* into one, in the order of *names*; duplicates at one place are dropped.
 
-    *errors* take the place of theirs. *recalled* is as in a report.
+    *errors* replace theirs. *recalled* is as in a report.
     """
     if len(reports) == 1:
         return replace(reports[0], errors=tuple(errors), seconds=seconds, recalled=recalled)

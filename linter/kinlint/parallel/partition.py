@@ -13,22 +13,25 @@ from kinlint.text import SourceText
 Model: TypeAlias = Sequence[SourceText]
 """Files that are judged together."""
 MOST = 8
-"""How many models a share has at most. Each share loads what all models need; each query of a share
-goes through all its models: of small robots, eight take the least time."""
+"""Largest number of models in a shard.
+
+Each shard loads what all models need, and each query of a shard goes through all its models: for
+small robots, eight take the least time.
+"""
 
 
 def divided(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
-    """*sources* in models that can be judged apart, which may be one."""
+    """Split *sources* into models that can be checked apart, which may be one."""
     return [*models(sources)] if sources and _separable(settings) else [list(sources)]
 
 
 def divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
-    """Whether *sources* are several models that can be judged apart."""
+    """Tell whether *sources* are several models that can be checked apart."""
     return len(divided(sources, settings)) > 1
 
 
 def _separable(settings: Settings) -> bool:
-    """Whether nothing is said of an entity that several models might have."""
+    """Tell whether no configured suppression names an entity that several models might have."""
     every = (settings.default, *settings.files.values())
     ignores = [ignore for each in every for ignore in each.ignores]
     return not any(each.iri is not None or each.pointer is not None for each in ignores)

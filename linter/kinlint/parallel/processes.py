@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
 
 PATIENCE = 5.0
-"""How many seconds the end of processes may take before nobody waits for it any longer."""
+"""Seconds to wait for processes to end."""
 _jobs: list[tuple[Job, Sequence[SourceError]]] = []
-"""In a process that was begun: how it lints, and what could not be read before."""
+"""In a worker process: the job, and the files that could not be decoded."""
 
 
 def outcomes(

@@ -18,7 +18,7 @@ from kinlint.suppression.diagnostics import UNUSED
 from kinlint.text import SourceText
 
 SHARES = 4
-"""How many shares each process gets, so that none waits long for the last one."""
+"""Number of shards for each process, so that none waits long for the last one."""
 
 
 def _nobody(_files: int) -> None:
@@ -27,9 +27,9 @@ def _nobody(_files: int) -> None:
 
 @dataclass(frozen=True)
 class ParallelRunner:
-    """How to go about a run: `jobs` is the number of processes.
+    """Runs a job in `jobs` processes.
 
-    `memory` recalls reports, and keeps them. `advance` is told of how many more files are done.
+    `memory` is the cache of reports. `advance` is called with the number of files done.
     """
 
     job: Job
@@ -39,9 +39,9 @@ class ParallelRunner:
     advance: Callable[[int], None] = _nobody
 
     def report(self, sources: Sequence[SourceText], errors: Sequence[SourceError]) -> Report:
-        """What is found in *sources*; *errors* are of files that could not even be decoded.
+        """Lint *sources*; *errors* are of files that could not even be decoded.
 
-        It is the report of one process that lints all of them.
+        The report is that of one process which lints all of them.
         """
         started = perf_counter()
         models = divided(sources, self.job.settings)

@@ -20,7 +20,7 @@ from kinlint.report import Report
 
 @dataclass(frozen=True)
 class Job:
-    """How to lint: with *fixing*, the reports have the fixes on offer."""
+    """Settings and rules of a run; with *fixing*, reports contain fixes."""
 
     settings: Settings
     book: Rulebook
@@ -69,7 +69,7 @@ def _examined(
 def _parts(
     share: Sequence[Model], report: Report, documents: Sequence[Document], job: Job
 ) -> list[Report] | None:
-    """What *report* says of each model of *share*; None if a finding lies in no file of theirs."""
+    """Split *report* by the models of *share*; None if a finding lies in no file of theirs."""
     home = {source.name: number for number, model in enumerate(share) for source in model}
     said = {each.source.name: len(each.statements) for each in documents}
     try:
@@ -111,7 +111,7 @@ def _sorted(
 
 
 class _Asked:
-    """Which of the rules that were asked of all files would have been asked of some."""
+    """Tells which rules that were enabled for all files are enabled for some."""
 
     def __init__(self, documents: Sequence[Document], job: Job) -> None:
         from kinlint.catalogue.applicability import formats  # noqa: PLC0415  loads the engine

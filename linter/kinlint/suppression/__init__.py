@@ -1,1 +1,1 @@
-"""Which findings are silenced, by whom, and which suppressions are at fault."""
+"""Suppressions: which findings they silence, and which of them are faulty."""

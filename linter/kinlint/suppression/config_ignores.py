@@ -1,4 +1,4 @@
-"""What configuration silences (`config.Ignore`), and which of that silences nothing."""
+"""Suppressions in the configuration (`settings.Ignore`), and those that silence nothing."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ConfigIgnores:
     _places: dict[tuple[str, str], Span | None] = field(default_factory=dict)
 
     def silence(self, findings: Iterable[Finding]) -> list[Finding]:
-        """*findings* with those marked that the configuration silences."""
+        """Return *findings* with those marked that the configuration silences."""
         out = []
         for finding in findings:
             name = finding.location.source.name
@@ -73,9 +73,10 @@ class ConfigIgnores:
         return self.policies.catalogue.find(selector)[1]
 
     def _covers(self, path: str, finding: Finding) -> bool:
-        """Whether *finding* is in what *path* leads to, its key included.
+        """Tell whether *finding* is in the value or element at *path*, its key included.
 
-        That is a JSON Pointer, or the way to an element of XML, as in `/link/base/inertial`.
+        *path* is a JSON Pointer (RFC 6901), or the path of an XML element, as in
+        `/link/base/inertial`.
         """
         if is_address(finding.iri):
             _, _, address = finding.entity.partition("#")

@@ -1,4 +1,4 @@
-"""What is wrong with suppressions, as findings of the rules in `rules/lint/`.
+"""Findings about suppressions, of the rules in `rules/lint/`.
 
 Those rules have no SHACL check, since no graph tells what a run found; their files say
 `kl:reportedBy kl:suppression` and hold everything else: code, reason, severity, messages.
@@ -25,7 +25,7 @@ FAULTS = (UNUSED, UNKNOWN, UNREASONED, EXPIRED)
 
 @dataclass(frozen=True, slots=True)
 class SuppressionFault:
-    """What the rule called `rule` has to say of `directive`; `values` fill its message."""
+    """A fault of `directive`, reported by the rule called `rule`; `values` fill its message."""
 
     rule: str
     directive: Directive
@@ -35,7 +35,7 @@ class SuppressionFault:
 def faults(
     directives: Iterable[Directive], used: frozenset[Directive], policies: Policies
 ) -> Iterator[SuppressionFault]:
-    """What is wrong with *directives*, of which *used* silenced something."""
+    """Yield the faults of *directives*, of which *used* silenced something."""
     for one in directives:
         named = {"rule": one.selector} if one.selector else {}
         if not one.codes:
@@ -88,7 +88,7 @@ def _template(rule: Rule, values: Mapping[str, str]) -> str:
 
 
 def _could_be_used(directive: Directive, policies: Policies) -> bool:
-    """Whether a rule that *directive* names spoke at all in this run."""
+    """Tell whether a rule that *directive* names was enabled in this run."""
     names = (directive.document.source.name, *policies.settings.files)
     return bool(directive.codes & policies.enabled(names))
 

@@ -34,9 +34,9 @@ _COMMENT = iri(f"{SRC}Comment")
 class Directive:
     """One `kl:ignore` on `node`, about one selector.
 
-    `codes` are the rules that `selector` names, none if it is unknown. `until` is the end as it
-    is written; `active` tells that it is not over. `whole_file` tells that `node` is the name of
-    the file's graph. `extent` is where all is covered that is found there.
+    `codes` are the rules that `selector` names, none if it is unknown. `until` is the end date as
+    written; `active` says that it has not passed. `whole_file` says that `node` is the name of the
+    file's graph. `extent` is the place within which findings are covered.
     """
 
     document: Document
@@ -52,11 +52,11 @@ class Directive:
 
     @property
     def node(self) -> Term:
-        """What the statement is about."""
+        """Return the node that the statement is about."""
         return self.statement[0]
 
     def names(self, codes: frozenset[str]) -> bool:
-        """Whether it silences one of *codes*."""
+        """Tell whether the directive silences one of *codes*."""
         return not self.codes.isdisjoint(codes)
 
     @property
@@ -110,7 +110,7 @@ def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterato
 
 
 def _extent(document: Document, node: Term) -> Location | None:
-    """Where *node* is written with all that belongs to it."""
+    """Return the place of *node* with all that belongs to it; None if it is not described."""
     spans = document.map.nodes.get(node)
     return document.location(spans.whole) if spans else None
 
@@ -158,7 +158,7 @@ def _text(value: Term | None) -> str | None:
 
 
 def _lasts(until: str, today: date | None) -> bool:
-    """Whether the day *until* is not over; what is no date is over."""
+    """Tell whether the date *until* has not passed; an invalid date has."""
     from datetime import date  # noqa: PLC0415  few models have such a day
 
     try:

@@ -37,7 +37,7 @@ class IntervalIndex(Generic[T]):
         return cls(spans, outer, [one for _, one in ordered])
 
     def around(self, place: Span) -> Iterator[T]:
-        """What *place* lies in, the innermost first."""
+        """Yield the contents of all intervals that contain *place*, the innermost first."""
         at = bisect_right(self.spans, place.start, key=lambda span: span.start) - 1
         while at >= 0:
             if place.end <= self.spans[at].end:

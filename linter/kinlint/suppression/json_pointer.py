@@ -1,4 +1,4 @@
-"""Where a JSON Pointer (RFC 6901) points to in a text, without building what the text says."""
+"""Resolves JSON Pointers (RFC 6901) to places in a text without parsing it into values."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _SKIP = JSONDecoder().raw_decode
 
 
 class Place(NamedTuple):
-    """Where a value is, and the same with the key in front of it if it has one."""
+    """The place of a value, and the same with the key in front of it, if any."""
 
     value: Span
     member: Span

@@ -1,4 +1,4 @@
-"""Which comments cover a place: all that is written within the element that they are about."""
+"""Scopes of suppression comments: everything within the element that they are about."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class SuppressionScopes:
 
     @classmethod
     def of(cls, directives: Iterable[Directive]) -> SuppressionScopes:
-        """Those of *directives* that have an extent."""
+        """Index the *directives* that have an extent."""
         files: dict[str, list[tuple[Span, Directive]]] = {}
         for one in directives:
             if one.extent is not None and not one.whole_file:

@@ -1,10 +1,10 @@
-"""Which findings are silenced, by whom, and which suppressions are themselves at fault.
+"""Applies suppressions to findings, and reports faulty suppressions.
 
 Two sources silence findings. A model says `kl:ignore` on a node: findings about that node, and if a
 comment says so also those within; on the name of the file's graph: findings in that file. A
 configuration says so for files, for a JSON Pointer in a file, or for an entity's IRI
-(`settings.Ignore`). Nothing here removes a finding:
-`Finding.suppressed` tells why it is not to be shown.
+(`settings.Ignore`). Nothing here removes a finding: `Finding.suppressed` tells why it is not to be
+shown.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ def _rest(command: Command) -> str:
 
 
 def _replied(value: Value) -> str:
-    """What puts the completions of *value* among the replies."""
+    """Return the shell code that adds the completions of *value* to the replies."""
     if value.kind in ("files", "folders"):
         return f'_kinlint_files {"-d" if value.kind == "folders" else "-f"} "$cur"'
     if value.kind == "anything":

@@ -51,7 +51,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _selectors(book: Rulebook) -> Iterator[str]:
-    """What may name rules: first what names many."""
+    """Yield the selectors of rules, the most general first."""
     yield from ("ALL", *sorted({rule.family for rule in book.rules}))
     yield from sorted({point for rule in book.rules for point in rule.antipatterns})
     yield from (name for rule in book.rules for name in (rule.code, rule.name))

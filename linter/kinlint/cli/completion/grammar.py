@@ -1,4 +1,4 @@
-"""What may stand where on the command line, as the parsers of the subcommands say."""
+"""The grammar of the command line, read from the parsers of the subcommands."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KINDS: Mapping[str, Kind] = {
     "PATH|KEY=VALUE": "files",
     "R": "rules",
 }
-"""What is meant by the names that help texts have for values."""
+"""Kinds of values by the metavariables that help texts use."""
 KNOWN: Mapping[str, Sequence[str]] = {
     "contexts": (*RELEASES, "newest"),
     "keys": tuple(KEYS),
@@ -37,7 +37,7 @@ KNOWN: Mapping[str, Sequence[str]] = {
 
 @dataclass(frozen=True)
 class Value:
-    """What an option or a command takes: `words` where it is one of these; or several by commas."""
+    """The value of an option or a command: one of `words`, if any; several with commas."""
 
     kind: Kind
     words: tuple[str, ...] = ()
@@ -72,7 +72,7 @@ class Words:
 
 
 def words(rules: Iterable[str]) -> Words:
-    """What may stand on the command line; *rules* is what selectors may be."""
+    """Return the grammar of the command line; *rules* are the selectors to complete."""
     return Words(tuple(_command(*each) for each in COMMANDS.items()), tuple(rules))
 
 

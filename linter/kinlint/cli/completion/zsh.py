@@ -55,7 +55,7 @@ def _case(command: Command) -> str:
 
 
 def _specs(option: Option) -> Iterator[str]:
-    """What `_arguments` is told of each name of *option*, which may come again."""
+    """Yield the `_arguments` specification of each name of *option*, which may be repeated."""
     text = option.text.replace("[", r"\[").replace("]", r"\]")
     for name in option.names:
         if option.value is None:
