@@ -1,1 +1,1 @@
-"""What a run found, as text for people and for machines."""
+"""Reporters: findings as text for people and for machines."""

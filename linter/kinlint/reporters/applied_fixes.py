@@ -1,4 +1,4 @@
-"""What a run fixed: the list of `--show-fixes`, and the last line of one that only fixes."""
+"""Applied fixes: the list of `--show-fixes`, and the last line of `--fix-only`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from kinlint.reporters.terminal_style import INK_OF, Style
 
 
 def listing(report: Report, style: Style, *, would: bool = False) -> Iterator[str]:
-    """What was fixed, or *would* be, by file and rule; nothing if that is nothing."""
+    """Yield the fixes made, or that *would* be, by file and rule."""
     if not report.fixed:
         return
     yield f"{_verb(would=would)} {counts(report.fixed)}:\n"
@@ -34,7 +34,7 @@ def listing(report: Report, style: Style, *, would: bool = False) -> Iterator[st
 
 
 def verdict(report: Report, *, would: bool = False) -> Iterator[str]:
-    """How much was fixed, or *would* be, in a run that reports nothing else."""
+    """Yield the number of fixes made, or that *would* be, in a run that reports nothing else."""
     more = fixable(report.open, unsafe=report.unsafe).with_care
     what, word = (counts(report.fixed), "more") if report.fixed else ("nothing", "fixable")
     extra = f" ({more:,} {word} with `--unsafe-fixes`)" if more and report.unsafe is None else ""

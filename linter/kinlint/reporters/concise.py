@@ -1,9 +1,9 @@
-"""One line for each finding, in the shape that compilers print and editors parse.
+"""One line per finding, in the format that compilers print and editors parse.
 
-`path:10:27: error: message [UNI002]`, as in the GNU coding standards, "Formatting Error
-Messages", with the code behind it as clang-tidy and mypy write it. The code stays last, where
-problem matchers look for it: that a fix is at hand is said before the message, as ruff says it.
-Columns are code points.
+`path:10:27: error: message [UNI002]`, as in the GNU coding standards, "Formatting Error Messages",
+with the code behind it as clang-tidy and mypy write it. The code stays last, where problem matchers
+look for it: that a fix is at hand is said before the message, as ruff says it. Columns are code
+points.
 """
 
 from __future__ import annotations

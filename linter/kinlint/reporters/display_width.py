@@ -1,4 +1,4 @@
-"""How characters look on a terminal: what is shown for each, and how wide that is."""
+"""Display of characters on a terminal: replacements for unprintable ones, and widths in columns."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def folded(text: str, *, unicode: bool = True) -> str:
 
 
 def sound(text: str) -> str:
-    """*text* without the lone surrogates that no encoding can write."""
+    """Return *text* with lone surrogates, which no encoding can write, replaced."""
     return text if text.isascii() else _SURROGATES.sub("\ufffd", text)
 
 

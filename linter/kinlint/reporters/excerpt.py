@@ -42,7 +42,7 @@ class Cut:
     after: bool
 
     def holds(self, offset: int) -> bool:
-        """Whether what stands at *offset* is shown; the end of the line belongs to the line."""
+        """Tell whether *offset* is shown; the end of the line belongs to the line."""
         return self.start <= offset < self.end or (offset == self.end and not self.after)
 
 
@@ -94,7 +94,7 @@ def underlined(source: SourceText, marks: Sequence[Mark], style: Style) -> Itera
 
 
 def line_text(source: SourceText, line: int, at: int, style: Style) -> str:
-    """What *line* looks like, cut round the offset *at* if it is too long for the style's width."""
+    """Return *line* as shown, cut around the offset *at* if it exceeds the style's width."""
     return _text(source, cut(source, line, at, style), style)
 
 
@@ -121,7 +121,7 @@ def bounds(source: SourceText, line: int) -> tuple[int, int]:
 
 
 def _walk(source: SourceText, at: int, stop: int, room: int, style: Style) -> tuple[int, int]:
-    """How far one gets from *at* towards *stop* within *room* columns, and the room left."""
+    """Return the offset reached within *room* columns from *at* to *stop*, and the room left."""
     step = 1 if stop > at else -1
     while at != stop:
         char = source.text[at if step > 0 else at - 1]

@@ -84,7 +84,7 @@ class FixPreview:
         return f"{lead} {self.style.ink(body, _INKS[sign])}"
 
     def _neighbour(self, number: int, source: SourceText, line: int) -> str:
-        """*line* of *source*, which will be line *number*."""
+        """Return *line* of *source*, numbered *number* as after the fix."""
         body = line_text(source, line, 0, self.style)
         return f"{self.style.ink(f'{number:>{self.gutter}} |', 'place')} {body}".rstrip()
 

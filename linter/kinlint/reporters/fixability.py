@@ -1,4 +1,4 @@
-"""What can be done about findings: the signs for it, and how many there are of each."""
+"""Fixability of findings: signs and counts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ FIXABLE, WITH_CARE, PARTLY = "[*]", "[*!]", "[-]"
 
 
 class Fixable(NamedTuple):
-    """How many findings `--fix` mends, and how many more `--fix --unsafe-fixes` would."""
+    """Number of findings that `--fix` fixes, and how many more `--fix --unsafe-fixes` would."""
 
     now: int
     with_care: int
@@ -31,6 +31,6 @@ def sign(finding: Finding, *, unsafe: bool | None = None) -> str:
 
 
 def fixable(findings: Iterable[Finding], *, unsafe: bool | None = None) -> Fixable:
-    """How many of *findings* can be mended."""
+    """Count the *findings* that can be fixed."""
     signs = [sign(finding, unsafe=unsafe) for finding in findings]
     return Fixable(signs.count(FIXABLE), signs.count(WITH_CARE))

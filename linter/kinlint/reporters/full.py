@@ -104,7 +104,7 @@ def _in_text(related: Related) -> tuple[str, int]:
 
 
 def _fits(mark: Mark, near: Sequence[Mark], style: Style) -> bool:
-    """Whether the line is close, and what of it is shown for an earlier mark shows this one."""
+    """Tell whether *mark* is close, and visible in the excerpt of its line."""
     main = near[0]
     source = main.location.source
     if mark.location.source.name != source.name or abs(mark.line - main.line) > NEAR_LINES:

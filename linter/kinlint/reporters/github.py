@@ -19,12 +19,12 @@ from kinlint.reporters.terminal_style import Style
 
 ANNOTATIONS_OF_A_KIND = 10
 MESSAGE_LENGTH = 4_096
-"""What the runner keeps of a message."""
+"""Number of characters of a message that the runner keeps."""
 _KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 
 
 class Parts(NamedTuple):
-    """What is annotated of a report, and what of it is not."""
+    """The findings and errors of a report that are annotated, and those that are not."""
 
     errors: tuple[SourceError, ...]
     findings: tuple[Finding, ...]
@@ -52,7 +52,7 @@ def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
 
 
 def annotated(report: Report) -> Parts:
-    """What of *report* GitHub shows: ten of each kind, the files that cannot be read first."""
+    """Select what GitHub shows of *report*: ten of each kind, unreadable files first."""
     most = ANNOTATIONS_OF_A_KIND
     room = Counter(dict.fromkeys(Severity, most))
     room[Severity.ERROR] -= min(len(report.errors), most)

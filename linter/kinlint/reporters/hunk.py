@@ -1,4 +1,4 @@
-"""Which lines of a text edits change: what a diff shows, found from the edits alone."""
+"""Hunks of a diff, computed from text edits alone."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinlint.reporters.excerpt import bounds
 from kinlint.text import SourceText, Span
 
 NEAR = 1_000
-"""So many characters of a line are kept before and after what changes in it."""
+"""Number of characters of a line kept before and after its change."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,9 +36,9 @@ def edits_of(fix: Fix) -> Iterator[tuple[SourceText, list[Edit]]]:
 
 
 def hunks(source: SourceText, edits: Sequence[Edit]) -> Iterator[Hunk]:
-    """What *edits*, which are in order, do to the lines of *source*.
+    """Yield the hunks of *edits*, which are in order.
 
-    Edits that touch the same line, or lines next to each other, are told together.
+    Edits of the same line, or of lines next to each other, share a hunk.
     """
     shift = 0
     for first, last, own in _groups(source, edits):
@@ -79,7 +79,7 @@ def _groups(source: SourceText, edits: Sequence[Edit]) -> Iterator[tuple[int, in
 
 
 def common(one: Sequence[str], other: Sequence[str]) -> int:
-    """How many lines, or characters of a line, the two begin with in common."""
+    """Return the length of the common prefix of two sequences."""
     count = 0
     for a, b in zip(one, other, strict=False):
         if a != b:

@@ -10,7 +10,7 @@ from kinlint.reporters.terminal_style import Style
 
 
 def json_text(value: Any, style: Style, indent: int | None = None) -> str:
-    """*value* as JSON without lone surrogates, which many parsers refuse even as escapes."""
+    """Return *value* as JSON without lone surrogates, which many parsers refuse even as escapes."""
     text = sound(json.dumps(value, indent=indent, ensure_ascii=False))
     if style.unicode or text.isascii():
         return text

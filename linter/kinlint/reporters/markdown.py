@@ -25,12 +25,12 @@ def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
 
 
 def head(report: Report) -> Iterator[str]:
-    """What the run amounts to, as a heading and a sentence."""
+    """Yield the verdict of the run as a heading and a sentence."""
     yield f"## kinlint\n\n{escaped(verdict(report))}\n"
 
 
 def by_rule(findings: Sequence[Finding]) -> Iterator[str]:
-    """How many *findings* each rule has, the most frequent first; nothing if there are none."""
+    """Yield a table of the number of *findings* per rule, the most frequent first."""
     groups: dict[str, list[Finding]] = {}
     for finding in findings:
         groups.setdefault(finding.rule.code, []).append(finding)

@@ -1,4 +1,4 @@
-"""What a reporter is."""
+"""The interface of reporters."""
 
 from __future__ import annotations
 

@@ -15,11 +15,10 @@ from kinlint.reporters.terminal_style import Style, style_of
 
 
 class Format(NamedTuple):
-    """Where a format's `render` is, whether a machine reads it, and what it tells of.
+    """An output format: the module of its `render`, its reader, and its content.
 
-    A machine format has its stream for itself: the summary belongs on standard error. For one
-    that tells of no `fixes` nobody needs to work them out; one that is `drawn` shows how robots are
-    built.
+    A machine format has its stream for itself: the summary belongs on standard error. A format
+    without `fixes` needs none computed; one that is `drawn` shows the structure of robots.
     """
 
     module: str

@@ -1,4 +1,4 @@
-"""What files are called where a server looks for them: from the top of their repository."""
+"""Paths of files relative to the top of their repository, as servers look them up."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from kinlint.reporters.terminal_style import Style
 
 
 def drawn(thing: RenderableType, style: Style) -> str:
-    """*thing* as text with escape sequences, whatever the environment says."""
+    """Render *thing* as text with escape sequences, whatever the environment says."""
     out = io.StringIO()
     console = Console(
         file=out,

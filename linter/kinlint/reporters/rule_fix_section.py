@@ -1,4 +1,4 @@
-"""How a rule mends what it finds, for its page: what it does, and how far to trust that."""
+"""The section of a rule's page about its fixes, with their applicability."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def heading(repair: Repair) -> str:
 
 
 def furthest(rule: Rule) -> str:
-    """How far the most trusted of the repairs may be trusted; nothing if there are none."""
+    """Return the label of the highest applicability of the repairs; "" if there are none."""
     levels = [each.applicability for each in rule.repairs]
     return max(levels).label if levels else ""
 

@@ -1,4 +1,4 @@
-"""What there is to know about a rule, as text, Markdown and an object for JSON."""
+"""The page of a rule as text, Markdown and an object for JSON."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
 
 
 def _severity(rule: Rule) -> str:
-    """What the rule counts as, and what else for whom."""
+    """Return the severity of the rule, with those for certain targets and formats."""
     parts = [rule.severity.label, *(f"{each.label} for some findings" for each in rule.also)]
     for each in rule.severity_for:
         where = f" in {' and '.join(each.formats)}" if each.formats else ""

@@ -76,7 +76,7 @@ def pages(rules: Iterable[Rule]) -> Mapping[str, str]:
 
 
 def _front(rules: Sequence[Rule], files: Mapping[str, str]) -> Iterator[str]:
-    """What comes before the sections, which stand in the *files* of their families."""
+    """Yield the text before the sections, which are in the *files* of their families."""
     yield INTRODUCTION
     yield "\n## Index\n"
     for family, members in _families(rules).items():

@@ -1,4 +1,4 @@
-"""How often each rule found something: the table of `--statistics`."""
+"""Counts of findings by rule: the table of `--statistics`."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
 
 
 def _cells(group: Sequence[Finding], *, unsafe: bool | None) -> tuple[str, ...]:
-    """What the table has of the findings of one rule."""
+    """Return the row of the table for the findings of one rule."""
     rule = group[0].rule
     severities = sorted({finding.severity for finding in group}, reverse=True)
     return (
@@ -55,7 +55,7 @@ def _cells(group: Sequence[Finding], *, unsafe: bool | None) -> tuple[str, ...]:
 
 
 def _sign(group: Sequence[Finding], *, unsafe: bool | None) -> str:
-    """Whether all of *group* can be fixed, some, or none."""
+    """Return the sign for whether all of *group* can be fixed, some, or none."""
     now, with_care = fixable(group, unsafe=unsafe)
     if not now and not with_care:
         return "-"

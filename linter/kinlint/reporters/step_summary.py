@@ -22,7 +22,7 @@ from kinlint.structure import Structure
 CHARACTERS, EDGES = 50_000, 500
 """A chart with more than so many characters or edges is not drawn."""
 ROBOTS = 20
-"""So many robots are drawn at most."""
+"""Number of robots that are drawn at most."""
 _CLOSING = 200
 """Bytes that are kept for the line that tells what there was no room for."""
 

@@ -1,4 +1,4 @@
-"""What a run amounts to, in a line or a few."""
+"""The summary of a run, in one line or a few."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _NOT_APPLIED = "0 rules applied: no known vocabulary"
 
 
 def counted(number: int, noun: str, nouns: str = "") -> str:
-    """*number* in front of a noun: `1 file`, `1,204 triples`."""
+    """Return *number* with its noun: `1 file`, `1,204 triples`."""
     return f"{number:,} {noun if number == 1 else nouns or noun + 's'}"
 
 
 def errors(report: Report, style: Style) -> Iterator[str]:
-    """One line for each file that could not be read."""
+    """Yield one line for each file that could not be read."""
     for error in report.errors:
         text = shown(str(error), unicode=style.unicode)
         yield f"{style.ink('error', 'error')}: {text}\n"
@@ -39,7 +39,7 @@ def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[
 
 
 def verdict(report: Report) -> str:
-    """What the run amounts to, in one sentence that does not depend on the time it took."""
+    """Return the result of the run in one sentence that does not depend on its duration."""
     timeless = replace(report, seconds=None)
     return _verdict(timeless, Style(), verbose=True) + _asides(report)
 
@@ -77,12 +77,12 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
 
 
 def _idle(report: Report) -> bool:
-    """Whether no rule looked at any file."""
+    """Tell whether no rule looked at any file."""
     return not report.rules or len(report.unapplied) == len(report.files)
 
 
 def counts(findings: Sequence[Finding]) -> str:
-    """How many *findings* there are of each severity: `2 errors and 1 warning`."""
+    """Return the number of *findings* of each severity: `2 errors and 1 warning`."""
     severities = Counter(finding.severity for finding in findings)
     each = [
         counted(severities[severity], severity.label)
@@ -107,7 +107,7 @@ def _extent(report: Report) -> str:
 
 
 def _asides(report: Report) -> str:
-    """What was found and is not shown, and the full stop before it."""
+    """Return the number of findings that are not shown, and the full stop before it."""
     parts = []
     if silenced := len(report.suppressed) + len(report.findings) - len(report.open):
         parts.append(f"{silenced:,} suppressed")

@@ -1,7 +1,7 @@
-"""What the anti-patterns look like in a model: the symptoms that rules are tagged with.
+"""The symptoms of the anti-patterns that rules are tagged with.
 
-Numbers follow the anti-patterns. What comes with a format, and no author could avoid, no rule
-finds: `--profile` shows it.
+Numbers follow the anti-patterns. Symptoms that come with a format, and that no author could avoid,
+are shown by `--profile` and found by no rule.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ FORMATS = {"jsonld": "JSON-LD", "urdf": "URDF", "sdf": "SDF", "srdf": "SRDF"}
 
 
 def symptom_table(rules: Iterable[Rule]) -> Iterator[str]:
-    """Which of *rules* find each symptom in models of each format, as rows of a Markdown table.
+    """Yield the rows of a Markdown table: which of *rules* find each symptom in each format.
 
     *inherent* stands where no author of that format can avoid the symptom.
     """

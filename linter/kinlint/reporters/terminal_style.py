@@ -1,4 +1,4 @@
-"""How text may look where it goes: colours, links, characters and width."""
+"""Text style of an output: colours, links, characters and width."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ LEAST_WIDTH = 40
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """What may be used: the 16 ANSI colours, OSC 8 links, characters beyond ASCII.
+    """Capabilities of an output: the 16 ANSI colours, OSC 8 links, characters beyond ASCII.
 
     `width` is that of the terminal, in columns. Nothing is ever said by colour alone.
     """
@@ -45,21 +45,21 @@ class Style:
     width: int = PLAIN_WIDTH
 
     def ink(self, text: str, ink: Ink) -> str:
-        """*text* in a colour, or as it is."""
+        """Return *text* in a colour, if colours may be used."""
         return f"\x1b[{_INKS[ink]}m{text}\x1b[0m" if self.color and text else text
 
     def link(self, text: str, url: str) -> str:
-        """*text* as a link to *url* (the OSC 8 escape sequence), or as it is."""
+        """Return *text* as a link to *url* (the OSC 8 escape sequence), if links may be used."""
         return f"\x1b]8;;{url}\x1b\\{text}\x1b]8;;\x1b\\" if self.links and url else text
 
 
 def style_of(
     stream: TextIO, when: When = "auto", environment: Mapping[str, str] | None = None
 ) -> Style:
-    """What *stream* can show.
+    """Return the style that *stream* can show.
 
-    *when* decides over everything else, then NO_COLOR, then FORCE_COLOR and CLICOLOR_FORCE,
-    then TERM=dumb, then whether the stream is a terminal (https://no-color.org,
+    *when* decides over everything else, then NO_COLOR, then FORCE_COLOR and CLICOLOR_FORCE, then
+    TERM=dumb, then whether the stream is a terminal (https://no-color.org,
     https://bixense.com/clicolors).
     """
     said = os.environ if environment is None else environment

@@ -1,4 +1,4 @@
-"""Where the time of a run went: the profile of `--statistics -v`."""
+"""Time of a run by phase: the profile of `--statistics -v`."""
 
 from __future__ import annotations
 

@@ -127,7 +127,7 @@ def _escaped(match: re.Match[str]) -> str:
 
 
 def _term(term: Term) -> str:
-    """*term* as every parser of Turtle takes it."""
+    """Return *term* as every parser of Turtle accepts it."""
     if is_iri(term):
         return f"<{_UNFIT.sub(lambda match: quote(match[0]), term[1:-1])}>"
     if is_blank(term) and not _LABEL.fullmatch(term):

@@ -22,7 +22,7 @@ def tag(name: str, attributes: Mapping[str, object], style: Style, *, empty: boo
 
 
 def content(text: str, style: Style) -> str:
-    """*text* as what stands between tags."""
+    """Escape *text* as character data."""
     return _encoded(escape(_allowed(text)), style)
 
 
@@ -31,7 +31,7 @@ def _allowed(text: str) -> str:
 
 
 def _encoded(text: str, style: Style) -> str:
-    """*text* as it is, or with references where the stream may not take each character."""
+    """Return *text* with character references where the stream may not take a character."""
     if style.unicode or text.isascii():
         return text
     return text.encode("ascii", "xmlcharrefreplace").decode("ascii")

@@ -15,7 +15,7 @@ from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.summary import counted
 
 OPEN = 25
-"""Of more findings all are folded."""
+"""Number of findings above which all are folded."""
 PREMISES = 24
 FILTER = """<form class="filter" role="search" hidden>
 <label>Filter <input type="search" id="filter" placeholder="code, message, file, entity"></label>
@@ -38,7 +38,7 @@ class Articles:
         self._numbers = {id(one): number for number, one in enumerate(report.findings, 1)}
 
     def address(self, finding: Finding) -> str:
-        """What leads to *finding* on the page."""
+        """Return the link to *finding* on the page."""
         number = self._numbers.get(id(finding))
         return f"#f-{number}" if number is not None else "#findings"
 
@@ -75,7 +75,7 @@ class Articles:
             yield "no known vocabulary.</p>\n"
 
     def _fixed(self) -> Iterator[str]:
-        """What the run mended, a line for each."""
+        """Yield the fixes that the run made, a line for each."""
         if not self.report.fixed:
             return
         yield "<h3>Fixed</h3>\n<ul>\n"
@@ -120,7 +120,7 @@ class Articles:
 
 
 def chip_of_error() -> str:
-    """What stands before a file that cannot be read."""
+    """Return the mark of a file that cannot be read."""
     return '<span class="chip error"><span aria-hidden="true">✖</span> not read</span>'
 
 

@@ -15,7 +15,7 @@ NEAR = 5
 """A related place at most so many lines away is shown in the same excerpt."""
 STYLE = Style(width=200)
 MOST = 12
-"""So many related places are shown with their lines, or are not folded."""
+"""Number of related places above which they are folded and shown without their lines."""
 
 
 def excerpts(finding: Finding) -> Iterator[str]:
@@ -93,6 +93,6 @@ def _line(source: SourceText, number: int, marks: Sequence[Mark], finding: Findi
 
 
 def _within(mark: Mark, part: Cut, least: int) -> tuple[int, int]:
-    """What of *mark* is in *part* and not before *least*."""
+    """Return the part of *mark* that is in *part* and not before *least*."""
     start = min(max(mark.location.span.start, least), part.end)
     return start, min(max(mark.location.span.end, start), part.end)

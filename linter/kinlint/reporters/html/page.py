@@ -50,7 +50,7 @@ def _page(report: Report) -> Iterator[str]:
 
 
 def _policy(css: str, script: str) -> str:
-    """What the page may do: be styled and moved by its own text, and nothing else."""
+    """Return the content security policy: the page's own style and script, and nothing else."""
     return (
         f"default-src 'none'; style-src '{_digest(css)}'; script-src '{_digest(script)}'; "
         "base-uri 'none'; form-action 'none'"

@@ -20,7 +20,7 @@ COPY = '<button type="button" class="copy" hidden>Copy</button>'
 
 
 def fixes(finding: Finding) -> Iterator[str]:
-    """What mends *finding*, each way with its patch, to be copied where it is one to the byte."""
+    """Yield the fixes of *finding* with their patches, which can be copied where they are exact."""
     for fix in finding.fixes:
         kind = element("span", KINDS[fix.applicability], class_="tag")
         why = element("p", text(folded(fix.why)), class_="note") if fix.why else ""
@@ -51,17 +51,17 @@ def _range(first: int, count: int) -> str:
 
 
 def _last(source: SourceText, hunk: Hunk) -> bool:
-    """Whether *hunk* changes the last line of *source*, and no line end follows it."""
+    """Tell whether *hunk* changes the last line of *source*, and no line end follows it."""
     return hunk.old + len(hunk.removed) > len(source.line_starts)
 
 
 def _code(line: str) -> str:
-    """*line* as markup, its tabs as they are."""
+    """Return *line* as markup, with its tabs."""
     return "\t".join(map(text, line.split("\t")))
 
 
 def _exact(fix: Fix) -> bool:
-    """Whether the patch says what the fix does: no line is cut, ends in CR or has to be escaped."""
+    """Tell whether the patch equals the fix: no line is cut, ends in CR or has to be escaped."""
     for source, edits in edits_of(fix):
         if "\r" in source.text:
             return False

@@ -15,9 +15,9 @@ from kinlint.structure import Structure
 
 FIT = '<label class="fit"><input type="checkbox"> Fit to the width</label>'
 WIDE = 1080
-"""What is wider, in pixels, does not fit the page."""
+"""Width in pixels above which a picture does not fit the page."""
 OPEN = 3
-"""Of more robots none is shown before it is asked for, but those with findings."""
+"""Number of robots above which only those with findings are unfolded."""
 
 
 def robots(report: Report, address: Callable[[Finding], str]) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""How many findings there are: by severity, rule, anti-pattern and file."""
+"""Counts of findings by severity, rule, anti-pattern and file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.picture.finding_badges import sign
 
 FILES = 200
-"""Of more files only those with the most findings have a row."""
+"""Number of files above which only those with the most findings have a row."""
 
 
 def tables(report: Report) -> Iterator[str]:

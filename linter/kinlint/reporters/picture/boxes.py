@@ -19,21 +19,21 @@ ADVANCE = 0.602
 NAME, SMALL, LABEL, BADGE = 12.0, 10.0, 9.5, 10.0
 """The sizes of letters, in pixels."""
 LONGEST, TAIL = 40, 14
-"""How much of a name is written, and how much of that is its end; the title has all of it."""
+"""Number of characters of a name that are written, and of its end; the title has all of it."""
 PAD = 12.0
 LINE = 14.0
 LABEL_LINE = 12.0
 CLEAR = 6.0
-"""How much of its edge is seen between a label and its shape."""
+"""Length of the edge, in pixels, visible between a label and its shape."""
 ROUND = 1.16
-"""How much wider than its text an ellipse is, so that its corners fit."""
+"""Width of an ellipse relative to its text, so that the corners fit."""
 
 
 @dataclass(frozen=True, slots=True)
 class Box:
     """One shape: `above` is the index of the one it hangs below, or -1.
 
-    `rows` are the name and what is written below it, `label` what stands at the edge to it.
+    `rows` are the name and what is written below it, `label` the text at the edge to it.
     """
 
     kind: Kind
@@ -47,7 +47,7 @@ class Box:
 
     @property
     def width(self) -> float:
-        """How wide the shape is, without its badge."""
+        """Width of the shape in pixels, without its badge."""
         size = SMALL if self.kind == "frame" else NAME
         first, *more = self.rows
         text = max(span(first, size), *(span(row, SMALL) for row in more), 0.0)
@@ -57,34 +57,34 @@ class Box:
 
     @property
     def height(self) -> float:
-        """How high the shape is, without its badge."""
+        """Height of the shape in pixels, without its badge."""
         if self.kind == "frame":
             return 20.0
         return LINE * len(self.rows) + (18.0 if self.kind in {"joint", "loop"} else 16.0)
 
     @property
     def label_width(self) -> float:
-        """How wide what stands at its edge is."""
+        """Width of the label at its edge, in pixels."""
         return max((span(line, LABEL) for line in self.label), default=0.0)
 
     @property
     def label_height(self) -> float:
-        """How high what stands at its edge is."""
+        """Height of the label at its edge, in pixels."""
         return LABEL_LINE * len(self.label) + (CLEAR if self.label else 0.0)
 
     @property
     def badge_width(self) -> float:
-        """How wide its badge is."""
+        """Width of its badge, in pixels."""
         return 0.0 if self.badge is None else span(self.badge.text(), BADGE) + 10.0
 
 
 def span(text: str, size: float) -> float:
-    """How wide *text* is in letters of this size."""
+    """Return the width of *text* in pixels at font size *size*."""
     return width(text) * size * ADVANCE
 
 
 def cut(text: str) -> str:
-    """*text* as it may be printed, its middle left out if it is very long."""
+    """Return *text* in printable characters, its middle left out if it is very long."""
     text = shown(text)
     return text if len(text) <= LONGEST else f"{text[: LONGEST - TAIL - 1]}…{text[-TAIL:]}"
 

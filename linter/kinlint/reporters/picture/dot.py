@@ -21,7 +21,7 @@ OUTLINES = {Severity.ERROR: "#c62828", Severity.WARNING: "#b26a00", Severity.INF
 def render(
     pairs: Sequence[tuple[Structure, Marks]], style: Style, *, frames: bool = False
 ) -> Iterator[str]:
-    """One graph of all robots; where *style* has no characters beyond ASCII, with references."""
+    """Render one graph of all robots; where *style* has ASCII only, with character references."""
     text = "".join(f"{line}\n" for line in lines(pairs, frames=frames))
     yield text if style.unicode else BEYOND.sub("?", text).encode("ascii", REFERENCE).decode()
 
@@ -105,7 +105,7 @@ def _color(found: Marks, iri: str, plain: str = "#44546a") -> str:
 
 
 def quoted(*rows: str) -> str:
-    """*rows* as one string of the language, each centred on a line of its own."""
+    """Return *rows* as one DOT string, each centred on a line of its own."""
     text = "\\n".join(
         shown(row).replace("&", "&amp;").replace("\\", "\\\\").replace('"', '\\"') for row in rows
     )

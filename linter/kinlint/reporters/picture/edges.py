@@ -9,10 +9,10 @@ from kinlint.reporters.picture.escape import empty, number
 from kinlint.reporters.picture.placement import CHANNEL, MARGIN, Layout, Place
 
 STRAY = 5.0
-"""How far apart lines run that go from one column to the next."""
+"""Distance in pixels between lines from one column to the next."""
 
 CLEARANCE = 14.0
-"""How far a loop keeps from what it passes; less than the margin."""
+"""Distance in pixels of a loop from what it passes; less than the margin."""
 FAR = 40
 """A loop over more parts is not led round all of them."""
 
@@ -70,7 +70,7 @@ def loops(
 
 
 def _round(boxes: Sequence[Box], layout: Layout, joint: int, link: int) -> str:
-    """From side to side; where one stands above the other, out to the right and back."""
+    """Return the line from side to side, or out to the right and back if one is above the other."""
     one, start = boxes[joint], layout.places[joint]
     other, end = boxes[link], layout.places[link]
     apart = end.x - start.x

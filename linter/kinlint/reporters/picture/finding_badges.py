@@ -1,4 +1,4 @@
-"""What is found of each part of a robot, and the sign and the code that mark it."""
+"""Findings by the part of the robot they are about, and the badges that mark the parts."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ SIGNS: Mapping[Severity, tuple[str, str]] = {
     Severity.WARNING: ("▲", "!"),
     Severity.INFO: ("●", "i"),
 }
-"""What stands for a severity, and what does in ASCII."""
+"""Sign of each severity, and its form in ASCII."""
 CODES = 3
-"""So many codes a badge names; then it only tells how many more there are."""
+"""Number of codes a badge names before it counts the rest."""
 
 
 def marks(structure: Structure, findings: Iterable[Finding]) -> Marks:
-    """Those of *findings* that are about *structure* or a part of it.
+    """Select the *findings* about *structure* or a part of it, by part.
 
-    A finding is about the part that its entity belongs to, else about the one in whose
-    description it lies.
+    A finding is about the part that its entity belongs to, else about the one in whose description
+    it lies.
     """
     inside = _Descriptions(structure)
     found: dict[str, dict[int, Finding]] = {}
@@ -100,7 +100,7 @@ class Badge:
 
 
 def sign(severity: Severity, *, unicode: bool = True) -> str:
-    """What stands for *severity*, besides any colour."""
+    """Return the sign of *severity*."""
     return SIGNS[severity][0 if unicode else 1]
 
 

@@ -1,4 +1,4 @@
-"""What pictures write beside links and joints."""
+"""Labels of links and joints in pictures."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from kinlint.structure import Coupling, Joint, Structure, Vector
 
 LEAST = 5e-7
-"""What is less, in m or rad, is shown as zero."""
+"""Values below this, in m or rad, are shown as zero."""
 
 
 def number(value: float) -> str:
-    """*value* with at most five digits, none of them idle."""
+    """Format *value* with at most five significant digits."""
     return "0" if abs(value) < LEAST else f"{value:.5g}"
 
 
@@ -22,7 +22,7 @@ def vector(values: Vector) -> str:
 
 
 def origin(joint: Joint) -> Iterator[str]:
-    """Where the joint is on its parent, as `urdf_to_graphviz` writes it."""
+    """Yield the origin of the joint on its parent, as `urdf_to_graphviz` writes it."""
     if joint.origin is not None:
         if joint.origin.xyz is not None:
             yield f"xyz: {vector(joint.origin.xyz)}"
@@ -40,7 +40,7 @@ def limits(joint: Joint) -> str:
 
 
 def mimics(structure: Structure) -> Mapping[str, Sequence[str]]:
-    """What each joint that follows others says of it, by its IRI."""
+    """Return the coupling of each joint that follows others, as text, by its IRI."""
     found: dict[str, list[str]] = {}
     for each in structure.couplings:
         leader = structure.joint(each.leader)
@@ -58,7 +58,7 @@ def _law(coupling: Coupling) -> str:
 
 
 def heading(structure: Structure) -> str:
-    """What a robot amounts to: `arm: 3 links, 2 joints, 1 loop`."""
+    """Return the heading of a robot: `arm: 3 links, 2 joints, 1 loop`."""
     counts = [
         _counted(len(structure.links), "link"),
         _counted(len(structure.joints), "joint"),

@@ -37,7 +37,7 @@ def lines(structure: Structure, found: Marks, *, frames: bool = False) -> Iterat
 def render(
     pairs: Sequence[tuple[Structure, Marks]], style: Style, *, frames: bool = False
 ) -> Iterator[str]:
-    """One chart of all robots; where *style* has no characters beyond ASCII, with references."""
+    """Render one chart of all robots; where *style* has ASCII only, with character references."""
     for line in joined(pairs, frames=frames):
         text = line if style.unicode else "".join(map(_referred, line))
         yield f"{text}\n"
@@ -48,7 +48,7 @@ def _referred(char: str) -> str:
 
 
 def joined(pairs: Sequence[tuple[Structure, Marks]], *, frames: bool = False) -> Iterator[str]:
-    """One chart of several robots, each in a box of its own."""
+    """Yield one chart of several robots, each in a subgraph."""
     if len(pairs) == 1:
         yield from lines(*pairs[0], frames=frames)
         return
@@ -107,7 +107,7 @@ def _frames(link: Link, name: str) -> Iterator[str]:
 
 
 def escaped(text: str) -> str:
-    """*text* as it may stand in quotes: all that might mean something is a character reference."""
+    """Escape *text* for use in quotes: special characters become character references."""
     if len(text) > LONGEST:
         text = f"{text[: LONGEST - 20]}…{text[-19:]}"
     return SPECIAL.sub(lambda found: f"#{ord(found[0])};", shown(text))

@@ -1,4 +1,4 @@
-"""Where the shapes of a picture go: downwards, to the right, or downwards in columns."""
+"""Placement of the shapes of a picture: downwards, to the right, or downwards in columns."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from kinlint.reporters.picture.boxes import CLEAR, Box
 from kinlint.reporters.picture.tidy_tree import tidy
 
 BESIDE = 22.0
-"""What is free between neighbours, in pixels."""
+"""Space between neighbours, in pixels."""
 BEFORE = 26.0
-"""What is free between levels, for the edges."""
+"""Space between levels for the edges, in pixels."""
 MARGIN = 18.0
 CHANNEL = 44.0
-"""What is free between columns, for the edges from one to the next."""
+"""Space between columns for the edges from one to the next, in pixels."""
 TALL = 1500.0
-"""What is higher goes on in a next column, or to the right."""
+"""Height in pixels above which a picture continues in a next column, or to the right."""
 SHAPE = 1.5
-"""How much wider than high a picture is at best."""
+"""Best ratio of width to height of a picture."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +34,9 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Where each shape is, in a picture of this size; `across` if trees grow to the right.
+    """The place of each shape in a picture of this size; `across` if trees grow to the right.
 
-    `step` is how far apart columns begin.
+    `step` is the distance between the left edges of columns.
     """
 
     places: Sequence[Place]
@@ -88,7 +88,7 @@ def _across(boxes: Sequence[Box]) -> Layout:
 
 
 def _starts(levels: Sequence[int], sizes: Sequence[float]) -> list[float]:
-    """Where each level begins, and one more would."""
+    """Return the start of each level, and of one more."""
     largest = [0.0] * (max(levels, default=-1) + 1)
     for level, size in zip(levels, sizes, strict=True):
         largest[level] = max(largest[level], size)
@@ -96,7 +96,7 @@ def _starts(levels: Sequence[int], sizes: Sequence[float]) -> list[float]:
 
 
 def _overhang(box: Box) -> float:
-    """How much room a badge needs beside its shape."""
+    """Return the width of a badge beyond its shape."""
     return max(0.0, box.badge_width - box.width / 2)
 
 

@@ -27,10 +27,10 @@ from kinlint.structure import Structure
 
 NAMESPACE = "http://www.w3.org/2000/svg"
 LISTED = 30
-"""So many findings are listed below a picture that stands alone."""
+"""Number of findings listed below a picture that stands alone."""
 HEAD, ROW = 34.0, 17.0
 LETTERS = 110
-"""How many letters of a message are listed."""
+"""Number of characters of a listed message."""
 
 
 def rules() -> str:
@@ -193,7 +193,7 @@ def _rows(box: Box, at: Place) -> str:
 
 
 def _label(box: Box, at: Place, *, across: bool) -> str:
-    """What stands on the edge to a shape: above it, or at its left."""
+    """Return the label on the edge to a shape: above it, or at its left."""
     if not box.label:
         return ""
     high, wide = LABEL_LINE * len(box.label), box.label_width + 6.0
@@ -228,7 +228,7 @@ def _badge(
 
 
 def _listing(found: Marks) -> tuple[str, float, float]:
-    """What is found of a robot, in lines, with the width and the height of all."""
+    """Return the findings of a robot as lines, and the width and height of all."""
     every = list(told(found))
     lines: list[tuple[str, str]] = []
     for one in every[:LISTED]:

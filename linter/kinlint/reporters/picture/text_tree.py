@@ -13,7 +13,7 @@ from kinlint.reporters.terminal_style import INK_OF, Style
 from kinlint.structure import Joint, Link, Part, Structure
 
 DEEPEST = 24
-"""So many joints deep a tree goes before the rest of it begins anew at the margin."""
+"""Depth in joints at which the rest of a tree starts again at the margin."""
 
 
 @dataclass(frozen=True, slots=True)

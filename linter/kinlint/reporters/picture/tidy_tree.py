@@ -1,7 +1,7 @@
-"""Where the nodes of trees go so that parents are centred and nothing overlaps, in linear time.
+"""Tidy tree layout: parents are centred and nothing overlaps, in linear time.
 
-Source: Buchheim, Jünger and Leipert, Improving Walker's Algorithm to Run in Linear Time, 2002;
-here for nodes of different sizes, and without recursion.
+Source: Buchheim, Jünger and Leipert, Improving Walker's Algorithm to Run in Linear Time, 2002; here
+for nodes of different sizes, and without recursion.
 """
 
 from __future__ import annotations

@@ -93,7 +93,7 @@ class _Columns:
 
     @cached_property
     def _wide(self) -> tuple[list[int], list[int]]:
-        """Where characters of several bytes are, and how many more than one all before have."""
+        """Return the offsets of multi-byte characters, and their extra bytes, cumulated."""
         text = self._source.text
         places = [match.start() for match in re.finditer(r"[^\x00-\x7f]", text)]
         more = (len(text[at].encode("utf-8", "surrogatepass")) - 1 for at in places)
@@ -101,9 +101,9 @@ class _Columns:
 
 
 def suggestion(fix: Fix, name: str) -> dict[str, Any] | None:
-    """*fix* as whole lines of the file called *name*, or None if it is not in one comment's reach.
+    """Return *fix* as whole lines of the file called *name*; None if one comment cannot hold it.
 
-    So it is if it changes other files, too, or much of this one.
+    That is so if it changes other files, too, or much of this one.
     """
     changes = list(edits_of(fix))
     if len(changes) != 1 or changes[0][0].name != name:

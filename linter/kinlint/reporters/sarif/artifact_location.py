@@ -1,7 +1,7 @@
-"""Where a file is, without saying where the machine keeps it.
+"""Locations of files without the paths of this machine.
 
-Every file gets a relative URI under a named base directory that has no URI of its own: output
-then does not depend on the machine, and a viewer asks or knows where the base is.
+Every file gets a relative URI under a named base directory that has no URI of its own: output then
+does not depend on the machine, and a viewer asks or knows where the base is.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Artifacts:
 
     @property
     def outside(self) -> bool:
-        """Whether some location given so far is not below the top."""
+        """Tell whether some location given so far is not below the top."""
         return any(place["uriBaseId"] != SOURCE_ROOT for place in self._known.values())
 
     def _locate(self, name: str) -> dict[str, str]:

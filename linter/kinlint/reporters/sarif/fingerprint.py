@@ -16,9 +16,10 @@ class Fingerprints:
         self._seen: Counter[str] = Counter()
 
     def of(self, finding: Finding) -> str:
-        """What tells *finding* apart, wherever it lies; `:n` for the n-th of those that are equal.
+        """Return the fingerprint of *finding*, with `:n` for the n-th equal one.
 
-        Two files that say the same wrong thing of the same entity make equal findings.
+        It does not depend on the place. Two files that say the same wrong thing of the same entity
+        make equal findings.
         """
         if is_address(finding.iri):  # it changes when the file is moved
             finding = replace(finding, iri="")

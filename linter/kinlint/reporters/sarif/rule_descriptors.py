@@ -36,7 +36,7 @@ class Catalogue:
                 self.message_id(rule, message_template(template))
 
     def index(self, rule: Rule) -> int:
-        """Where *rule* is in `tool.driver.rules`."""
+        """Return the index of *rule* in `tool.driver.rules`."""
         return self._indices[rule.code]
 
     def message_id(self, rule: Rule, template: str) -> str:
@@ -87,7 +87,7 @@ def friendly_name(name: str) -> str:
 
 
 def web_address(iri: str) -> str:
-    """*iri* as a URI, if it is one to look at; user shapes may be called anything."""
+    """Return *iri* as a web address; user shapes may have any other IRI."""
     if not iri.startswith(("http://", "https://")):
         return RULE
     return quote(iri, safe="%:/?#[]@!$&'()*+,;=~")

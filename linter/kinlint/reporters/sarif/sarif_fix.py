@@ -16,7 +16,7 @@ from kinlint.reporters.sarif.sarif_message import escaped
 from kinlint.text import Span
 
 ZERO_WIDTH = "\ufeff"
-"""What JavaScript takes for a blank and Python does not."""
+"""White space in JavaScript that is none in Python."""
 
 
 def fix_object(fix: Fix, changes: list[dict[str, Any]]) -> dict[str, Any]:
@@ -71,5 +71,5 @@ def _start(text: str, span: Span, new: str) -> int:
 
 
 def _blank(char: str) -> bool:
-    """Whether *char*, which is none at the end of a text, is nothing to begin at."""
+    """Tell whether *char* is white space, or the end of the text."""
     return not char or char.isspace() or char == ZERO_WIDTH

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from kinlint.model import PLACEHOLDER, Finding
 
 RELATED_LOCATIONS = 10
-"""So many related locations are linked; GitHub shows no others."""
+"""Number of related locations that are linked; GitHub shows no others."""
 _PLACEHOLDER = re.compile(f"'?{PLACEHOLDER.pattern}'?")
 _BRACKET = re.compile(r"(\\*)([\[\]])")
 
@@ -46,7 +46,10 @@ def message_of(finding: Finding) -> Message:
 
 
 def message_template(template: str) -> str:
-    """*template* as a SARIF `messageString`: placeholders numbered and quoted, ends in a period."""
+    """Convert *template* to a SARIF `messageString`.
+
+    Numbered, quoted placeholders, a final period.
+    """
     names: list[str] = []
     parts = []
     end = 0
@@ -63,7 +66,7 @@ def message_template(template: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """*text* with the brackets that would make links escaped."""
+    """Escape the brackets in *text* that would make links."""
     return _BRACKET.sub(r"\1\1\\\2", text)
 
 

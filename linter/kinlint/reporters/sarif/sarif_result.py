@@ -81,7 +81,7 @@ class Results:
         }
 
     def _fixes(self, finding: Finding) -> list[dict[str, Any]]:
-        """What can be written to mend *finding*, the preferred first, each once."""
+        """Return the fixes of *finding* that can be written, the preferred first, each once."""
         made: list[dict[str, Any]] = []
         for fix in finding.fixes:
             if fix.applicability is not Applicability.DISPLAY:
@@ -162,7 +162,7 @@ class Results:
 
 
 def _suppressions(finding: Finding) -> list[dict[str, str]]:
-    """What silences *finding*: a statement in its source, or the configuration."""
+    """Return what silences *finding*: a statement in its source, or the configuration."""
     if finding.suppressed is None:
         return []
     kind = "external" if finding.suppressed.startswith("ignored by ") else "inSource"

@@ -49,7 +49,7 @@ def provenance(top: str) -> dict[str, Any] | None:
 
 
 def _directory(entry: Path) -> Path:
-    """Where git keeps its files: `.git`, or what that says if it is a file."""
+    """Return the directory of git: `.git`, or the one that the file `.git` names."""
     if entry.is_file():
         return entry.parent / _read(entry).removeprefix("gitdir: ")
     return entry
