@@ -1,1 +1,1 @@
-"""Which findings were known before: in a baseline, or at an earlier revision."""
+"""Known findings: those of a baseline, or of an earlier revision."""

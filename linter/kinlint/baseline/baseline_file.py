@@ -24,7 +24,7 @@ FIELDS = ("path", "rule", "entity", "message", "fingerprint")
 
 @dataclass(frozen=True)
 class Baseline:
-    """What a file at `path` remembers; `source` is its text."""
+    """The entries of the baseline file at `path`; `source` is its text."""
 
     path: Path
     source: SourceText

@@ -1,4 +1,4 @@
-"""By what a finding is known again when its line, its file or the working directory is another."""
+"""Identity of a finding across changes of its line, its file and the working directory."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Known:
 
 @dataclass(frozen=True)
 class Names:
-    """What files are called from `root`, an absolute path with links followed.
+    """Names of files relative to `root`, an absolute path with links followed.
 
     `renamed` has other names for some of them.
     """
@@ -59,7 +59,7 @@ class Names:
 
 
 def relative(path: Path, root: Path) -> str:
-    """How *path* is written from *root*, with forward slashes; whole, where no way leads there."""
+    """Return *path* relative to *root*, with forward slashes; absolute where no way leads there."""
     try:
         return Path(os.path.relpath(path, root)).as_posix()
     except ValueError:  # another drive
@@ -67,7 +67,7 @@ def relative(path: Path, root: Path) -> str:
 
 
 def known(finding: Finding, names: Names) -> Known:
-    """What *finding* is remembered by."""
+    """Return the entry that identifies *finding*."""
     own = finding.location.source.name
     path, entity, iri = names.of(own), finding.entity, finding.iri
     free = iri != "" and not is_address(iri) and not is_blank(iri) and not finding.rule.group_by

@@ -20,9 +20,9 @@ def _any(_one: Known) -> bool:
 
 @dataclass(frozen=True)
 class Ledger:
-    """What was known, with paths as `names` has them.
+    """Known findings, with paths as in `names`.
 
-    `gone` tells of a path whether the file is there no more, so that it may have been renamed.
+    `gone` tells whether the file at a path no longer exists, so that it may have been renamed.
     """
 
     entries: Sequence[Known]
@@ -30,14 +30,14 @@ class Ledger:
     gone: Callable[[str], bool] = _nothing
 
     def new(self, findings: Iterable[Finding]) -> list[Finding]:
-        """Those of *findings* that were not known, in their order."""
+        """Return the *findings* that were not known, in their order."""
         return self.compared(findings)[0]
 
     def compared(self, findings: Iterable[Finding]) -> tuple[list[Finding], list[Known]]:
-        """Those of *findings* that were not known, and what of that is found no more.
+        """Return the *findings* that were not known, and the entries without a finding.
 
-        Each entry knows one finding again: in its file, or else in another one if its own is gone,
-        or else in any other one if the entity has an IRI of its own.
+        Each entry matches one finding: in its file, or else in another one if its own is gone, or
+        else in any other one if the entity has an IRI of its own.
         """
         found = [(finding, known(finding, self.names)) for finding in findings]
         left = dict(enumerate(self.entries))

@@ -1,1 +1,1 @@
-"""What a run was told: settings, the files that hold them, and which rules they choose."""
+"""Configuration: settings, the files that hold them, and the rules they select."""

@@ -49,7 +49,7 @@ class XacroArgument:
 
 
 ADDING = ("choices", "packages", "xacro_args")
-"""What adds up like the lists that extend."""
+"""Keys whose values add up along `extend`, as lists do."""
 
 
 @dataclass(frozen=True)
@@ -191,7 +191,7 @@ def _arguments(said: Mapping[str, Any], root: Path) -> Iterator[XacroArgument]:
 
 
 def written(value: str | float) -> str:
-    """*value* of a configuration as a xacro file would write it."""
+    """Return *value* of a configuration as a xacro file writes it."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -212,7 +212,7 @@ def _per_file(
 
 
 def per_file(key: str, selectors: tuple[str, ...], origin: str, root: Path) -> PerFile:
-    """What *key* means: `<iri>`, `glob#/json/pointer`, `glob` or `!glob`."""
+    """Parse *key*: `<iri>`, `glob#/json/pointer`, `glob` or `!glob`."""
     if key.startswith("<") and key.endswith(">"):
         return PerFile(key, origin, Glob(root, "/**"), selectors, iri=key[1:-1])
     pattern, mark, pointer = key.partition("#/")

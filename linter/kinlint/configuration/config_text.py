@@ -15,19 +15,19 @@ from kinlint.text import SourceText, Span
 BOM = "\ufeff"
 PROJECT = "pyproject.toml"
 NAME = b"kinlint"
-"""What is somewhere in every `pyproject.toml` that is about kinlint."""
+"""Word that is somewhere in every `pyproject.toml` that configures kinlint."""
 
 
 @dataclass(frozen=True, slots=True)
 class ConfigText:
-    """What a file says about kinlint, and the whole text of it."""
+    """The table of kinlint in a configuration file, and the whole text of the file."""
 
     values: Mapping[str, Any]
     source: SourceText
 
 
 def read(path: Path) -> ConfigText | None:
-    """What the file at *path* says; None for a `pyproject.toml` that is not about kinlint.
+    """Parse the file at *path*; None for a `pyproject.toml` that does not configure kinlint.
 
     Raises `ConfigError` if it is no TOML, with the line and column.
     """
@@ -61,7 +61,10 @@ def read(path: Path) -> ConfigText | None:
 
 
 def quoted(source: SourceText, key: str) -> Span:
-    """Where *key* stands first in *source*, quotes included; the beginning if it is not found."""
+    """Return the span of the first *key* in *source*, quotes included.
+
+    An empty span if there is none.
+    """
     for written in (f'"{key}"', f"'{key}'", key):
         at = source.text.find(written)
         if at >= 0:

@@ -1,7 +1,7 @@
-"""Which fixes are wanted in a file, and how far they are trusted there.
+"""Selection of fixes by file, and the applicability they count as.
 
-Selectors are those of the rules. As with these, a higher layer replaces or changes what a lower
-one said, the more specific selector wins, and of equals the more careful one.
+Selectors are those of the rules. As with these, a higher layer replaces or changes what a lower one
+said, the more specific selector wins, and of equals the more careful one.
 """
 
 from __future__ import annotations
@@ -17,23 +17,23 @@ from kinlint.model import Applicability, Fix, Rule
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """What choices say of fixes: the rules that may be mended, and what their fixes count as.
+    """The fixes that choices allow, and the applicability they count as.
 
-    `unsafe` has, by code, whether the fixes of a rule count as unsafe whatever they are; False
-    is that unsafe ones count as safe.
+    `fixable` are the rules whose findings are fixed. `unsafe` has, by code, whether the fixes of a
+    rule count as unsafe whatever they are; False is that unsafe ones count as safe.
     """
 
     fixable: frozenset[str]
     unsafe: Mapping[str, bool]
 
     def mends(self, rule: Rule) -> bool:
-        """Whether fixes of what *rule* finds are wanted at all."""
+        """Tell whether findings of *rule* are fixed at all."""
         return rule.code in self.fixable
 
     def applicability(self, rule: Rule, proven: Applicability) -> Applicability:
-        """What a fix of *rule* counts as that is *proven* so far.
+        """Return the applicability, here, of a fix of *rule* that is *proven* so far.
 
-        What is for display only stays so.
+        Fixes for display only stay so.
         """
         said = self.unsafe.get(rule.code)
         if said is None or proven is Applicability.DISPLAY:
@@ -41,7 +41,7 @@ class Trust:
         return Applicability.UNSAFE if said else Applicability.SAFE
 
     def weighed_fix(self, rule: Rule, fix: Fix) -> Fix:
-        """*fix* of what *rule* found, counting as what it counts as here."""
+        """Return *fix* of a finding of *rule* with the applicability it has here."""
         applicability = self.applicability(rule, fix.applicability)
         if applicability is fix.applicability:
             return fix
@@ -50,7 +50,7 @@ class Trust:
 
 
 def trust(choices: Iterable[Choice], catalogue: Catalogue) -> Trust:
-    """What *choices*, the lowest layer first, say of fixes; at first, all are wanted.
+    """Combine *choices*, the lowest layer first; without any, all fixes are allowed.
 
     Raises `UsageError` for selectors that name no rule.
     """

@@ -72,7 +72,7 @@ class Key:
 
 
 def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
-    """*values* as they were read, all keys known and all values of their kind.
+    """Return *values* if all keys are known and all values of their kind.
 
     Raises `ConfigError` that names *origin*, the key and what was expected.
     """
@@ -85,7 +85,7 @@ def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
 
 
 def _hint(key: str, value: object) -> str:
-    """What may have been meant by the unknown *key*."""
+    """Return a suggestion for the unknown *key*."""
     if isinstance(value, dict) and (key == "tool" or KEYS.keys() & value.keys()):
         return "; keys of kinlint stand in no table here"
     return did_you_mean(key, KEYS) or f"; there are {', '.join(KEYS)}"

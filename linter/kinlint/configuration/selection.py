@@ -1,4 +1,4 @@
-"""Which rules speak in a file, how loud, and whose fixes are wanted there."""
+"""Selection and severity of rules by file."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Policy:
     imposed: frozenset[str] = frozenset()
 
     def severity(self, rule: Rule) -> Severity | None:
-        """What *rule* counts as here; None if it does not speak. Rules unheard of speak."""
+        """Return the severity of *rule* here; None if it is off. Unknown rules are on."""
         return self.severities.get(rule.code, rule.severity)
 
     def judged(self, finding: Finding) -> Severity | None:
-        """What *finding* counts as here: what is imposed, or else what the constraint says."""
+        """Return the severity of *finding* here: the configured one, or that of its constraint."""
         rule = finding.rule
         own = finding.severity is not rule.severity and rule.code not in self.imposed
         severity = self.severity(rule)
@@ -67,7 +67,7 @@ class Policies:
         return {}
 
     def trust(self, name: str) -> Trust:
-        """Which fixes are wanted in the source called *name*, and how far they are trusted."""
+        """Return the fixes allowed in the source called *name*."""
         choices = self.settings.of(name).choices
         if choices not in self._trusts:
             self._trusts[choices] = trust(choices, self.catalogue)
@@ -81,7 +81,7 @@ class Policies:
         )
 
     def judged(self, findings: Iterable[Finding]) -> list[Finding]:
-        """Those *findings* whose rule speaks where they lie, with the severity it has there."""
+        """Return the *findings* whose rule is on where they lie, with the severity it has there."""
         kept = []
         for finding in findings:
             severity = self.of(finding.location.source.name).judged(finding)
@@ -108,10 +108,10 @@ class Policies:
 def policy(
     choices: Iterable[Choice], catalogue: Catalogue, targets: Collection[str] = (), form: str = ""
 ) -> Policy:
-    """What *choices*, the lowest layer first, make of the rules in a file of format *form*.
+    """Combine *choices*, the lowest layer first, for a file of format *form*.
 
-    At first, all are chosen but optional ones that say nothing of the *targets* that are meant.
-    A rule about other targets is silent all the same.
+    At first, all rules are on but optional ones that name none of the *targets*. A rule for other
+    targets is off all the same.
     """
     chosen = frozenset(
         rule.code for rule in catalogue.rules if not rule.optional or rule.speaks_for(targets)

@@ -45,7 +45,7 @@ class Catalogue:
         return frozenset(rule.family for rule in self.rules)
 
     def find(self, selector: str) -> tuple[Rank, frozenset[str]]:
-        """How specific *selector* is, and the codes of the rules that it names.
+        """Return how specific *selector* is, and the codes of the rules that it names.
 
         Raises `UsageError` with a suggestion if it names nothing known.
         """
@@ -79,7 +79,7 @@ class Catalogue:
             raise UsageError(f"unknown target '{target}'{meant}")
 
     def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
-        """As `find`; a failure says that *origin* is to blame."""
+        """Call `find`, and name *origin* in its error."""
         try:
             return self.find(selector)
         except UsageError as error:

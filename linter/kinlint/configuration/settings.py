@@ -1,6 +1,6 @@
-"""What a run was told: the settings of the whole run, and those of each file.
+"""Settings of a run, and of each file.
 
-Rules speak per file, as the configuration nearest to that file says. What concerns the one
+Rules are selected per file, as the configuration nearest to that file says. What concerns the one
 graph that all files make (contexts, user rules and shapes, engine, `partial`) holds for the run.
 """
 
@@ -19,88 +19,100 @@ Engine: TypeAlias = Literal["oxigraph", "pyshacl"]
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One layer of rule selection: a configuration, or the command line above it.
-
-    `select` replaces what lower layers chose, `extend_select` and `ignore` change it.
-    `severity` pairs selectors with what the rules they name are to count as.
-    `fixable` replaces what lower layers chose to mend, `unfixable` takes from it; unsafe fixes of
-    `extend_safe_fixes` count as safe, safe ones of `extend_unsafe_fixes` as unsafe.
-    `origin` says for messages where it was written.
-    """
+    """One layer of rule selection: a configuration, or the command line above it."""
 
     origin: str = "command line"
+    """Where the layer was written, for messages."""
     select: tuple[str, ...] | None = None
+    """Selectors that replace those of lower layers; None keeps them."""
     extend_select: tuple[str, ...] = ()
+    """Selectors of rules to add."""
     ignore: tuple[str, ...] = ()
+    """Selectors of rules to remove."""
     severity: tuple[tuple[str, Severity], ...] = ()
+    """Selectors with the severity of the rules they name."""
     fixable: tuple[str, ...] | None = None
+    """Selectors of rules whose findings are fixed; None keeps those of lower layers."""
     unfixable: tuple[str, ...] = ()
+    """Selectors of rules whose findings are not fixed."""
     extend_safe_fixes: tuple[str, ...] = ()
+    """Selectors of rules whose unsafe fixes count as safe."""
     extend_unsafe_fixes: tuple[str, ...] = ()
+    """Selectors of rules whose safe fixes count as unsafe."""
 
 
 @dataclass(frozen=True, slots=True)
 class Ignore:
-    """Rules that configuration silences in one file.
-
-    In all of it, or below the JSON Pointer `pointer`, or on the entity `iri` (an absolute IRI).
-    `key` is what the configuration says, for messages, and `place` where in its file.
-    """
+    """Rules that the configuration silences in one file, or in a part of it."""
 
     selectors: tuple[str, ...]
+    """Selectors of the rules."""
     key: str
+    """The key in the configuration, for messages."""
     origin: str = "command line"
+    """Where it was written, for messages."""
     pointer: str | None = None
+    """JSON Pointer (RFC 6901) or path of an XML element below which they are silent."""
     iri: str | None = None
+    """Absolute IRI of the entity about which they are silent."""
     place: tuple[SourceText, Span] | None = None
+    """Place of the key in the configuration file."""
 
 
 @dataclass(frozen=True, slots=True)
 class FileSettings:
-    """What holds for one file: which rules speak, how loud, and where not.
-
-    `targets` are the consumers that the file is meant for. `urdf` is, of an SRDF, the file that
-    describes its robot, where the configuration says so. `packages` are ROS packages and where they
-    lie, others are searched for in `workspace`; `xacro_args` are arguments. Later ones count.
-    """
+    """Settings of one file."""
 
     choices: tuple[Choice, ...] = ()
+    """Layers of rule selection, the lowest first."""
     ignores: tuple[Ignore, ...] = ()
+    """Rules silenced in the file."""
     require_reason: bool = False
+    """Whether suppressions must give a reason."""
     targets: tuple[str, ...] = ()
+    """Consumers that the file is meant for."""
     urdf: Path | None = None
+    """The URDF that an SRDF is about, where the configuration names it."""
     packages: tuple[tuple[str, Path], ...] = ()
+    """ROS packages and their directories; later ones win."""
     workspace: Path | None = None
+    """Directory in which other packages are searched for."""
     xacro_args: tuple[tuple[str, str], ...] = ()
+    """Arguments for xacro; later ones win."""
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What holds for one run.
-
-    `contexts` names a bundled release; None is the newest. `extra_contexts` maps context IRIs to
-    the files that hold them; `context_directories` hold more, by the path of their IRI.
-    `partial` says that the files are a part of a model. `unsafe_fixes` tells whether unsafe fixes
-    are made when safe ones are; None leaves them, but hints at them. `files` has the
-    settings of each source by its name; a source without is governed by `default`. `cache` is
-    where compiled catalogues are kept; None keeps none. `drawn` tells that the report is to have
-    the structures of the robots, for outputs that draw them.
-    """
+    """Settings of one run."""
 
     contexts: str | None = None
+    """Bundled release of the contexts; None is the newest."""
     extra_contexts: Mapping[str, Path] = field(default_factory=dict)
+    """Files of further contexts by IRI."""
     context_directories: tuple[Path, ...] = ()
+    """Directories of further contexts, by the path of their IRI."""
     rules: tuple[Path, ...] = ()
+    """Rule files, and directories of them, beside the built-in ones."""
     shapes: tuple[Path, ...] = ()
+    """SHACL files to check beside the rules."""
     engine: Engine = "oxigraph"
+    """The SHACL engine."""
     partial: bool = False
+    """Whether the files are a part of a model."""
     cache: Path | None = None
+    """Directory of kept reports; None keeps none."""
     ignore_suppressions: bool = False
+    """Whether suppressed findings are reported as if they were not."""
     verbose: bool = False
+    """Whether details of the run are printed."""
     unsafe_fixes: bool | None = None
+    """Whether unsafe fixes are made with the safe ones; None makes none, but counts them."""
     drawn: bool = False
+    """Whether the report contains the structures of the robots, for outputs that draw them."""
     default: FileSettings = field(default_factory=FileSettings)
+    """Settings of sources that are not in `files`."""
     files: Mapping[str, FileSettings] = field(default_factory=dict)
+    """Settings of sources by name."""
 
     def partner(self, name: str) -> str | None:
         """The path of the URDF that the SRDF called *name* is about, where one is told."""

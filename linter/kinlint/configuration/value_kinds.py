@@ -14,9 +14,9 @@ ALIASES = {"note": "info"}
 
 @dataclass(frozen=True)
 class Kind:
-    """What a value may be: `name` for people, and its JSON Schema.
+    """A kind of value: its `name` for people, and its JSON Schema.
 
-    `problem` says what is wrong with a value; an empty string if nothing is.
+    `problem` returns what is wrong with a value, or an empty string.
     """
 
     name: str
@@ -25,7 +25,7 @@ class Kind:
 
 
 def expected(what: str, value: object) -> str:
-    """That *what* was expected where *value* is."""
+    """Return the message that *what* was expected in place of *value*."""
     kinds: dict[type, str] = {
         bool: "a boolean",
         str: "a string",
@@ -39,7 +39,7 @@ def expected(what: str, value: object) -> str:
 
 
 def unknown(value: str, choices: tuple[str, ...]) -> str:
-    """What is wrong with *value* if it is none of *choices*."""
+    """Return the message that *value* is none of *choices*; "" if it is."""
     if value in choices:
         return ""
     listed = ", ".join(choices)
@@ -47,7 +47,7 @@ def unknown(value: str, choices: tuple[str, ...]) -> str:
 
 
 def one_of(choices: tuple[str, ...]) -> Kind:
-    """One of *choices*, or an alias of one."""
+    """Return the kind of one of *choices*, or an alias of one."""
 
     def problem(value: object) -> str:
         if not isinstance(value, str):

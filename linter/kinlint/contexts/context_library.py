@@ -33,7 +33,7 @@ COMPOSABLE = f"{KINLINT}composable.json"
 """Stands for all documents of the release in force that do not take each other's terms."""
 
 INDEX = "contexts.json"
-"""In a directory of contexts, the file that maps IRIs to relative paths."""
+"""File in a directory of contexts that maps IRIs to relative paths."""
 
 _ALIASES = {
     **{release: release for release in RELEASES},
@@ -47,7 +47,7 @@ Extra: TypeAlias = Path | tuple[str, Path]
 
 @dataclass(frozen=True)
 class Contexts:
-    """What context IRIs mean under one release."""
+    """Contexts by IRI under one release."""
 
     release: str
     _further: Mapping[str, Document] = field(default_factory=dict, repr=False)
@@ -103,7 +103,7 @@ class Contexts:
 
 @cache
 def bundled_source(name: str) -> Document:
-    """What shapes/contexts says of the release *name*, or of kinlint's own contexts."""
+    """Load the source of the release *name*, or of kinlint's own contexts, from shapes/contexts."""
     path = data("shapes") / "contexts" / f"{name}.json"
     source: Document = json.loads(path.read_text(encoding="utf-8"))
     return source

@@ -15,7 +15,7 @@ from kinlint.resources import data
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS, RDFS
 
 PATH = "ontology/declarations.ttl"
-"""Where below shapes/ the declarations stand."""
+"""Path of the declarations below shapes/."""
 
 HEAD = """\
 # The terms of all bundled contexts: what a property takes (kin:values, kin:container), and which
@@ -26,7 +26,10 @@ VALUES = {"@id": "Reference", "@vocab": "Term", "number": "Number", "text": "Tex
 
 @dataclass
 class Declaration:
-    """What the contexts say of one term. `values` and `containers` are empty for a class."""
+    """The declaration of one term in the contexts.
+
+    `values` and `containers` are empty for a class.
+    """
 
     documents: list[str] = field(default_factory=list)
     releases: list[str] = field(default_factory=list)

@@ -18,7 +18,7 @@ from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
 EXAMPLE = "https://example.org/"
-"""Where names live for which nobody has said where they live."""
+"""Namespace of names for which none is given."""
 
 PREFIX = "robot"
 NAME = iri(f"{ATTRIBUTE}name")

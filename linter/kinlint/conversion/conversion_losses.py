@@ -1,4 +1,4 @@
-"""What a file says and its conversion does not: counted by kind, each with the reason."""
+"""Losses of a conversion, counted by kind, each with the reason."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Loss:
 
 
 def losses(documents: Iterable[Document], lifted: Iterable[Triple]) -> list[Loss]:
-    """What is in *documents* and not in what was *lifted* from them, by kind."""
+    """Return what is in *documents* and not in what was *lifted* from them, by kind."""
     made = _numbers(lifted)
     counted: Counter[tuple[str, str]] = Counter()
     for document in documents:

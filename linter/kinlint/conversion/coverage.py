@@ -1,4 +1,4 @@
-"""What of a format the lifting queries make something of, and why nothing is made of the rest."""
+"""Coverage of a format by the lifting queries, and the reasons for what is left out."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from kinlint.terms import iri_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
 REASONS = "lifting/left-out.tsv"
-"""Where below shapes/ the reasons stand."""
+"""Path of the reasons below shapes/."""
 
 REST = ("attribute", "lifted", "why")
 DEEPEST = 12
@@ -41,7 +41,7 @@ class Reason:
     why: str
 
     def covers(self, path: tuple[str, ...], attribute: str) -> bool:
-        """Whether it speaks of *attribute*, or with "" of the element itself, at *path*."""
+        """Tell whether this is about *attribute*, or with "" the element itself, at *path*."""
         return self.attribute == attribute and path[-len(self.path) :] == self.path
 
 
@@ -59,7 +59,7 @@ def reasons() -> tuple[Reason, ...]:
 
 
 class Coverage:
-    """What is lifted of one format."""
+    """The elements and attributes of one format that are lifted."""
 
     def __init__(self, form: str) -> None:
         self.form = form
@@ -71,14 +71,14 @@ class Coverage:
         return next((one for one in self.reasons if one.covers(path, attribute)), None)
 
     def lifts(self, path: tuple[str, ...]) -> bool:
-        """Whether a query takes elements at *path*, whose parents are lifted."""
+        """Tell whether a query reads elements at *path*, whose parents are lifted."""
         if (reason := self.reason(path)) is not None:
             return reason.lifted != "no"
         near = set(path[-2:])
         return any(near <= tags for tags, _ in self._mentions)
 
     def lifts_attribute(self, path: tuple[str, ...], attribute: str) -> bool:
-        """Whether a query takes *attribute* of the elements at *path*, which are lifted."""
+        """Tell whether a query reads *attribute* of the elements at *path*, which are lifted."""
         if (reason := self.reason(path, attribute)) is not None:
             return reason.lifted != "no"
         if attribute == "name":
@@ -124,5 +124,5 @@ def _local(namespace: str, query: Lifting) -> frozenset[str]:
 
 @cache
 def coverage(form: str) -> Coverage:
-    """What is lifted of the format called *form*."""
+    """Return the coverage of the format called *form*."""
     return Coverage(form)

@@ -12,7 +12,7 @@ from kinlint.engine.lifting import FORMATS
 from kinlint.resources import data
 
 PATH = "lifting/README.md"
-"""Where below shapes/ the tables stand."""
+"""Path of the page below shapes/."""
 
 HEAD = """\
 # Lifting
@@ -62,7 +62,7 @@ def _partly(known: Coverage) -> Iterator[Reason]:
 
 
 def _rows(entries: Iterable[tuple[str, list[str]]]) -> Iterator[str]:
-    """One row for each reason, with all it holds for."""
+    """Yield one row for each reason, with all it holds for."""
     grouped: dict[str, dict[str, None]] = {}
     for why, places in entries:
         grouped.setdefault(why, {}).update(dict.fromkeys(places))
@@ -76,7 +76,7 @@ def _place(path: tuple[str, ...], attribute: str) -> str:
 
 
 def _comment(file: Path) -> str:
-    """What the first lines of a query say it makes."""
+    """Return the comment at the head of a query."""
     lines = file.read_text(encoding="utf-8").splitlines()
     head = []
     for line in lines:

@@ -40,7 +40,7 @@ OWNERS = frozenset(
         f"{CHAIN}KinematicChain",
     }
 )
-"""What nodes belong to, by the beginning of their names."""
+"""Classes of nodes whose names begin those of the nodes that belong to them."""
 _DIGITS = re.compile(r"(\d+)")
 
 
@@ -73,7 +73,7 @@ class Statements:
 
     @property
     def subjects(self) -> list[Term]:
-        """What has a name and a type."""
+        """Return the nodes with a name and a type."""
         return [s for s, said in self.said.items() if not is_blank(s) and RDF_TYPE in said]
 
     def items(self, head: Term) -> list[Term]:

@@ -10,7 +10,10 @@ INDENT = "  "
 
 
 def layout(value: Any, indent: str = "", used: int = 0) -> str:
-    """*value* as JSON text whose lines begin with *indent*, the first after *used* characters."""
+    """Return *value* as JSON text.
+
+    Its lines begin with *indent*, the first after *used* characters.
+    """
     line = _line(value)
     if len(indent) + used + len(line) <= WIDTH or not isinstance(value, (dict, list)):
         return line

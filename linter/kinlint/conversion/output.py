@@ -16,7 +16,7 @@ LAST = (9, 0)
 
 
 def jsonld(model: Composition) -> str:
-    """*model* as JSON-LD under the published contexts, as people would write it."""
+    """Write *model* as JSON-LD under the published contexts, in the order people would."""
     from kinlint.formats.jsonld.writer import framed  # noqa: PLC0415  PyLD is slow to import
 
     context: list[str | Mapping[str, str]] = [*model.contexts, dict(model.namespaces)]
@@ -26,7 +26,7 @@ def jsonld(model: Composition) -> str:
 
 
 def _compact(iri: str, namespaces: Mapping[str, str]) -> str:
-    """*iri* as PyLD writes it: by the prefix of the longest namespace that it begins with."""
+    """Return *iri* as PyLD writes it: with the prefix of the longest matching namespace."""
     found = [each for each in namespaces.items() if iri.startswith(each[1])]
     if not found:
         return iri
@@ -48,12 +48,12 @@ def _arranged(node: Node) -> Node:
 
 
 def turtle(model: Composition) -> str:
-    """*model* as Turtle."""
+    """Write *model* as Turtle."""
     return _serialized(model, "TURTLE", {**customary(), **model.namespaces})
 
 
 def ntriples(model: Composition) -> str:
-    """*model* as N-Triples."""
+    """Write *model* as N-Triples."""
     return _serialized(model, "N_TRIPLES", {})
 
 
@@ -62,7 +62,7 @@ WRITERS: Mapping[str, Callable[[Composition], str]] = {
     "turtle": turtle,
     "ntriples": ntriples,
 }
-"""What writes a model in each format."""
+"""Writers by format."""
 
 
 def _serialized(model: Composition, form: str, prefixes: Mapping[str, str]) -> str:

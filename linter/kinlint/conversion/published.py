@@ -1,4 +1,4 @@
-"""What the published contexts can say, and in which order a reader expects it."""
+"""Terms of the published contexts, in the order a reader expects them."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def published() -> Mapping[str, Published]:
 
 @cache
 def order() -> Mapping[str, tuple[int, int]]:
-    """Where a term stands among the types, or among the keys, of a node."""
+    """Return the rank of each term among the types, or among the keys, of a node."""
     found: dict[str, tuple[int, int]] = {}
     for number, (context, name, _, words) in enumerate(lines()):
         found.setdefault(name, (_group(context, words or ()), number))

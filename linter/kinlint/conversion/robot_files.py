@@ -13,7 +13,7 @@ from kinlint.text import SourceText
 
 
 def documents(sources: Sequence[SourceText], settings: Settings) -> list[Document]:
-    """What *sources* say.
+    """Read *sources*, each SRDF joined to its URDF.
 
     Raises `SourceError` for the first that cannot be read.
     """

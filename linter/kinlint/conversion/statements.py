@@ -37,7 +37,7 @@ class Triples:
             yield from lists
 
     def _value(self, value: Node, lists: list[ox.Triple]) -> Value:
-        """What *value* is; what the items of a list are is added to *lists*."""
+        """Return *value* as a term; the triples of a list are added to *lists*."""
         return self._list(value["@list"], lists) if "@list" in value else _term(value)
 
     def _list(self, items: Sequence[Node], lists: list[ox.Triple]) -> Value:
