@@ -35,35 +35,37 @@ class Severity(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """A pair from a rule file: `bad` with `[|…|]` round what must be flagged, or `good`.
-
-    `beside` are the paths of files in the same directory and below, for rules about them.
-    `companions` are files that are read with it, the format and the text of each. `fixed` is what
-    the preferred fix makes of `bad`, where that is not `good`; `unfixable` tells that none can.
-    """
+    """A pair of texts in a rule file: one with the fault, one without."""
 
     format: str
+    """Name of the format."""
     bad: str | None
+    """Text with `[|…|]` around what must be flagged."""
     good: str | None
+    """Text that must not be flagged."""
     beside: tuple[str, ...] = ()
+    """Paths of empty files in the same directory and below, for rules about files."""
     companions: tuple[tuple[str, str], ...] = ()
+    """Files that are read with it: the format and the text of each."""
     fixed: str | None = None
+    """Result of the preferred fix of `bad`, where that is not `good`."""
     unfixable: bool = False
+    """Whether no fix is possible."""
 
 
 @dataclass(frozen=True, slots=True)
 class SeverityFor:
-    """What a rule counts as for any of some consumers, in files of any of some formats.
-
-    None named is all there are.
-    """
+    """Severity of a rule for certain consumers, or in files of certain formats."""
 
     severity: Severity
+    """The severity."""
     targets: tuple[str, ...] = ()
+    """Consumers it holds for; none named is all."""
     formats: tuple[str, ...] = ()
+    """Formats it holds for; none named is all."""
 
     def holds(self, targets: Collection[str], form: str) -> bool:
-        """Whether this is about a file of format *form* that is meant for *targets*."""
+        """Tell whether this is about a file of format *form* that is meant for *targets*."""
         about = not self.targets or not set(self.targets).isdisjoint(targets)
         return about and (not self.formats or form in self.formats)
 
@@ -86,58 +88,65 @@ class Applicability(IntEnum):
 
 
 KNOWN = "{ # known\n}"
-"""Where the query of a repair is told what a finding has for its variables."""
+"""Placeholder in the query of a repair for the values that a finding gives its variables."""
 
 
 @dataclass(frozen=True, slots=True)
 class Repair:
-    """How a rule mends what it finds: a SPARQL Update, taken apart when the catalogue is compiled.
-
-    `title` is an imperative with `{?variable}` placeholders, `applicability` what the author claims
-    at most and `why` the reason that it is no more. `formats` are those it can be said in; none
-    named is all of the rule. `update` is the text of the author, with prefixes. `query` selects
-    `variables`, once `KNOWN` gives way to what is known of them; `removed` and `added` are the
-    templates that are filled with each solution, in N-Triples tokens, `?variables` and blank nodes.
-    `terms` are the IRIs that it speaks of.
-    """
+    """A repair of a rule: a SPARQL Update, taken apart when the rule is compiled."""
 
     title: str
+    """Imperative with `{?variable}` placeholders."""
     applicability: Applicability
+    """The most that the author claims."""
     update: str
+    """The update as written, with its prefixes."""
     query: str
+    """SELECT for `variables`, in which `KNOWN` is replaced by the values of the finding."""
     variables: tuple[str, ...]
+    """Names of the variables in the update."""
     removed: tuple[Triple, ...]
+    """Templates of triples to delete: N-Triples tokens and `?variables`."""
     added: tuple[Triple, ...]
+    """Templates of triples to insert; blank nodes stand for new ones."""
     terms: tuple[Term, ...] = ()
+    """IRIs that the update mentions."""
     why: str = ""
+    """Reason why it is not safe."""
     formats: tuple[str, ...] = ()
+    """Formats it applies to; none named is all of the rule."""
     order: float = 0.0
+    """Rank among the repairs of the rule."""
 
 
 @dataclass(frozen=True, slots=True)
 class TextEdit:
-    """What stands at a place gives way to `text`."""
+    """Replacement of the text at a place."""
 
     location: Location
+    """The place."""
     text: str
+    """The new text."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A repair of one finding, as edits of texts, ascending and without overlap in each.
-
-    `title` has its placeholders filled in. `update` is the change of the graph as a SPARQL Update
-    without variables, `removed` and `added` are its triples. `applicability` is what the repair
-    claims and the proof allows; `why` tells why it is not safe, if it is not.
-    """
+    """A repair of one finding as text edits."""
 
     title: str
+    """Imperative, placeholders filled in."""
     applicability: Applicability
+    """What the repair claims and the proof allows."""
     edits: tuple[TextEdit, ...]
+    """Edits, ascending and without overlap in each text."""
     update: str
+    """The change of the graph as a SPARQL Update without variables."""
     why: str = ""
+    """Reason why it is not safe, if it is not."""
     removed: tuple[Triple, ...] = ()
+    """Triples that the fix deletes."""
     added: tuple[Triple, ...] = ()
+    """Triples that the fix inserts."""
 
     @property
     def sources(self) -> tuple[SourceText, ...]:
@@ -147,45 +156,57 @@ class Fix:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """One rule, as its file describes it.
-
-    `antipatterns` are `AP1` to `AP6`, `symptoms` what they look like, such as `AP1.4`.
-    `whole_model` marks a rule that can only judge when all files of the model are given.
-    `targets` are the consumers that the rule is about: unless a run names one of them, it is
-    silent. `repairs` are the ways to mend it, the preferred first. `severity_for` is what it
-    counts as for some consumers, or in files of some formats.
-    `group_by` are the variables whose values make one finding of many places in a file; of
-    `file`, all places. `optional` marks a matter of taste: silent unless it is selected.
-    `also` are severities that single constraints have in place of `severity`.
-    """
+    """One rule, as its file describes it."""
 
     iri: str
+    """IRI of the rule."""
     code: str
+    """Code, such as `UNI002`."""
     name: str
+    """Name in kebab case, which is that of its file."""
     title: str
+    """The fault in a few words."""
     why: str
+    """Why it matters: what breaks."""
     severity: Severity
+    """Default severity."""
     antipatterns: tuple[str, ...] = ()
+    """Anti-patterns it witnesses, `AP1` to `AP6`."""
     symptoms: tuple[str, ...] = ()
+    """Symptoms of anti-patterns it witnesses, such as `AP1.4`."""
     formats: tuple[str, ...] = ()
+    """Names of the formats it applies to."""
     links: tuple[str, ...] = ()
+    """Where to read on."""
     messages: tuple[str, ...] = ()
+    """Templates of its messages."""
     examples: tuple[Example, ...] = ()
+    """Its examples."""
     since: str = ""
+    """Version of kinlint that brought it."""
     path: str = ""
+    """Path of its file."""
     whole_model: bool = False
+    """Whether it can only judge when all files of the model are given."""
     targets: tuple[str, ...] = ()
+    """Consumers it is about; it is off unless a run names one of them."""
     severity_for: tuple[SeverityFor, ...] = ()
+    """Severities for certain consumers or formats."""
     group_by: tuple[str, ...] = ()
+    """Variables whose values make one finding of many places in a file; `file` groups all of a
+    file.
+    """
     optional: bool = False
+    """Whether it is off unless selected."""
     repairs: tuple[Repair, ...] = ()
+    """Its repairs, the preferred first."""
     also: tuple[Severity, ...] = ()
+    """Severities of single constraints that differ from `severity`."""
 
     def counts_as(self, targets: Collection[str] = (), form: str = "") -> Severity | None:
-        """What the rule counts as in a file of format *form* for those who mean *targets*.
+        """Return the severity in a file of format *form* for *targets*; None if the rule is off.
 
-        What is said of a target comes before what is said of a format alone, and of equals the
-        worst counts. None if the rule does not speak.
+        A severity for a target precedes one for a format alone, and of equals the worst counts.
         """
         if self.targets and set(self.targets).isdisjoint(targets):
             return None
@@ -194,7 +215,7 @@ class Rule:
         return max(special or [each.severity for each in meant], default=self.severity)
 
     def speaks_for(self, targets: Collection[str]) -> bool:
-        """Whether the rule says anything of one of *targets* in particular."""
+        """Tell whether the rule is about one of *targets* in particular."""
         said = {*self.targets, *(target for each in self.severity_for for target in each.targets)}
         return not said.isdisjoint(targets)
 
@@ -206,28 +227,28 @@ class Rule:
 
 @dataclass(frozen=True, slots=True)
 class Related:
-    """Another place that a finding speaks of, with what stands there.
-
-    No message: the place is one more of what the finding found.
-    """
+    """Another place that a finding is about."""
 
     location: Location
+    """The place."""
     message: str
+    """Role of the place; empty for one more of the same kind."""
 
 
 @dataclass(frozen=True, slots=True)
 class Premise:
-    """A statement that a finding rests on, for people: asserted at a place, or inferred.
-
-    `depth` 0 is a triple the rule itself matched; its premises follow it at depth 1, and so on.
-    `axiom` says in words by which axiom an inferred statement follows, or what a computed one is
-    computed from.
-    """
+    """A statement that a finding rests on: asserted at a place, or inferred."""
 
     statement: str
+    """The statement, for people."""
     location: Location | None = None
+    """Place of an asserted statement."""
     axiom: str = ""
+    """The axiom by which it was inferred, or what it was computed from, in words; empty if
+    asserted.
+    """
     depth: int = 0
+    """0 for a triple that the rule matched; the premises of each follow it, one deeper."""
 
     @property
     def inferred(self) -> bool:
@@ -236,39 +257,48 @@ class Premise:
 
     @property
     def computed(self) -> bool:
-        """Whether it follows by arithmetic, from what stands below it, and by no axiom."""
+        """Tell whether it follows by arithmetic from the statements below it, and by no axiom."""
         return self.axiom.startswith("computed from")
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A defect at a place.
-
-    `message` is `template` with its `arguments` filled in; `meant` is what they stand for, however
-    the file or its neighbours abbreviate that. `iri` is the entity concerned, an absolute IRI or a
-    blank node label; `path` and `value` are terms where the rule names them.
-    `group` is what it has in common with others that are told with it (`Rule.group_by`).
-    `members` are those told as this one, if they are several. `fixes` are alternatives, the
-    preferred first.
-    """
+    """A defect at a place."""
 
     rule: Rule
+    """The rule that was violated."""
     severity: Severity
+    """Severity here, after configuration."""
     message: str
+    """`template` with its `arguments` filled in."""
     location: Location
+    """Place of the defect."""
     iri: str
+    """The entity concerned: an absolute IRI or a blank node label."""
     focus: Term
+    """The focus node (SHACL)."""
     path: Term | None = None
+    """The property, where the rule names one."""
     value: Term | None = None
+    """The value, where the rule names one."""
     template: str = ""
+    """Message with placeholders."""
     arguments: tuple[str, ...] = ()
+    """Values of the placeholders, abbreviated as in the file."""
     meant: tuple[str, ...] = ()
+    """The same, independent of abbreviations."""
     related: tuple[Related, ...] = ()
+    """Other places it is about."""
     because: tuple[Premise, ...] = ()
+    """What it rests on."""
     suppressed: str | None = field(default=None)
+    """Why it is suppressed; None if it is not."""
     group: tuple[str, ...] = ()
+    """What it shares with the findings grouped with it (`Rule.group_by`)."""
     members: tuple[Finding, ...] = ()
+    """The findings grouped in this one."""
     fixes: tuple[Fix, ...] = ()
+    """Alternative fixes, the preferred first."""
 
     def fix(self, least: Applicability) -> Fix | None:
         """The first of the fixes that may be trusted at least so far: what `--fix` makes."""
@@ -276,9 +306,9 @@ class Finding:
 
     @property
     def entity(self) -> str:
-        """`iri` for people: of what stands in a file of elements, the file and the way to it.
+        """Return `iri` for people: for an element, the file and the path to it.
 
-        What was made of an element is named like an element: `arm.urdf#/link/base/inertia`.
+        A lifted node is named like an element: `arm.urdf#/link/base/inertia`.
         """
         return readable(self.iri) if is_address(self.iri) else self.iri
 

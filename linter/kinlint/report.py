@@ -1,4 +1,4 @@
-"""The outcome of a run: everything a reporter may know."""
+"""The result of a run, as reporters get it."""
 
 from __future__ import annotations
 
@@ -11,48 +11,51 @@ from kinlint.model import Finding, Repair, Rule
 from kinlint.structure import Structure
 
 STDIN_NAMES = frozenset({"", "-", "<stdin>"})
-"""How a source is called that came from standard input and was given no name."""
+"""Names of a source that came from standard input without a name."""
 
 
 @dataclass(frozen=True)
 class Report:
-    """What a run read, applied and found.
-
-    `findings` come sorted by `Finding.sort_key`; suppressed ones are among them only if they
-    are to be shown, and then not in `suppressed`. `files` are the names of all files that were
-    read, `unapplied` those of them that no rule applied to. `rules` are the rules that were
-    asked, found anything or not; `applied` counts those that had something to judge. `seconds`
-    is wall-clock time, None where output must not depend on it. Relative file names start
-    at `root`. `fixed` is what the run mended, each with the fix that was made, and `unsafe` whether
-    unsafe fixes are made when safe ones are, or (False) the summary does not even hint at them.
-    `elsewhere` counts what was found in files that nobody asked about.
-    `baseline` counts what was known before, None where nothing was compared to.
-    `unfixed` are findings whose repairs cannot be offered, each with the repair and the reason.
-    `structures` are the robots that were read, if an output draws them. `catalogue` stands for the
-    rules, by a hash; it is empty where nobody says which they were.
-    `recalled` counts the files whose part of the report was known from an earlier run, None where
-    nothing is kept.
-    """
+    """Result of a run."""
 
     findings: tuple[Finding, ...] = ()
+    """Findings by `Finding.sort_key`; suppressed ones only if they are to be shown."""
     suppressed: tuple[Finding, ...] = ()
+    """Suppressed findings that are not shown."""
     files: tuple[str, ...] = ()
+    """Names of all files that were read."""
     unapplied: tuple[str, ...] = ()
+    """Names of the files that no rule applied to."""
     errors: tuple[SourceError, ...] = ()
+    """Files that could not be read."""
     rules: tuple[Rule, ...] = ()
+    """Rules that were checked, found anything or not."""
     triples: int = 0
+    """Number of asserted triples."""
     applied: int = 0
+    """Number of rules that had something to check."""
     seconds: float | None = None
+    """Wall-clock time; None where output must not depend on it."""
     baseline: int | None = None
+    """Number of findings known before; None if nothing was compared."""
     elsewhere: int = 0
+    """Number of findings in files that nobody asked about."""
     fixed: tuple[Finding, ...] = ()
+    """Findings that were fixed, each with the fix made."""
     unsafe: bool | None = None
+    """Whether unsafe fixes are made with the safe ones; False also hides the hint at them."""
     unfixed: tuple[tuple[Finding, Repair, str], ...] = ()
+    """Findings whose repair cannot be offered, each with the repair and the reason."""
     structures: tuple[Structure, ...] = ()
+    """Robots that were read, if an output draws them."""
     catalogue: str = ""
+    """Digest of the rules; empty if unknown."""
     recalled: int | None = None
+    """Number of files whose results come from the cache; None without a cache."""
     version: str = __version__
+    """Version of kinlint."""
     root: str = field(default_factory=os.getcwd)
+    """Directory that relative file names start at."""
 
     @property
     def open(self) -> tuple[Finding, ...]:
