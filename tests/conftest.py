@@ -4,7 +4,6 @@ The catalogue is compiled once for all processes of a run, as a wheel brings it:
 loads it, or starts a process that does, would else spend most of its time on that.
 """
 
-import json
 import os
 import shutil
 import tempfile
@@ -15,7 +14,6 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from kinlint.catalogue import rulebook
-from kinlint.engine.compiler import author
 
 COMPILED = "KINLINT_TESTS_CATALOGUE"
 
@@ -35,11 +33,8 @@ def pytest_configure(config):
         config.add_cleanup(lambda: shutil.rmtree(made, ignore_errors=True))
         config.add_cleanup(lambda: os.environ.pop(COMPILED))
     here = Path(os.environ[COMPILED])
-    known = _remembered(here / "vouched.json")
     if not hasattr(config, "workerinput"):
         rulebook.load(cache=here)
-        if known:
-            (here / "vouched.json").write_text(json.dumps(sorted(known)), "utf-8")
     rulebook.SHIPPED = here
 
 
@@ -49,26 +44,6 @@ def pytest_terminal_summary(terminalreporter, config):
         return
     if terminalreporter.stats.keys() - {""} == {"deselected"}:
         terminalreporter.write_line("All of these tests are of the slower tiers: add -m ''.")
-
-
-def _remembered(file):
-    """The queries of the catalogue that rdflib takes for SPARQL, said once for all processes.
-
-    Returned are those that it is asked about from now on, and that *file* does not have.
-    """
-    said = set(json.loads(file.read_text("utf-8"))) if file.exists() else set()
-    new, ask = set(), author._problem
-
-    def problem(known, text):
-        if known + text in said:
-            return ""
-        answer = ask(known, text)
-        if not answer:
-            new.add(known + text)
-        return answer
-
-    author._problem = problem
-    return new
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from support.linting import book
 
 from kinlint import resources
 from kinlint.catalogue import rulebook
@@ -13,7 +12,7 @@ from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.errors import RuleInvalid
 from kinlint.rule_testing import promises
 
-BOOK = book()
+BOOK = rulebook.load()
 
 USERS = """
 @prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
@@ -106,6 +105,7 @@ def test_a_rule_of_a_user_that_is_right_passes(written):
         ("^^kl:jsonld", "", "example 1 is in none of the formats jsonld"),
         ('"Joint" }', '"Joint"', "example 1 cannot be read: example.jsonld:"),
         ("rdfs:label", "rdfs:seeAlso", "A rule has one rdfs:label"),
+        ("{ FILTER", "{ { } LATERAL { } FILTER", "line 19: not SPARQL 1.1 near '"),
         ("{ FILTER", "{ $this a ?type FILTER", "shows why the query needs ?this rdf:type ?type"),
         ("{ FILTER", "{ FILTER (isIRI($this)) FILTER", "needs FILTER ( isIRI ( ?this ) )"),
         ("SELECT $this WHERE {", "SELECT $this WHERE { OPTIONAL { $this a kc:Joint }", "kc:Joint"),
@@ -121,8 +121,9 @@ def test_what_a_rule_promises_and_does_not_keep_is_said(written, right, wrong, s
     [
         ('    kl:code "ID900" ;\n', "", "rule space-in-identifier has no kl:code"),
         ("rule:space-in", "rule:spaces-in", "so its file must be spaces-in-identifier.ttl"),
-        ('"%20"))', '"%20")', "not SPARQL 1.1 near"),
-        ("FILTER", "$this foo:bar 1 . FILTER", "the prefix 'foo:' is not declared"),
+        ('"%20"))', '"%20")', ".ttl:19: '}' stands where ) is due"),
+        ("CONTAINS(", "CONTAIN(", ".ttl:19: not SPARQL 1.1 near '"),
+        ("FILTER", "$this foo:bar 1 . FILTER", ".ttl:19: the prefix 'foo:' is not declared"),
         ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:13: A dot is expected"),
         ("targetClass kc:", "targetClass zz:", ".ttl:15: The prefix zz: has not been declared"),
     ],

@@ -1,10 +1,14 @@
 """Real SRDF files and their robots: what is found in them is wrong with them."""
 
+from functools import cache
+
 import pytest
 from data import locate_data
-from support.linting import findings
 
-from kinlint.configuration.settings import Choice, FileSettings
+from kinlint import lint
+from kinlint.catalogue import rulebook
+from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint.formats.registry import decode
 
 FANUC = (
     "srdf/moveit_resources/fanuc_moveit_config/config/fanuc.srdf",
@@ -17,15 +21,22 @@ PR2 = (
 DUAL_ARM = ("srdf/moveit_resources/dual_arm_panda_moveit_config/config/panda.srdf",)
 
 
+@cache
+def rules():
+    return rulebook.load()
+
+
 def found(*paths):
     """The codes of what is found in the first of *paths*, with the lines."""
     files = [locate_data("robots", path) for path in paths]
+    sources = [decode(str(file), file.read_bytes()) for file in files]
     composition = FileSettings(choices=(Choice(select=("CMP",)),))
-    every = findings({str(file): file.read_bytes() for file in files}, default=composition)
+    report = lint.run(sources, [], Settings(default=composition), rules())
+    assert report.errors == ()
     return [
         (each.rule.code, each.location.start.line)
-        for each in every
-        if each.location.source.name == str(files[0])
+        for each in report.findings
+        if each.location.source.name == sources[0].name
     ]
 
 

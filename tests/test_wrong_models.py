@@ -3,8 +3,13 @@
 import json
 
 import pytest
-from support.linting import codes, findings
 
+from kinlint import lint
+from kinlint.catalogue import rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.formats.registry import decode
+
+BOOK = rulebook.load()
 CONTEXT = ["https://w3id.org/kinlint/composable.json", {"ex": "https://example.org/robot#"}]
 
 BODIES = [
@@ -346,8 +351,11 @@ WRONG = {
 }
 
 
-def model(nodes):
-    return json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=2)
+def findings(nodes):
+    text = json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=2)
+    report = lint.run([decode("robot.jsonld", text.encode())], [], Settings(), BOOK)
+    assert report.errors == ()
+    return report.findings
 
 
 @pytest.mark.parametrize("fault", WRONG)
@@ -355,7 +363,7 @@ def test_a_fault_is_named(fault):
     """By the rule about it."""
     code, nodes = WRONG[fault]
 
-    assert code in codes(model(nodes), "robot.jsonld")
+    assert code in [finding.rule.code for finding in findings(nodes)]
 
 
 def test_each_of_the_wrong_models_is_here():
@@ -363,9 +371,7 @@ def test_each_of_the_wrong_models_is_here():
     assert {fault.split()[0] for fault in WRONG} == {f"N{number}" for number in range(1, 28)}
 
 
-@pytest.mark.parametrize("name", RIGHT)
-def test_what_is_right_is_clean(name):
+@pytest.mark.parametrize("model", RIGHT)
+def test_what_is_right_is_clean(model):
     """Whatever the published shapes say of it."""
-    found = findings(model(RIGHT[name]), "robot.jsonld")
-
-    assert [finding.message for finding in found] == []
+    assert [finding.message for finding in findings(RIGHT[model])] == []

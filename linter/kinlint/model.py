@@ -111,6 +111,8 @@ class Repair:
     """Templates of triples to insert; blank nodes stand for new ones."""
     terms: tuple[Term, ...] = ()
     """IRIs that the update mentions."""
+    assigned: tuple[str, ...] = ()
+    """Names of the variables that the query binds itself, by AS or VALUES."""
     why: str = ""
     """Reason why it is not safe."""
     formats: tuple[str, ...] = ()

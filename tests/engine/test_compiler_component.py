@@ -113,7 +113,7 @@ def test_ill_formed_component_is_refused(component: str, cause: str) -> None:
     ("validator", "value"),
     [
         (ASK, "[]"),
-        ("sh:validator [ sh:ask 'ASK {} GROUP BY $value' ]", "1"),
+        ("sh:validator [ sh:ask 'ASK {} LIMIT 1' ]", "1"),
         ("sh:nodeValidator [ sh:select 'SELECT $this WHERE {} GROUP BY $this' ]", "1"),
     ],
 )

@@ -5,13 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from support import linting
 from turtle_document import document
 
+from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.lifting import EVERYWHERE, FORMATS, FOUNDATION, Lifting, asked, lift, queries
 from kinlint.engine.store import Store
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, is_blank
+from kinlint.text import SourceText
 from kinlint.vocabulary import KIN
 
 SAMPLES = Path(__file__).parents[2] / "samples"
@@ -27,7 +30,7 @@ def model(*names: str) -> Store:
 
 def _read(name: str) -> Document:
     text = (SAMPLES / name).read_text()
-    return linting.document(text, name)
+    return read(SourceText(name, text), ReadOptions.of(Settings()))
 
 
 def named(store: Store) -> set[Triple]:

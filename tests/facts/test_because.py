@@ -6,11 +6,13 @@ import json
 
 import pytest
 from computed import CONTEXT, QUARTER, STRAIGHT, Node, frame, pose, shift
-from support.linting import lint
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.lint import run
 from kinlint.model import Premise
+from kinlint.text import SourceText
 
 pytestmark = pytest.mark.xdist_group("faults")
 
@@ -61,8 +63,8 @@ def faults(tmp_path_factory: pytest.TempPathFactory) -> Rulebook:
 
 def because(faults: Rulebook, code: str, *nodes: Node) -> tuple[Premise, ...]:
     """The premises of the one finding of a rule."""
-    text = json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=1)
-    report = lint(text, "arm.jsonld", rules=faults)
+    source = SourceText("arm.jsonld", json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=1))
+    report = run([source], (), Settings(), faults)
     (finding,) = (each for each in report.findings if each.rule.code == code)
     return finding.because
 
@@ -188,7 +190,8 @@ ARM = """<robot name="arm">
 
 def places(code: str, text: str, name: str) -> list[tuple[str, int]]:
     """What the first finding of a rule of the catalogue rests on, each with its line."""
-    finding = next(each for each in lint(text, name).findings if each.rule.code == code)
+    report = run([SourceText(name, text)], (), Settings(), rulebook.load())
+    finding = next(each for each in report.findings if each.rule.code == code)
     return [
         (each.statement, each.location.start.line)
         for each in finding.because

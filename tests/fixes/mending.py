@@ -3,8 +3,6 @@
 from dataclasses import replace
 from pathlib import Path
 
-from support.linting import book as built_in
-
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.configuration.settings import Settings
@@ -37,7 +35,7 @@ REPAIR = """dash:suggestionGenerator [
         a dash:SPARQLUpdateSuggestionGenerator ; sh:order {order} ;
         rdfs:label "{title}" ; kl:applicability kl:{claim} ; rdfs:comment "It is a guess." ;
         sh:prefixes kl:prefixes ; sh:update '''{update}''' ]"""
-OURS = built_in()
+OURS = rulebook.load()
 
 
 def repair(update, title="Mend it", claim="safe", order=1):

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 import pytest
-from support.linting import document
 
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
 from kinlint.formats.xml.editing import tree
+from kinlint.text import SourceText
 
 ROBOT = """\
 <robot name="a b">
@@ -18,7 +20,7 @@ ROBOT = """\
 
 
 def built(text: str, name: str = "arm.urdf") -> Hashable:
-    return tree.tree(document(text, name))
+    return tree.tree(read(SourceText(name, text), ReadOptions()))
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,9 @@ import pytest
 from data import locate_data
 from incremental.answers import agree, answer
 from incremental.random_edits import versions
-from support import linting
 
 from kinlint import lint
-from kinlint.catalogue.rulebook import Rulebook
+from kinlint.catalogue.rulebook import Rulebook, load
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.incremental.examiner import Cancelled, Incremental
 from kinlint.text import SourceText, Span
@@ -40,7 +39,7 @@ ARM = """{
 
 @pytest.fixture(scope="module")
 def book() -> Rulebook:
-    return linting.book()
+    return load()
 
 
 @pytest.mark.parametrize("file", FEW, ids=lambda file: f"{file.parent.name}/{file.name}")

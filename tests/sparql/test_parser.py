@@ -7,7 +7,7 @@ from kinlint.engine.store import Store
 from kinlint.sparql.ast import Bind, Clause, Triples, render
 from kinlint.sparql.parser import parse_construct, parse_update
 from kinlint.sparql.patterns import template
-from kinlint.sparql.tokens import NotSparql, offset
+from kinlint.sparql.tokens import NotSparql
 
 PREFIXES = {"": "https://example.org/", "rdf": "http://www.w3.org/1999/02/22-rdf-syntax-ns#"}
 XSD = "http://www.w3.org/2001/XMLSchema#"
@@ -128,7 +128,7 @@ def test_what_does_not_fit_is_said_with_its_place(parse, text, said, place):
     with pytest.raises(NotSparql, match=said) as refusal:
         parse(text)
 
-    rest = text[offset(text, refusal.value.at) :]
+    rest = text[refusal.value.offset(text) :]
     assert rest == place[:-1] if place.endswith("$") else rest.startswith(place)
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 from structured import linted, sample, structures, tree, urdf
-from support.linting import lint
 
 from kinlint.structure import Origin, Structure
 
@@ -235,7 +234,14 @@ def test_a_long_chain_needs_no_recursion() -> None:
 
 
 def test_who_draws_nothing_pays_nothing() -> None:
-    assert lint(urdf("a>b")).structures == ()
+    from structured import book  # noqa: PLC0415
+
+    from kinlint import lint  # noqa: PLC0415
+    from kinlint.configuration.settings import Settings  # noqa: PLC0415
+    from kinlint.text import SourceText  # noqa: PLC0415
+
+    report = lint.run([SourceText("a.urdf", urdf("a>b"))], (), Settings(), book())
+    assert report.structures == ()
 
 
 def test_samples_have_robots() -> None:

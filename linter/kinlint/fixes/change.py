@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinlint.edits import Delta
@@ -11,9 +10,6 @@ from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank
 from kinlint.model import KNOWN, Repair
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_iri, is_literal
-
-TAKEN = re.compile(r"\b(?:AS\s*|VALUES\s*\(?)((?:[?$]\w+\s*)+)", re.IGNORECASE)
-NAME = re.compile(r"\w+")
 
 
 def change(store: Store, repair: Repair, results: Sequence[Result]) -> Delta:
@@ -46,8 +42,9 @@ def _rows(store: Store, repair: Repair, bound: Mapping[str, Term]) -> Iterator[d
     No query can name a blank node, but something that is said of it leads there. What the WHERE
     lists itself must not be given twice.
     """
-    taken = {name for words in TAKEN.findall(repair.query) for name in NAME.findall(words)}
-    apart = {name: term for name, term in bound.items() if is_blank(term) or name in taken}
+    apart = {
+        name: term for name, term in bound.items() if is_blank(term) or name in repair.assigned
+    }
     named = {name: term for name, term in bound.items() if name not in apart}
     known = [
         f"?{name} {' '.join(pair)} ."

@@ -27,7 +27,7 @@ from kinlint.formats.registry import read
 from kinlint.formats.xml.joining import join, partners
 from kinlint.missing_files import references
 from kinlint.model import Rule
-from kinlint.rule_testing.mutants import mutants
+from kinlint.rule_testing.mutants import mutants, repeats
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
@@ -81,7 +81,7 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
 def idle(bench: Bench) -> Iterator[str]:
     """What could be deleted from the queries of a rule without any example noticing.
 
-    Nothing for a rule that only the reference engine can judge.
+    Nothing for a rule that only the reference engine can judge, nor for a query that `repeats`.
     """
     rule = bench.rule
     text = Path(rule.path).read_text("utf-8-sig")
@@ -97,7 +97,10 @@ def idle(bench: Bench) -> Iterator[str]:
         return
     whole = bench.outcomes(constraints)
     for query, known in _queries(graph):
-        for deleted, mutant in mutants(parse(tokens(query, known))):
+        select = parse(tokens(query, known))
+        if repeats(select):
+            continue
+        for deleted, mutant in mutants(select):
             try:
                 matters = bench.outcomes(compiled(_replaced(text, query, render(mutant)))) != whole
             except RuleInvalid:

@@ -16,12 +16,23 @@ from kinlint.sparql.ast import (
     Triples,
     Union,
     render,
+    walk,
 )
 from kinlint.sparql.patterns import patterns
 from kinlint.vocabulary import SRC
 
 ONE_FILE = ((f"<{SRC}document>",), (f"<{SRC}describedIn>",))
 """Tell files apart, which no example can show: an example is one file."""
+
+
+def repeats(query: Select) -> bool:
+    """Return whether *query* follows a path any number of times, by `*`, `+` or `?`.
+
+    An example would have to tell each number of steps from the others.
+    """
+    blocks = (part.tokens for part in walk(query) if isinstance(part, Triples))
+    found = (pattern.path for block in blocks for pattern in patterns(block, count()))
+    return any({"*", "+", "?"}.intersection(path) for path in found)
 
 
 def mutants(query: Select) -> Iterator[tuple[str, Select]]:

@@ -52,10 +52,10 @@ def unmarked(text: str) -> tuple[str, list[Span]]:
 def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterator[str]:
     """Yield what *rule* promises and does not keep, a sentence each.
 
-    Without *oracles* neither pySHACL judges the bad examples nor is each part of the queries left
-    out to see that an example needs it, which take most of the time.
+    Without *oracles* neither rdflib reads the queries nor pySHACL judges the bad examples, nor is
+    each part of the queries left out to see that an example needs it. These take most of the time.
     """
-    if waiting := list(_unfilled(rule)):
+    if waiting := [*_unfilled(rule), *(_nonstandard(rule) if oracles else ())]:
         yield from waiting
         return
     found = list(_broken(rule, rulebook))
@@ -67,6 +67,12 @@ def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterato
     if oracles and not found:
         examples = (each for example in rule.examples for each in _texts(example))
         yield from idle(Bench.of(rule, rulebook, examples))
+
+
+def _nonstandard(rule: Rule) -> Iterator[str]:
+    from kinlint.rule_testing.standard import nonstandard  # noqa: PLC0415  it loads rdflib
+
+    yield from nonstandard(rule)
 
 
 def _unfilled(rule: Rule) -> Iterator[str]:

@@ -193,6 +193,8 @@ class _Reader:
         found: list[str | Group] = [self.take("(")]
         depth = 1
         while depth:
+            if self.next == "}":
+                self.take(")")
             found.append(self.piece())
             depth += (found[-1] == "(") - (found[-1] == ")")
         return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from kinlint.sparql.ast import (
     Bind,
@@ -16,6 +17,7 @@ from kinlint.sparql.ast import (
     Triples,
     Union,
     Values,
+    walk,
 )
 from kinlint.sparql.tokens import is_variable
 
@@ -80,6 +82,19 @@ def visible(part: Group | Element) -> set[str]:
             return set(projection(part))
         case _:
             return set()
+
+
+def assigned(part: Group | Element | Expression) -> set[str]:
+    """Return the variables to which *part* gives values itself: by AS, or by VALUES."""
+    found = words(part)
+    names = {name for word, name in pairwise(found) if word.upper() == "AS"}
+    for each in (part, *walk(part)):
+        if isinstance(each, Bind):
+            names.add(each.variable)
+        elif isinstance(each, Values):
+            head = each.tokens[: each.tokens.index("{")]
+            names.update(word for word in head if is_variable(word))
+    return names
 
 
 def certain(part: Group | Element) -> frozenset[str]:

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 from urllib.parse import urljoin
 
+from kinlint.terms import Term
+
 _LEXICON = re.compile(
     r"""
       (?P<space>\s+|\#[^\n\r]*)
@@ -31,13 +33,22 @@ _ESCAPED = re.compile(r"\\(.)")
 class NotSparql(Exception):
     """A text breaks the grammar of SPARQL.
 
-    `at` is the number of the token that does not fit, counted after the prologue; None where the
-    message tells the place.
+    `at` is the number of the token that does not fit, counted after the prologue, or `start` its
+    offset in the text.
     """
 
-    def __init__(self, cause: str, at: int | None = None) -> None:
+    def __init__(self, cause: str, at: int = 0, start: int | None = None) -> None:
         super().__init__(cause)
         self.at = at
+        self.start = start
+
+    def offset(self, text: str) -> int:
+        """Return where in *text*, which is that which was read, the token lies."""
+        if self.start is not None:
+            return self.start
+        found = split(text)
+        at = self.at + _prologue(found)[0]
+        return found[at].start if at < len(found) else len(text.rstrip())
 
 
 class Token(NamedTuple):
@@ -69,6 +80,14 @@ def prologue(text: str) -> dict[str, str]:
     return _prologue(split(text))[1]
 
 
+def prefixed(text: str, prefixes: Mapping[str, str]) -> set[Term]:
+    """Return the IRIs that *text* writes as a name with one of *prefixes*. Raises `NotSparql`."""
+    names = (each.text.partition(":") for each in split(text) if each.kind == "name")
+    return {
+        f"<{prefixes[prefix]}{local}>" for prefix, _, local in names if local and prefix in prefixes
+    }
+
+
 def _prologue(found: Sequence[Token]) -> tuple[int, dict[str, str], str]:
     """Return where the prologue of *found* ends, the namespaces by prefix, and the base."""
     known: dict[str, str] = {}
@@ -82,7 +101,8 @@ def _prologue(found: Sequence[Token]) -> tuple[int, dict[str, str], str]:
             known[found[at + 1].text[:-1]] = urljoin(base, found[at + 2].text[1:-1])
             at += 3
         else:
-            raise NotSparql(f"{word} wants {'an' if word == 'BASE' else 'a name and an'} IRI", 0)
+            wanted = "an IRI" if word == "BASE" else "a prefix and an IRI"
+            raise NotSparql(f"{word} is not followed by {wanted}", start=found[at].start)
     return at, known, base
 
 
@@ -93,19 +113,12 @@ def split(text: str) -> list[Token]:
     while at < len(text):
         match = _LEXICON.match(text, at)
         if match is None:
-            line = text.count("\n", 0, at) + 1
-            raise NotSparql(f"line {line}: {text[at : at + 20]!r} is not SPARQL")
+            rest = text[at:].split("\n", maxsplit=1)[0].strip()
+            raise NotSparql(f"not SPARQL 1.1 near '{rest}'", start=at)
         if (kind := str(match.lastgroup)) != "space":
             found.append(Token(kind, match.group(), at))
         at = match.end()
     return found
-
-
-def offset(text: str, at: int) -> int:
-    """Return where in *text* the token lies that has the number *at* after the prologue."""
-    found = split(text)
-    at += _prologue(found)[0]
-    return found[at].start if at < len(found) else len(text.rstrip())
 
 
 def _full(found: Token, known: Mapping[str, str], base: str, at: int) -> str:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -13,7 +11,8 @@ from kinlint.engine.compiler.dialect import tuned
 from kinlint.engine.compiler.forbidden import OPTIONAL, forbidden
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.prefixes import declared
-from kinlint.engine.compiler.probe import try_call
+from kinlint.engine.compiler.probe import refused_query, try_call
+from kinlint.errors import RuleInvalid
 from kinlint.sparql.ast import Clause, Group, Select, Triples, Union, render, walk
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns, premises
@@ -61,10 +60,11 @@ def read_query(
     try:
         prefixes = declared(graph, node)
         found = tokens(text, prefixes)
-        _vouch(text, prefixes, path or "<urn:none>")
         select = parse(tuple(path or word if word == PATH else word for word in found))
+        if refused := refused_query(render(select), text, prefixes):
+            raise refused
     except NotSparql as error:
-        raise graph.invalid(node, str(error)) from error
+        raise located(graph, node, text, error) from error
     fault = forbidden(select, prebound)
     if str(select.head[0]).lower() != name:
         fault = f"sh:{name} is a query of another kind"
@@ -84,28 +84,17 @@ def read_query(
     )
 
 
-def _vouch(text: str, prefixes: dict[str, str], path: str) -> None:
-    """Raise `NotSparql` unless rdflib too takes *text* for SPARQL 1.1."""
-    text = re.sub(r"[$?]PATH\b", lambda _: path, text)
-    known = "".join(f"PREFIX {prefix}: <{namespace}> " for prefix, namespace in prefixes.items())
-    if problem := _problem(known, text):
-        raise NotSparql(f"not SPARQL 1.1{problem}")
+def located(graph: ShapesGraph, node: Term, text: str, error: NotSparql) -> RuleInvalid:
+    """Return what is wrong with the query *text* of *node*, with the line of the file if it can.
 
-
-@lru_cache(maxsize=4096)
-def _problem(known: str, text: str) -> str:
-    """What rdflib has against *text* after the prefixes *known*; it takes long to say."""
-    from pyparsing import ParseException  # noqa: PLC0415
-    from rdflib.plugins.sparql import prepareQuery  # noqa: PLC0415
-
-    try:
-        prepareQuery(known + text)
-    except ParseException as error:
-        near = (known + text)[error.loc :].strip().split("\n")[0].strip()
-        return f" near '{near}'" if near else " at its end"
-    except Exception as error:  # noqa: BLE001  rdflib raises bare exceptions
-        return f": {error}"
-    return ""
+    A query is found there unless its literal has escapes.
+    """
+    file = graph.home(node)
+    start = file.text.find(text)
+    if start < 0:
+        return graph.invalid(node, str(error))
+    line = file.text.count("\n", 0, start + error.offset(text)) + 1
+    return RuleInvalid(f"{file.name}:{line}: {error}")
 
 
 def _defer(select: Select, found: tuple[str, ...]) -> None:

@@ -23,7 +23,7 @@ _BLANK = re.compile(r"_:[0-9a-zA-Z]\S*")
 
 @dataclass(frozen=True)
 class ShapesFile:
-    """One parsed file: its triples in the order of the text, and its prefixes.
+    """One parsed file: its triples in the order of the text, its prefixes, and the text.
 
     Blank nodes are named `_:<position of the file>.<order of appearance>`, so that the same
     files always give the same names.
@@ -32,6 +32,7 @@ class ShapesFile:
     name: str
     triples: tuple[Triple, ...]
     prefixes: dict[str, str]
+    text: str = field(default="", repr=False)
 
 
 @dataclass
@@ -114,15 +115,15 @@ class ShapesGraph:
 
 def read(files: Sequence[Source]) -> ShapesGraph:
     """The graph of Turtle *files*; `RuleInvalid` names the file and line of what is no Turtle."""
-    return ShapesGraph(tuple(_parse(source, at) for at, source in enumerate(files)))
+    return ShapesGraph(tuple(parse(source, at) for at, source in enumerate(files)))
 
 
-def _parse(source: Source, at: int) -> ShapesFile:
-    if isinstance(source, Path):
-        name, text, base = str(source), source.read_text("utf-8-sig"), source.resolve().as_uri()
-    else:
-        name, text = source
-        base = Path(name).resolve().as_uri()
+def parse(source: Source, at: int = 0) -> ShapesFile:
+    """Return the Turtle file *source*, the one at the position *at* of several.
+
+    `RuleInvalid` names the line and cause if it is none.
+    """
+    name = str(source if isinstance(source, Path) else source[0])
     labels: dict[str, str] = {}
 
     def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
@@ -131,11 +132,14 @@ def _parse(source: Source, at: int) -> ShapesFile:
             return labels.setdefault(written, f"_:b{at}.{len(labels)}")
         return written
 
-    triples: list[Triple] = []
     try:
+        text = source.read_text("utf-8-sig") if isinstance(source, Path) else source[1]
+        base = Path(name).resolve().as_uri()
         parser = ox.parse(text, ox.RdfFormat.TURTLE, base_iri=base)
-        triples.extend((token(q.subject), token(q.predicate), token(q.object)) for q in parser)
-        prefixes = dict(parser.prefixes)
+        triples = tuple((token(q.subject), token(q.predicate), token(q.object)) for q in parser)
+    except UnicodeDecodeError as error:
+        raise RuleInvalid(f"{name}: not UTF-8, from byte {error.start} on") from error
     except SyntaxError as error:
-        raise RuleInvalid(f"{name}:{error.lineno}: {error.msg}") from error
-    return ShapesFile(name, tuple(triples), prefixes)
+        cause = str(error.msg).split(": ", 1)[-1]
+        raise RuleInvalid(f"{name}:{error.lineno}: {cause}") from error
+    return ShapesFile(name, triples, dict(parser.prefixes), text)

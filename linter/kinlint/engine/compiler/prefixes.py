@@ -13,8 +13,13 @@ if TYPE_CHECKING:
 
 def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:
     """The namespaces by prefix that `sh:prefixes` of *node* gives, imports followed."""
+    return namespaces(graph, *graph.values(node, sh("prefixes")))
+
+
+def namespaces(graph: ShapesGraph, *ontologies: Term) -> dict[str, str]:
+    """The namespaces by prefix that *ontologies* declare, with those that they import."""
     found: dict[str, str] = {}
-    todo, seen = graph.values(node, sh("prefixes")), set[Term]()
+    todo, seen = list(ontologies), set[Term]()
     while todo:
         ontology = todo.pop()
         if ontology in seen:
@@ -26,7 +31,7 @@ def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:
                 _text(graph, declaration, name) for name in ("prefix", "namespace")
             )
             if found.setdefault(prefix, namespace) != namespace:
-                raise graph.invalid(node, f"the prefix '{prefix}:' stands for two namespaces")
+                raise graph.invalid(ontology, f"the prefix '{prefix}:' stands for two namespaces")
     return found
 
 
