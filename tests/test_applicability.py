@@ -9,6 +9,7 @@ from kinlint.catalogue.applicability import applicability, applicable, applies, 
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.result import Result
+from kinlint.formats.records import BY_NAME
 from kinlint.terms import iri
 from kinlint.text import SourceText, Span
 
@@ -20,7 +21,7 @@ def document(form, *nodes):
     name = f"arm.{form}"
     spans = {node: NodeSpans(Span(0, 0)) for node in nodes}
     graph = iri(f"urn:kinlint:document:{name}")
-    return Document(SourceText(name, ""), graph, (), SourceMap(nodes=spans), format=form)
+    return Document(SourceText(name, ""), graph, (), SourceMap(nodes=spans), format=BY_NAME[form])
 
 
 def constraint(*named):
@@ -46,7 +47,7 @@ def test_a_rule_speaks_of_the_formats_that_it_names(named, form, expected):
     rule = replace(RULE, iri="urn:x:r", formats=named)
     owners = applicability([rule], [document(form)])
 
-    assert owners == ({"urn:x:r": {form}} if expected else {})
+    assert owners == ({"urn:x:r": {BY_NAME[form]}} if expected else {})
 
 
 def test_a_constraint_may_name_fewer_formats_than_its_rule():
@@ -54,16 +55,16 @@ def test_a_constraint_may_name_fewer_formats_than_its_rule():
     every, lifted, xacro = constraint(), constraint("urdf"), constraint("xacro")
     given = [every, lifted, xacro]
 
-    assert applicable(given, {"urn:x:r": frozenset({"urdf"})}) == [every, lifted]
-    assert applicable(given, {"urn:x:r": frozenset({"xacro"})}) == given
-    assert applicable(given, {"urn:x:r": frozenset({"jsonld"})}) == [every]
+    assert applicable(given, {"urn:x:r": frozenset({BY_NAME["urdf"]})}) == [every, lifted]
+    assert applicable(given, {"urn:x:r": frozenset({BY_NAME["xacro"]})}) == given
+    assert applicable(given, {"urn:x:r": frozenset({BY_NAME["jsonld"]})}) == [every]
     assert applicable(given, {}) == []
 
 
 def test_results_about_files_of_other_formats_are_dropped():
     """Where a file is known, by address or because the node is described there."""
     documents = [document("urdf", "_:lost"), document("sdf", "_:gone")]
-    owners = {"urn:x:r": frozenset({"urdf"})}
+    owners = {"urn:x:r": frozenset({BY_NAME["urdf"]})}
     foci = [
         *("<urn:kinlint:document:arm.urdf#link/a>", "<urn:kinlint:document:arm.sdf#link/a>"),
         *("_:lost", "_:gone", "<https://example.org/elsewhere>"),

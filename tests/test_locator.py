@@ -11,6 +11,7 @@ from kinlint.engine.store import Store
 from kinlint.findings.locator import Locator
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.formats.xacro.format import XACRO
 from kinlint.terms import XSD, iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import KIN
@@ -79,7 +80,7 @@ def test_where_a_rule_says_to_look_comes_first():
 def test_a_document_of_several_texts_knows_which_is_meant():
     """Spans count through all pieces; a piece may come again."""
     main, macro = SourceText("main.xacro", "0123456789"), SourceText("macro.xacro", "abcdef")
-    whole = Document(main, "<urn:x:g>", (), SourceMap(), format="xacro")
+    whole = Document(main, "<urn:x:g>", (), SourceMap(), format=XACRO)
     made = replace(whole, pieces=((0, main), (10, macro), (16, main)))
 
     assert whole.location(Span(3, 5)).source is main

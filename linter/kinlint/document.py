@@ -9,15 +9,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
+from kinlint.file_format import Format
 from kinlint.terms import Term, Triple, iri, is_iri
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC
-
-TREES = frozenset({"urdf", "xacro", "srdf", "sdf"})
-"""Formats whose files are trees of elements, each with an IRI below that of its document."""
-
-LIFTED_AS = {"xacro": "urdf"}
-"""What a format is once it is expanded."""
 
 FROM = iri(f"{SRC}from")
 """What leads from a node that was lifted to the elements that it was made of."""
@@ -52,7 +47,7 @@ class Document:
     `statements` holds the asserted triples and those of the source layer, in the order of the
     text, each once. `graph` is the IRI token under which a store keeps them. `prefixes` are the
     file's own abbreviations, for messages. `statements` may repeat what another file says.
-    `format` is the name of the front end that read it.
+    `format` is what it is read as; a xacro file that expands to SDF or SRDF is read as that.
 
     A document may be put together from several texts. Then spans count through all of them, and
     `pieces` says at which offset each text begins, *source* first.
@@ -63,7 +58,7 @@ class Document:
     statements: Sequence[Triple] = field(repr=False)
     map: SourceMap = field(repr=False)
     prefixes: Mapping[str, str] = field(default_factory=dict, repr=False)
-    format: str = ""
+    format: Format = field(kw_only=True)
     pieces: Sequence[tuple[int, SourceText]] = field(default=(), repr=False)
 
     def location(self, span: Span) -> Location:

@@ -8,8 +8,8 @@ from pathlib import PurePath
 from typing import NamedTuple
 from urllib.parse import unquote
 
-from kinlint.document import TREES
-from kinlint.formats.registry import recognise
+from kinlint.file_format import Format
+from kinlint.formats.recognition import recognised
 from kinlint.text import SourceText
 
 _NAME = re.compile(r"<(?:robot|model)\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -17,22 +17,20 @@ _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _INCLUDE = re.compile(r"""<(?:[\w-]+:)?include\b[^>]*?\sfilename\s*=\s*["']([^"']*)""")
 _NESTED = re.compile(r"<include\b[^>]*>(.*?)</include>", re.DOTALL)
 _URI = re.compile(r"<uri\b[^>]*>([^<]*)<")
-ALONE = frozenset({"urdf", "sdf", "xacro"})
-"""Formats whose files each describe robots of their own."""
 
 
 class Ties(NamedTuple):
     """What may join a file to others: its format, its robots by their names, what it includes."""
 
-    format: str | None
+    format: Format | None
     robots: frozenset[str] = frozenset()
     included: tuple[str, ...] = ()
 
 
 def ties(source: SourceText) -> Ties:
     """What may join *source* to others."""
-    form = recognise(source.name, source.text)
-    if form not in ALONE:
+    form = recognised(source).format
+    if form is None or not form.describes_robots:
         return Ties(form)
     text = _COMMENT.sub("", source.text)
     robots = frozenset((one or other).casefold() for one, other in _NAME.findall(text))
@@ -52,7 +50,7 @@ def models(
     """
     tied = [known(source) for source in sources]
     forms = {each.format for each in tied}
-    if not forms <= ALONE & TREES:
+    if not all(form and form.describes_robots for form in forms):
         yield list(sources)
         return
     if len(forms) > 1 and any("$" in name for each in tied for name in each.robots):
@@ -67,7 +65,7 @@ def models(
             groups.join(index, robots.setdefault(name, index))
         for part in PurePath(source.name).parts[-3:]:
             files.setdefault(part, []).append(index)
-    mixed = [index for index, each in enumerate(tied) if each.format == "xacro"]
+    mixed = [index for index, each in enumerate(tied) if each.format and each.format.expands_to]
     for index, each in enumerate(tied):
         for meant in each.included:
             groups.join(index, users.setdefault(meant, index))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from kinlint import resources
-from kinlint.document import LIFTED_AS, Document
+from kinlint.document import Document
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import KL, RDFS
 
@@ -76,7 +76,7 @@ def _order(number: str) -> tuple[int, ...]:
 
 def shown(document: Document) -> Iterator[Shown]:
     """The inherent symptoms that *document* shows."""
-    known = profile(LIFTED_AS.get(document.format, document.format))
+    known = profile(document.format.lifted_as)
     counts = _counts(document, known.passed_over)
     for symptom in known.symptoms:
         each = {_name(term): counts[term] for term in symptom.shown_by if counts[term]}

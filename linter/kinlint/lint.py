@@ -12,7 +12,7 @@ from kinlint.catalogue.applicability import applies, axioms_for, demand, possibl
 from kinlint.catalogue.rule_selection import Inquiry
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
@@ -196,7 +196,7 @@ def _reused(documents: Iterable[Document]) -> set[str]:
         source.name
         for document in documents
         for source in document.sources
-        if document.format == "xacro" or source is not document.source
+        if document.format.expands_to or source is not document.source
     }
 
 
@@ -206,11 +206,11 @@ def _names(documents: Iterable[Document]) -> Iterator[str]:
 
 def _joined(documents: Sequence[Document], settings: Settings) -> list[Document]:
     """*documents*, in which each SRDF says which URDF it is about."""
-    if not any(each.format == "srdf" or ".srdf" in each.source.name for each in documents):
-        return list(documents)
-    from kinlint.formats.xml.joining import join, partners  # noqa: PLC0415  few models have SRDF
+    from kinlint.formats.srdf.pairing import join, may_be_srdf, partners  # noqa: PLC0415
 
-    texts = (document.source for document in documents)
+    texts = [document.source for document in documents]
+    if not any(map(may_be_srdf, texts)):
+        return list(documents)
     return join(documents, partners(texts, settings.partner))
 
 
@@ -245,7 +245,7 @@ def check_all(
         from kinlint.engine.reference import shacl  # noqa: PLC0415
 
         owners = {each.owner for each in constraints}
-        if all(document.format in TREES for document in documents):
+        if all(document.format.is_tree for document in documents):
             found = shacl.check_store(store, rulebook.shapes, constraints)
             return [result for result in found if result.constraint.owner in owners]
         found = shacl.check(
@@ -266,7 +266,7 @@ def check_all(
 
 def speaks(document: Document, rulebook: Rulebook) -> bool:
     """Whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
-    return document.format in TREES or any(
+    return document.format.is_tree or any(
         o.startswith(KNOWN) or o in rulebook.terms
         if p == RDF_TYPE
         else p.startswith(KNOWN[:2]) or p in rulebook.terms

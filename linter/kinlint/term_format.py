@@ -10,6 +10,7 @@ from functools import cached_property
 from urllib.parse import unquote
 
 from kinlint.addresses import is_address, owner_path, short_path, split, unordered
+from kinlint.formats.records import ELEMENTS
 from kinlint.terms import (
     RDF_TYPE,
     XSD,
@@ -31,17 +32,14 @@ from kinlint.vocabulary import (
     QUANTITY_KIND,
     QUDT,
     REFERENCE,
-    SDF,
     SRC,
-    SRDF,
     UNIT,
-    URDF,
 )
 
 BARE = (METAMODELS, KL, KIN, SRC, UNIT, QUANTITY_KIND, QUDT, DOCUMENT_BASE)
 """Namespaces whose local names stand for themselves, as models write them."""
 
-XML = (ATTRIBUTE, URDF, SDF, SRDF, EXTENSION, REFERENCE)
+XML = (ATTRIBUTE, *ELEMENTS, EXTENSION, REFERENCE)
 """Namespaces of elements and attributes, whose local names are what files of XML write."""
 
 COMPONENT = re.compile(r"-[1-9][0-9]*$")

@@ -8,6 +8,8 @@ from functools import cached_property
 from itertools import accumulate
 from typing import NamedTuple
 
+from kinlint.file_format import Format
+
 
 class Span(NamedTuple):
     """A half-open range of code points of a text: the only coordinate inside kinlint."""
@@ -33,6 +35,7 @@ class SourceText:
     encoding has, with what is wrong there. A `companion` is read along with others that speak of
     it, such as the URDF of an SRDF; nothing is reported of it. `encoding` turns the text into the
     bytes it was read from; there is none if nothing does, but `original` has the bytes then.
+    `format` is what the text was recognised as; None before that, and if it is nothing known.
     """
 
     name: str
@@ -42,6 +45,7 @@ class SourceText:
     companion: bool = False
     encoding: str = "utf-8"
     original: bytes = field(default=b"", repr=False)
+    format: Format | None = field(default=None, repr=False, compare=False)
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:

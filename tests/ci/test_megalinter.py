@@ -8,7 +8,7 @@ from workflow import ROOT
 
 from kinlint.cli.check_options import parser
 from kinlint.cli.main import main
-from kinlint.files.discovery import SEARCHED
+from kinlint.formats.records import SEARCHED
 
 DESCRIPTOR = yaml.safe_load(
     (ROOT / ".github/mega-linter-plugin-kinlint/kinlint.megalinter-descriptor.yml").read_text(

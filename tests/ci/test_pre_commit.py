@@ -17,7 +17,7 @@ from workflow import ROOT
 
 from kinlint.cli.check_command import run as check
 from kinlint.cli.check_options import parser
-from kinlint.files.discovery import SEARCHED
+from kinlint.formats.records import SEARCHED
 
 MANIFEST = ROOT / ".pre-commit-hooks.yaml"
 HOOKS = yaml.safe_load(MANIFEST.read_text("utf-8"))

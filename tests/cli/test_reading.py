@@ -6,7 +6,7 @@ import os
 import pytest
 
 from kinlint.configuration.settings import Settings
-from kinlint.files.discovery import Input
+from kinlint.project.discovery import Input
 from kinlint.project.reading import read
 from kinlint.project.recognition import is_model
 from kinlint.text import SourceText

@@ -6,8 +6,10 @@ import pytest
 
 from kinlint.conversion.coverage import coverage
 from kinlint.conversion.coverage_page import PATH, main, readme
-from kinlint.engine.lifting import FORMATS
+from kinlint.formats.records import LIFTED
 from kinlint.resources import data
+
+FORMATS = [each.name for each in LIFTED]
 
 
 @pytest.mark.parametrize("form", FORMATS)

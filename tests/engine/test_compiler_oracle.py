@@ -15,6 +15,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.reference.shacl import check_store
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.terms import Triple
 from kinlint.text import SourceText
 
@@ -26,7 +27,9 @@ PREFIXES = """
 
 def loaded(graph: tuple[Triple, ...]) -> Store:
     store = Store()
-    store.load([Document(SourceText("random", ""), "<urn:data>", graph, SourceMap())])
+    store.load(
+        [Document(SourceText("random", ""), "<urn:data>", graph, SourceMap(), format=TURTLE)]
+    )
     return store
 
 

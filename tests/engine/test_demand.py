@@ -18,17 +18,20 @@ from kinlint.engine.closure import close
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
-from kinlint.engine.lifting import FORMATS, lift
+from kinlint.engine.lifting import lift
 from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
-from kinlint.formats.xml.joining import join, partners
+from kinlint.formats.srdf.pairing import join, partners
 from kinlint.missing_files import references
 from kinlint.model import Rule
 from kinlint.rule_testing import promises
 from kinlint.terms import RDF_TYPE, Term
+
+FORMATS = [each.name for each in LIFTED]
 
 pytestmark = pytest.mark.slow
 

@@ -9,16 +9,17 @@ from turtle_document import document
 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.engine.lifting import EVERYWHERE, FORMATS, FOUNDATION, Lifting, asked, lift, queries
+from kinlint.engine.lifting import EVERYWHERE, FOUNDATION, Lifting, asked, lift, queries
 from kinlint.engine.store import Store
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.records import BY_NAME, LIFTED
 from kinlint.formats.registry import read
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, is_blank
 from kinlint.text import SourceText
 from kinlint.vocabulary import KIN
 
 SAMPLES = Path(__file__).parents[2] / "samples"
-QUERIES = [query for form in FORMATS for query in queries(form)]
+QUERIES = [query for form in LIFTED for query in queries(form.name)]
 MODELS = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "urdf/six-axis.urdf", "sdf/six-axis.sdf")
 
 
@@ -54,12 +55,12 @@ def test_a_query_makes_what_it_is_said_to_make(query: Lifting) -> None:
 
 def test_queries_are_asked_by_what_they_make() -> None:
     """What everything is about is always made; of formats that are not there nothing is."""
-    coupled = {each.name for each in asked({"urdf"}, {iri(f"{KIN}follower")})}
+    coupled = {each.name for each in asked({BY_NAME["urdf"]}, {iri(f"{KIN}follower")})}
 
     assert FOUNDATION | {"couplings"} == coupled
-    assert {each.format for each in asked({"xacro", "jsonld"})} == {"urdf"}
-    assert list(asked({"jsonld", "turtle"})) == []
-    assert {each.name for each in asked({"urdf"}, ())} == FOUNDATION
+    assert {each.format for each in asked({BY_NAME["xacro"], BY_NAME["jsonld"]})} == {"urdf"}
+    assert list(asked({BY_NAME["jsonld"], BY_NAME["turtle"]})) == []
+    assert {each.name for each in asked({BY_NAME["urdf"]}, ())} == FOUNDATION
 
 
 def test_lifting_again_changes_nothing() -> None:

@@ -16,6 +16,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.text import SourceText
 
 RECORD = json.loads((Path(__file__).parent / "w3c_shacl.json").read_text("utf-8"))
@@ -29,7 +30,7 @@ def suite() -> dict[str, Case]:
 def loaded(case: Case) -> Store:
     store = Store()
     source = SourceText(case.name, "")
-    store.load([Document(source, "<urn:data>", case.data, SourceMap())])
+    store.load([Document(source, "<urn:data>", case.data, SourceMap(), format=TURTLE)])
     return store
 
 

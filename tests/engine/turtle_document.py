@@ -5,6 +5,7 @@ from __future__ import annotations
 import pyoxigraph as ox
 
 from kinlint.document import Document, SourceMap
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.terms import Triple
 from kinlint.text import SourceText, Span
 
@@ -31,4 +32,4 @@ def document(turtle: str, name: str = "arm.ttl") -> Document:
     statements = triples(turtle)
     spans = {triple: Span(0, 0) for triple in statements}
     graph = f"<urn:kinlint:document:{name}>"
-    return Document(SourceText(name, turtle), graph, statements, SourceMap(spans))
+    return Document(SourceText(name, turtle), graph, statements, SourceMap(spans), format=TURTLE)

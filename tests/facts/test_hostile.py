@@ -13,6 +13,7 @@ from kinlint.document import Document, SourceMap
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.facts.scan import Scan, numeric
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.terms import RDF, XSD, iri, literal
 from kinlint.text import SourceText
 
@@ -24,7 +25,7 @@ CHAIN = "<https://comp-rob2b.github.io/metamodels/algorithm#trigger-chain>"
 def loaded(*triples: tuple[str, str, str]) -> Store:
     text = SourceText("hostile.ttl", "")
     store = Store()
-    store.load([Document(text, "<urn:hostile>", triples, SourceMap())])
+    store.load([Document(text, "<urn:hostile>", triples, SourceMap(), format=TURTLE)])
     return store
 
 

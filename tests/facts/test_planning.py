@@ -8,7 +8,7 @@ from kinlint.facts.compute import facts
 from kinlint.facts.reference import nearest
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.joining import join, partners
+from kinlint.formats.srdf.pairing import join, partners
 from kinlint.text import SourceText
 from kinlint.vocabulary import FACT
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.files.discovery import HEAD, SKIPPED, Search, speaks_of_context
 from kinlint.files.pathglob import Glob
+from kinlint.project.discovery import HEAD, SKIPPED, Search, speaks_of_context
 
 MODEL = '{"@context": "https://example.org/c.json"}'
 
@@ -201,7 +201,7 @@ def test_a_file_that_cannot_be_looked_into_is_an_error(here, monkeypatch):
     def denied(path):
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr("kinlint.files.discovery.speaks_of_context", denied)
+    monkeypatch.setattr("kinlint.project.discovery.speaks_of_context", denied)
 
     assert causes("m") == ["m/a.json: Permission denied"]
 

@@ -6,7 +6,7 @@ from gitting import commit, git, needs_git
 from kinlint.errors import UsageError
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository
-from kinlint.files.revision_checkout import snapshot
+from kinlint.project.revision_checkout import snapshot
 
 pytestmark = needs_git
 

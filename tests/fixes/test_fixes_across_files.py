@@ -10,11 +10,11 @@ from mending import book, repair
 from kinlint.cli import fix_files
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
-from kinlint.files.discovery import Input
 from kinlint.fixes import writable
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.decoding import decode
 from kinlint.model import Applicability
+from kinlint.project.discovery import Input
 
 ROBOT = """<?xml version="1.0"?>
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -8,7 +8,9 @@ from reading import domain
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import decode, read, recognise
+from kinlint.formats.recognition import recognise
+from kinlint.formats.records import BY_NAME
+from kinlint.formats.registry import decode, read
 from kinlint.text import SourceText
 
 MODEL = '{"@context": {"p": "https://e.org/p"}, "@id": "https://e.org/a", "p": "\N{ROBOT FACE}"}'
@@ -38,7 +40,7 @@ MODEL = '{"@context": {"p": "https://e.org/p"}, "@id": "https://e.org/a", "p": "
     ],
 )
 def test_the_format_of_a_file(name: str, text: str, form: str | None) -> None:
-    assert recognise(name, text) == form
+    assert recognise(name, text) == BY_NAME.get(form)
 
 
 @pytest.mark.parametrize("text", [MODEL, MODEL.replace(" ", "\r\n\t"), MODEL.replace(" ", "")])
@@ -76,7 +78,7 @@ def test_a_file_of_no_known_format_is_refused() -> None:
 
 
 def test_a_format_can_be_given() -> None:
-    found = read(SourceText("arm.txt", MODEL), ReadOptions(format="jsonld"))
+    found = read(SourceText("arm.txt", MODEL, format=BY_NAME["jsonld"]), ReadOptions())
     assert len(domain(found)) == 1
 
 

@@ -11,6 +11,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.closure import close
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.strata import stratified
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.incremental.change import Changes, quads
 from kinlint.incremental.inference import Inference, followable
 from kinlint.terms import RDF_TYPE, Triple
@@ -43,7 +44,7 @@ POSSIBLE = [
 def closed(statements: set[Triple]) -> set[Triple]:
     store = Store()
     source = SourceText("x", "")
-    store.load([Document(source, "<g:>", tuple(sorted(statements)), SourceMap())])
+    store.load([Document(source, "<g:>", tuple(sorted(statements)), SourceMap(), format=TURTLE)])
     close(store, AXIOMS)
     return set(store.inferred())
 

@@ -14,6 +14,7 @@ import pytest
 from kinlint import lint
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode
 from kinlint.formats.xml.recognition import sniff
 
@@ -52,8 +53,8 @@ def settings():
 def sources(number, example):
     """The files of an example, in a folder of their own."""
     for part in example.split(BETWEEN):
-        form = sniff(part) or "urdf"
-        yield decode(f"{number}/robot.{form}", part.encode())
+        form = sniff(part) or BY_NAME["urdf"]
+        yield decode(f"{number}/robot{form.suffixes[0]}", part.encode())
 
 
 @cache

@@ -5,6 +5,7 @@ from datetime import date
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.model import Finding, Rule, Severity
 from kinlint.suppression import suppress
 from kinlint.terms import iri, literal
@@ -51,7 +52,9 @@ def document(*statements, name="arm.jsonld", text="x" * 100):
     triples = {triple: Span(at, at + 1) for at, triple in enumerate(statements)}
     nodes = {triple[0]: NodeSpans(Span(90, 99)) for triple in statements}
     graph = f"<urn:kinlint:document:{name}>"
-    return Document(SourceText(name, text), graph, statements, SourceMap(triples, nodes))
+    return Document(
+        SourceText(name, text), graph, statements, SourceMap(triples, nodes), format=TURTLE
+    )
 
 
 def finding(one, node=ARM, name="arm.jsonld", text="x" * 100, span=PLACE):

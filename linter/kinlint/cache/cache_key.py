@@ -15,11 +15,11 @@ from kinlint import __version__, resources
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.contexts.context_library import Contexts, Extra
-from kinlint.formats.registry import recognise
+from kinlint.formats.recognition import recognised
 from kinlint.text import SourceText
 
-PLAIN = frozenset({"urdf", "sdf"})
-"""Formats whose files include others by elements of that name alone, if at all."""
+FOLLOWS = ("text", "format")
+"""Fields of a text that the digest of its characters and its name stand for."""
 LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacro")
 """Libraries whose versions are part of the key."""
 
@@ -77,14 +77,18 @@ class CacheKeys:
 
 def alone(source: SourceText) -> bool:
     """Tell whether *source* surely includes no other file."""
-    return "include" not in source.text and recognise(source.name, source.text) in PLAIN
+    form = recognised(source).format
+    plain = form is not None and form.describes_robots and not form.expands_to
+    return plain and "include" not in source.text
 
 
 def plain(value: Any) -> Any:
     """*value*, made of frozen data, as JSON that differs where it does; of texts, a digest."""
     if isinstance(value, SourceText):
         data = value.text.encode("utf-8", "surrogatepass")
-        more = [[one.name, getattr(value, one.name)] for one in fields(value) if one.name != "text"]
+        more = [
+            [one.name, getattr(value, one.name)] for one in fields(value) if one.name not in FOLLOWS
+        ]
         return [sha256(data).hexdigest(), repr(more)]
     if is_dataclass(value):
         return [type(value).__name__, *(plain(getattr(value, one.name)) for one in fields(value))]

@@ -111,7 +111,8 @@ class _Writer:
         for index, each in enumerate(self._given):
             if each is source or each == source:
                 return index
-        values = {one.name: getattr(source, one.name) for one in fields(source)}
+        told = (one.name for one in fields(source) if one.name != "format")
+        values = {name: getattr(source, name) for name in told}
         return {
             **values,
             "misread": [[*span, what] for span, what in source.misread],

@@ -5,24 +5,26 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from kinlint.addresses import document_of
-from kinlint.document import LIFTED_AS, Document
+from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.lifting import FORMATS, lifts
+from kinlint.engine.lifting import lifts
 from kinlint.engine.pruning import Lookup, Presence
 from kinlint.engine.required_terms import relevant, terms
 from kinlint.engine.result import Result
 from kinlint.facts.needs import sources
+from kinlint.file_format import Format
+from kinlint.formats.records import FORMATS
 from kinlint.model import Repair, Rule
 from kinlint.terms import Term, is_iri
 
-COMPOSABLE = frozenset({"", "jsonld", "turtle", "ntriples", "nquads"})
+COMPOSABLE = frozenset(each.name for each in FORMATS if not each.is_tree)
 """Formats in which models are written as they are meant; a rule for one is a rule for all."""
 
 
 def applicability(
     rules: Iterable[Rule], documents: Sequence[Document]
-) -> Mapping[str, frozenset[str]]:
+) -> Mapping[str, frozenset[Format]]:
     """The rules, by IRI, that apply to some of *documents*, each with the formats it applies to."""
     present = {document.format for document in documents}
     found = {rule.iri: frozenset(f for f in present if covers(rule.formats, f)) for rule in rules}
@@ -30,7 +32,7 @@ def applicability(
 
 
 def applicable(
-    constraints: Iterable[Constraint], owners: Mapping[str, frozenset[str]]
+    constraints: Iterable[Constraint], owners: Mapping[str, frozenset[Format]]
 ) -> list[Constraint]:
     """Those of *constraints* that look at a format which their rule, of *owners*, applies to."""
     return [
@@ -40,17 +42,19 @@ def applicable(
     ]
 
 
-def covers(named: Collection[str], form: str) -> bool:
+def covers(named: Collection[str], form: Format) -> bool:
     """Whether what is for the formats *named*, or for all if none is, is for files of *form*."""
-    if form in COMPOSABLE:
-        return not named or not COMPOSABLE.isdisjoint(named)
-    return not named or form in named or LIFTED_AS.get(form) in named
+    if not named:
+        return True
+    if not form.is_tree:
+        return not COMPOSABLE.isdisjoint(named)
+    return form.name in named or form.expands_to in named
 
 
 def formats(documents: Iterable[Document]) -> Mapping[str, str]:
-    """The format of each text, by its name; what is lifted counts as what it is lifted as."""
+    """The name of the format of each text, by its name; macros count as what they expand to."""
     return {
-        source.name: LIFTED_AS.get(document.format, document.format)
+        source.name: document.format.lifted_as
         for document in documents
         for source in document.sources
     }
@@ -59,11 +63,11 @@ def formats(documents: Iterable[Document]) -> Mapping[str, str]:
 def applies(
     results: Iterable[Result],
     documents: Sequence[Document],
-    owners: Mapping[str, frozenset[str]],
+    owners: Mapping[str, frozenset[Format]],
 ) -> Iterator[Result]:
     """Those of *results* that are about a file of a format that their rule applies to."""
     present = {document.format for document in documents}
-    if len(present) == 1 or present <= COMPOSABLE:
+    if len(present) == 1 or not any(each.is_tree for each in present):
         yield from results
         return
     forms = {document.graph: document.format for document in documents}
@@ -102,8 +106,8 @@ def possible(
     What is *coming* and what is lifted or computed may yet be there. Where no file is lifted, all:
     what is asked for makes no difference there.
     """
-    present = {_lifted_as(document) for document in documents}
-    if present.isdisjoint(FORMATS):
+    present = {document.format for document in documents}
+    if not any(each.is_tree for each in present):
         return list(constraints)
     presence = Presence(store, coming | lifts(present))
     return [each for each in constraints if presence.may_violate(each)]
@@ -116,10 +120,6 @@ def axioms_for(
 
     What is lifted is complete by construction, and most of it asked for by nobody.
     """
-    if wanted is None or not {_lifted_as(document) for document in documents}.issubset(FORMATS):
+    if wanted is None or not all(document.format.is_tree for document in documents):
         return axioms
     return relevant(axioms, wanted)
-
-
-def _lifted_as(document: Document) -> str:
-    return LIFTED_AS.get(document.format, document.format)

@@ -11,6 +11,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.constraint import Constraint
+from kinlint.file_format import Format
 from kinlint.model import Repair, Rule
 
 
@@ -25,7 +26,7 @@ class Inquiry:
     rulebook: Rulebook
     policies: Policies
     asked: Sequence[Rule]
-    owners: Mapping[str, frozenset[str]]
+    owners: Mapping[str, frozenset[Format]]
     constraints: Sequence[Constraint]
     repairs: Sequence[Repair]
 

@@ -12,12 +12,12 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli import fix_files
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.files.discovery import Found
 from kinlint.fixes.offers import Sieve
 from kinlint.fixes.rounds import Mended, mended
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.model import Applicability
 from kinlint.phases import Phases
+from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.reporters.summary import counted
 from kinlint.text import SourceText

@@ -24,11 +24,11 @@ from kinlint.cli.report_destinations import check_destinations, destinations
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
-from kinlint.files.discovery import Found, Search
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.model import Severity
 from kinlint.phases import Phases
+from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 

@@ -14,7 +14,7 @@ from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
-from kinlint.files.discovery import Found, Search
+from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers
 
 STDOUT = "-"

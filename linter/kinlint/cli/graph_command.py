@@ -17,10 +17,10 @@ from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
-from kinlint.files.discovery import Found, Search
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.model import Severity
+from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.picture.formats import FORMATS, SUFFIXES, pieces

@@ -14,8 +14,8 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.files.discovery import Found
 from kinlint.phases import Phases
+from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.text import SourceText
 

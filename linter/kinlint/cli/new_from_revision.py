@@ -14,13 +14,14 @@ from kinlint.baseline.ledger import Ledger
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.lint_run import LintRun
 from kinlint.configuration.settings import FileSettings, Settings
-from kinlint.files.discovery import SEARCHED, Found, Input, speaks_of_context
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository, Revision
-from kinlint.files.revision_checkout import at, snapshot
+from kinlint.formats.records import JSON, SEARCHED
 from kinlint.phases import Phases
+from kinlint.project.discovery import Found, Input, speaks_of_context
 from kinlint.project.layers import Layers
+from kinlint.project.revision_checkout import at, snapshot
 
 
 @dataclass(frozen=True)
@@ -83,9 +84,7 @@ class FindingsAtRevision:
         for path in sorted(self.revision.deleted):
             if path.suffix.lower() not in SEARCHED:
                 continue
-            if path.suffix.lower() == ".json" and not speaks_of_context(
-                at(path, self.revision, root)
-            ):
+            if path.suffix.lower() == JSON and not speaks_of_context(at(path, self.revision, root)):
                 continue
             top = next((top for top in tops if path.is_relative_to(top)), None)
             if top is not None and not self._excluded(path, top):

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.files.discovery import Found
 from kinlint.format_profile import lines
 from kinlint.formats import registry
 from kinlint.formats.options import ReadOptions
+from kinlint.project.discovery import Found
 from kinlint.project.reading import read
 
 

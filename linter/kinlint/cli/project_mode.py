@@ -12,8 +12,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.settings import Settings
-from kinlint.files.discovery import Found, Input, speaks_of_context
+from kinlint.formats.records import JSON
 from kinlint.model import Finding
+from kinlint.project.discovery import Found, Input, speaks_of_context
 from kinlint.report import Report
 from kinlint.text import SourceText
 
@@ -99,4 +100,4 @@ def _identity(one: Input) -> str:
 
 def _passed_over(one: Input) -> bool:
     path = one.path
-    return path is not None and path.suffix.lower() == ".json" and not speaks_of_context(path)
+    return path is not None and path.suffix.lower() == JSON and not speaks_of_context(path)

@@ -19,11 +19,11 @@ from kinlint.configuration.config_file import NAMES
 from kinlint.configuration.keys import OUTPUT_FORMATS
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError, UsageError
-from kinlint.files.discovery import GLOBBED
 from kinlint.files.file_exists import KINDS
 from kinlint.files.packages import REPOSITORY
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.files.pathname import shown
+from kinlint.formats.records import GLOBBED
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.reporter_registry import FORMATS
 

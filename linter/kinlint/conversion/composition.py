@@ -10,7 +10,7 @@ from urllib.parse import quote
 from kinlint.conversion.conversion_losses import Loss, losses
 from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, nodes
 from kinlint.conversion.published import contexts_of
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.errors import UsageError
@@ -41,7 +41,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     document is none to be lifted, where nothing is, and where two things would have one name.
     """
     for document in documents:
-        if document.format not in TREES:
+        if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
     store = Store()
     store.load(documents)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.conversion.coverage import Coverage, coverage
-from kinlint.document import FROM, LIFTED_AS, Document
+from kinlint.document import FROM, Document
 from kinlint.terms import (
     RDF,
     RDF_TYPE,
@@ -90,7 +90,7 @@ class _Contents:
     """The elements of one document below each other, with their attributes."""
 
     def __init__(self, document: Document, made: Mapping[Term, set[float]]) -> None:
-        form = LIFTED_AS.get(document.format, document.format)
+        form = document.format.lifted_as
         self.known: Coverage = coverage(form)
         self.made = made
         self.root = document.graph

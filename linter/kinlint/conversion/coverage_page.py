@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from kinlint.conversion.coverage import Coverage, Reason, coverage
-from kinlint.engine.lifting import FORMATS
+from kinlint.formats.records import LIFTED
 from kinlint.resources import data
 
 PATH = "lifting/README.md"
@@ -34,12 +34,12 @@ counts.
 from it, from the queries and from what the format knows (`../formats`).
 """
 
-NAMES = {"urdf": "URDF", "srdf": "SRDF", "sdf": "SDF"}
+NAMES = {each.name: each.title for each in LIFTED}
 
 
 def readme() -> str:
     """The whole file."""
-    return HEAD + "".join(text for form in FORMATS for text in _format(form))
+    return HEAD + "".join(text for form in NAMES for text in _format(form))
 
 
 def _format(form: str) -> Iterator[str]:

@@ -8,7 +8,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.joining import join, partners
+from kinlint.formats.srdf.pairing import join, partners
 from kinlint.text import SourceText
 
 

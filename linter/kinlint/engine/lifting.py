@@ -11,10 +11,11 @@ from pathlib import Path
 import pyoxigraph as ox
 
 from kinlint import resources
-from kinlint.document import LIFTED_AS
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.template import Made, made_by, needed, trimmed
 from kinlint.errors import RuleInvalid
+from kinlint.file_format import Format
+from kinlint.formats.records import ELEMENTS, LIFTED
 from kinlint.sparql.ast import Group, render
 from kinlint.sparql.parser import parse_construct
 from kinlint.sparql.scope import words
@@ -28,11 +29,8 @@ from kinlint.vocabulary import (
     METAMODELS,
     QUANTITY_KIND,
     QUDT,
-    SDF,
     SRC,
-    SRDF,
     UNIT,
-    URDF,
 )
 
 _IRI = re.compile(r"<[^<>]+>")
@@ -48,7 +46,7 @@ EVERYWHERE = frozenset(
     }
 )
 """Properties that nodes of many classes have, so that asking for them asks for no query."""
-READ = (URDF, SDF, SRDF, ATTRIBUTE, EXTENSION, SRC)
+READ = (*ELEMENTS, ATTRIBUTE, EXTENSION, SRC)
 """The namespaces that queries match; a name of another one below the template is chosen for it."""
 
 FOUNDATION = frozenset({"bodies", "joints"})
@@ -91,11 +89,7 @@ class Lifting:
         return made, trimmed(self.where, set[str]().union(*(each.variables for each in made)))
 
 
-FORMATS = ("urdf", "srdf", "sdf")
-"""The formats that are lifted."""
-
-
-@lru_cache(maxsize=len(FORMATS))
+@lru_cache(maxsize=len(LIFTED))
 def queries(form: str) -> tuple[Lifting, ...]:
     """Return the lifting queries of the format *form*, by name."""
     return tuple(map(_read, sorted(resources.data("shapes").glob(f"lifting/{form}/*.rq"))))
@@ -117,7 +111,7 @@ def _read(file: Path) -> Lifting:
     return Lifting(file.parent.name, file.stem, made, frozenset(named - EVERYWHERE), query.group)
 
 
-def lifts(formats: Iterable[str]) -> frozenset[Term]:
+def lifts(formats: Iterable[Format]) -> frozenset[Term]:
     """Return all properties and classes that lifting files of *formats* may make."""
     return EVERYWHERE.union(*(each.makes for each in asked(formats)))
 
@@ -141,9 +135,11 @@ def lift(
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
 
 
-def asked(formats: Iterable[str], wanted: Collection[Term] | None = None) -> Iterator[Lifting]:
+def asked(formats: Iterable[Format], wanted: Collection[Term] | None = None) -> Iterator[Lifting]:
     """Yield the queries for *formats* that make something *wanted*; all if nothing says what is."""
-    present = {LIFTED_AS.get(each, each) for each in formats}
-    for form in FORMATS:
-        if form in present:
-            yield from (each for each in queries(form) if wanted is None or each.serves(wanted))
+    present = {each.lifted_as for each in formats}
+    for form in LIFTED:
+        if form.name in present:
+            yield from (
+                each for each in queries(form.name) if wanted is None or each.serves(wanted)
+            )

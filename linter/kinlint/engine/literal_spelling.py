@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import pyoxigraph as ox
 
 from kinlint.addresses import document_of
-from kinlint.document import TREES
 from kinlint.terms import Term, Triple, is_blank
 
 if TYPE_CHECKING:
@@ -79,7 +78,7 @@ class Spellings:
                 return tuple(self.documents.values())
             home = self._homes.get(subject)
             return () if home is None else (home,)
-        return [each for each in self.documents.values() if each.format not in TREES]
+        return [each for each in self.documents.values() if not each.format.is_tree]
 
     @cached_property
     def _homes(self) -> Mapping[Term, Document]:

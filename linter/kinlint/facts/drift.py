@@ -17,10 +17,11 @@ from kinlint.facts.names import attribute, chain, kin, sdf, urdf
 from kinlint.facts.placement import Placements
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact, fact_node, numbers
+from kinlint.formats.records import FORMATS
 from kinlint.terms import Term, Triple, is_iri, literal, literal_value
 
-TREES = frozenset({"urdf", "xacro", "sdf"})
 COMPOSED = "composed"
+DESCRIBING = frozenset(each.name for each in FORMATS if each.describes_robots)
 """The format of all composable models of a run, which are one model."""
 SHARED = 2.0 / 3.0
 """Files with one robot's name are of one robot where at least so many joints have one name."""
@@ -74,7 +75,7 @@ class Drifts:
             for node in nodes:
                 home = document_of(node)
                 form = forms.get(home, COMPOSED)
-                home = home if form in TREES else COMPOSED
+                home = home if form in DESCRIBING else COMPOSED
                 description = found.setdefault(home, Description(form))
                 getattr(description, kind).setdefault(local_name(node), node)
         return found
@@ -95,7 +96,7 @@ class Drifts:
 
     def _names(self, document: Document) -> Iterator[str]:
         """What *document* calls its robot, in lower case; nothing for one of several formats."""
-        if _form(document) not in TREES:
+        if not document.format.describes_robots:
             return
         for root in self.scan.table(urdf("robot")).of(document.graph):
             yield from self._called(root)
@@ -170,6 +171,6 @@ def _alike(one: Description, other: Description) -> bool:
 
 def _form(document: Document) -> str:
     """The format of *document*, one for all composable ones; none for what is no description."""
-    if document.format in TREES:
-        return document.format
-    return "" if document.format == "srdf" else COMPOSED
+    if document.format.describes_robots:
+        return document.format.name
+    return "" if document.format.is_tree else COMPOSED

@@ -13,12 +13,11 @@ from kinlint.facts.names import kin
 from kinlint.facts.reference import DIGITS, MOST
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact
+from kinlint.file_format import Format
 from kinlint.suggestion import distance
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_blank, is_iri
 from kinlint.vocabulary import RDFS, SH, SRC
 
-GRAPHS = ("jsonld", "turtle")
-"""The formats whose files name things by IRIs."""
 LOOKED_UP = 100
 """How many identifiers are compared with others at most: the rest resemble nothing."""
 NAMESPACE = re.compile(r"urn:[^:#/]+:[^#/]+:(?=[^:#/]+$)|.*[#/](?=[^#/]*$)")
@@ -39,7 +38,7 @@ class Identifiers:
 
     def __init__(self, scan: Scan) -> None:
         self._scan = scan
-        self._documents = [each for each in scan.documents if each.format in GRAPHS]
+        self._documents = [each for each in scan.documents if _names_by_iri(each.format)]
 
     def resemblances(self) -> Iterator[Triple]:
         """What undescribed identifiers and undeclared terms resemble, where that is one thing."""
@@ -152,3 +151,8 @@ def _own_namespace(document: Document) -> str:
     own = iri(f"{SRC}ownNamespace")
     spaces = [value for _, predicate, value in document.statements if predicate == own]
     return spaces[0][1:].rpartition('"')[0] if len(spaces) == 1 else ""
+
+
+def _names_by_iri(form: Format) -> bool:
+    """Whether people write files of *form* and name things in them by IRIs."""
+    return not form.is_tree and form.editor is not None

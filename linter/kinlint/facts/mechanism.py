@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kinlint.addresses import lifted_at, split, steps
-from kinlint.document import FROM, TREES
+from kinlint.document import FROM
 from kinlint.facts.arrangement import Edge
 from kinlint.facts.names import attribute, chain, geom, kin
 from kinlint.facts.scan import Place, Scan
@@ -111,7 +111,7 @@ class Mechanism:
         said = (
             (s, o)
             for document in self.scan.documents
-            if document.format not in TREES
+            if not document.format.is_tree
             for s, p, o in document.statements
             if p == ATTACHMENTS
         )

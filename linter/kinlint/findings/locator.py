@@ -9,7 +9,7 @@ from operator import itemgetter
 from urllib.parse import unquote
 
 from kinlint.addresses import document_of
-from kinlint.document import FROM, TREES, Document, NodeSpans
+from kinlint.document import FROM, Document, NodeSpans
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
@@ -51,7 +51,7 @@ class Locator:
         """The documents that describe each node, those that say what it is first."""
         homes: dict[Term, list[Document]] = {}
         for document in self.documents:
-            if document.format in TREES:
+            if document.format.is_tree:
                 continue
             for node in document.map.nodes:
                 homes.setdefault(node, []).append(document)
@@ -88,7 +88,7 @@ class Locator:
             return owner
         if len(self.documents) == 1:
             (only,) = self.documents
-            known = only.format not in TREES or is_blank(node)
+            known = not only.format.is_tree or is_blank(node)
             return only if known and node in only.map.nodes else None
         found = self.homes.get(node) or self._anonymous_homes.get(node)
         return found[0] if found else None
@@ -99,7 +99,7 @@ class Locator:
         return {
             node: [document]
             for document in self.documents
-            if document.format in TREES
+            if document.format.is_tree
             for node in document.map.nodes
             if is_blank(node)
         }

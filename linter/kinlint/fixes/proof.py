@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.edits import Delta
 from kinlint.engine.literal_spelling import normal
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_literal
@@ -24,7 +24,7 @@ def proven(before: Document, after: Document, delta: Delta) -> bool:
     was lost in reading, nobody can tell beforehand what is found: then nothing may be missing,
     but types that were none.
     """
-    if before.format in TREES:
+    if before.format.is_tree:
         from kinlint.formats.xml.editing.tree import changed, tree  # noqa: PLC0415
 
         return bool(changed(before, delta) == tree(after))

@@ -10,6 +10,7 @@ from typing import Protocol
 from kinlint.document import Document
 from kinlint.edits import Edit, applied
 from kinlint.files.pathname import real
+from kinlint.formats.recognition import rewritten
 from kinlint.text import SourceText
 
 
@@ -64,11 +65,11 @@ class Texts:
             for path, made in each.edits.items():
                 edits.setdefault(path, {}).update(dict.fromkeys(made))
         new = {
-            path: replace(sources[path], text=applied(sources[path].text, made))
+            path: rewritten(sources[path], applied(sources[path].text, made))
             for path, made in edits.items()
         }
         given = [
-            replace(source, text=new[path].text) if (path := self.path(source)) in new else source
+            rewritten(source, new[path].text) if (path := self.path(source)) in new else source
             for source in self.given
         ]
         return replace(self, given=given, changed={**self.changed, **new})

@@ -6,6 +6,8 @@ import codecs
 
 from kinlint.edits import Unsayable
 from kinlint.errors import SourceError
+from kinlint.formats.recognition import recognised
+from kinlint.formats.records import FORMATS, JSON
 from kinlint.text import SourceText
 
 _MARKS = (
@@ -15,12 +17,12 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "UTF-16"),
 )
 BOM = "\ufeff"
-_NO_XML = (".jsonld", ".json", ".ttl", ".nt", ".nq")
+_NO_XML = (JSON, *(suffix for each in FORMATS if not each.is_tree for suffix in each.suffixes))
 _HEAD = 1024
 
 
 def decode(name: str, data: bytes) -> SourceText:
-    """The text of the file *name*.
+    """The text of the file *name*, with its format if that is known.
 
     Raises SourceError that says what was found, and where, if *data* is no text: XML in the
     encoding that it declares, anything else in UTF-8.
@@ -28,7 +30,7 @@ def decode(name: str, data: bytes) -> SourceText:
     if not name.lower().endswith(_NO_XML) and _looks_like_xml(data[:_HEAD]):
         from kinlint.formats.xml import encoding  # noqa: PLC0415  few files are XML
 
-        return encoding.decode(name, data)
+        return recognised(encoding.decode(name, data))
     for mark, named in _MARKS:
         if data.startswith(mark):
             raise SourceError(name, f"the file is {named}; kinlint reads UTF-8", 1, 1)
@@ -40,7 +42,7 @@ def decode(name: str, data: bytes) -> SourceText:
         cause = f"the file seems to be {guess}" if guess else "a NUL byte: this is no text"
         raise SourceError(name, cause, *_place(content, zero))
     try:
-        return SourceText(name, content.decode("utf-8"), marked)
+        return recognised(SourceText(name, content.decode("utf-8"), marked))
     except UnicodeDecodeError as error:
         byte = content[error.start]
         cause = f"not UTF-8: byte 0x{byte:02X} ({error.reason}); is it Latin-1?"

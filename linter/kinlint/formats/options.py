@@ -45,17 +45,15 @@ class ReadOptions:
     """How to read.
 
     `releases` are all releases to which a lost term is compared. `base` is what relative IRIs
-    are resolved against; an IRI below the default was relative where it was written. `format`
-    overrides what the file's name and content say. `memory` is what a front end keeps from one
-    file for the next. `packages_of` and `xacro_arguments_of` have the packages and the arguments
-    for the source of a name. `overlay` has the texts that files are taken to hold where others
-    include them, by their paths with all links followed.
+    are resolved against; an IRI below the default was relative where it was written. `memory` is
+    what a front end keeps from one file for the next. `packages_of` and `xacro_arguments_of` have
+    the packages and the arguments for the source of a name. `overlay` has the texts that files are
+    taken to hold where others include them, by their paths with all links followed.
     """
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
     releases: tuple[str, ...] = RELEASES
     base: str = DOCUMENT_BASE
-    format: str | None = None
     memory: dict[Hashable, Any] = field(default_factory=dict, repr=False, compare=False)
     packages_of: Callable[[str], Packages] = field(default=_any_packages, compare=False)
     xacro_arguments_of: Callable[[str], Mapping[str, str]] = field(

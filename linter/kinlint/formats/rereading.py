@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinlint.document import Document
+from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read, recognise
+from kinlint.formats.recognition import recognised
+from kinlint.formats.registry import read
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
     from kinlint.formats.jsonld.rereading.reader import Reading
-
-
-ALONE = frozenset({"jsonld", "turtle", "ntriples", "nquads", "urdf", "srdf"})
-"""Formats whose files say what they say whatever is in others."""
 
 
 class Rereader:
@@ -39,10 +37,10 @@ class Rereader:
         """
         last = self._last
         unchanged = last is not None and (source, options) == (last.source, self._options)
-        if last is not None and unchanged and last.format in ALONE:
+        if last is not None and unchanged and not last.format.includes:
             return last
-        form = options.format or recognise(source.name, source.text)
-        now = self._divided(source, options) if form == "jsonld" else None
+        source = recognised(source)
+        now = self._divided(source, options) if source.format == JSONLD else None
         document = now.document if now is not None else read(source, options)
         self._last, self._options = document, options
         self._parted = now or self._parted

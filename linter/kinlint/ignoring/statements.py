@@ -12,8 +12,6 @@ from kinlint.terms import Term, Triple, iri_value, is_blank, literal
 from kinlint.text import Span
 from kinlint.vocabulary import DOCUMENT_BASE, KL
 
-APPENDED = frozenset({"turtle", "ntriples", "nquads"})
-"""Formats in which a statement may stand at the end of the file."""
 LINE_END = re.compile(r"\r\n?|\n")
 
 
@@ -47,10 +45,9 @@ def appended(document: Document, change: Delta) -> Edit:
     notes = {o: s for s, p, o in change.added if p == IGNORE and is_blank(o)}
     subjects: dict[Term, list[str]] = {}
     prefix = next((name for name, known in document.prefixes.items() if known == KL), None)
-    short = document.format == "turtle" and prefix is not None
 
     def word(term: Term) -> str:
-        if term.startswith(f"<{KL}") and short:
+        if term.startswith(f"<{KL}") and prefix is not None:
             return f"{prefix}:{term[len(KL) + 1 : -1]}"
         if term.startswith(f"<{DOCUMENT_BASE}"):
             return f"<{iri_value(term)[len(DOCUMENT_BASE) :]}>"

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import ClassVar
 
 from kinlint.addresses import is_address
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.ignoring.comments import ELEMENT, comment
-from kinlint.ignoring.statements import APPENDED, appended, delta
+from kinlint.ignoring.statements import appended, delta
 from kinlint.model import Applicability, Finding, Fix, Repair
 from kinlint.suppression.diagnostics import FAULTS
 from kinlint.suppression.interval_index import IntervalIndex
@@ -121,7 +121,7 @@ class SuppressionGenerator(Generator):
         home = self.homes.get(finding.location.source.name)
         if home is None:
             raise Unsayable("it lies in no robot model")
-        if home.format in TREES:
+        if home.format.is_tree:
             return self._element(home, finding.location)
         node = self._about.get(finding.focus, finding.focus)
         if is_address(node):
@@ -129,9 +129,7 @@ class SuppressionGenerator(Generator):
         describing = [
             each for each in (home, *self.examination.documents) if node in each.map.nodes
         ]
-        own = [
-            each for each in describing if each.format not in TREES and not each.source.companion
-        ]
+        own = [each for each in describing if not each.format.is_tree and not each.source.companion]
         if not (is_iri(node) or is_blank(node)) or not own or node.startswith(f"<{SRC}"):
             raise Unsayable("it is about no node that the file describes; use per-file-ignores")
         return Site(own[0].graph, node)
@@ -153,7 +151,7 @@ class SuppressionGenerator(Generator):
     def _statements(self, document: Document, change: Delta) -> Iterable[Edit]:
         if not change:
             return ()
-        if document.format in APPENDED:
+        if document.format.appendable:
             return [appended(document, change)]
         return self.editor(document).edits(change)
 

@@ -17,6 +17,7 @@ from kinlint.engine.compiler.names import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.required_terms import made
 from kinlint.errors import SourceError
+from kinlint.file_format import Format
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.rereading import Rereader
 from kinlint.incremental.inference import followable
@@ -28,7 +29,7 @@ from kinlint.phases import Phases
 from kinlint.terms import Term
 from kinlint.text import SourceText
 
-Key: TypeAlias = tuple[tuple[tuple[Term, str], ...], int, bool, tuple[int, ...]]
+Key: TypeAlias = tuple[tuple[tuple[Term, Format], ...], int, bool, tuple[int, ...]]
 """The graphs and formats of documents, how many are no companions, whether to repair, and the
 constraints that may be violated, by identity: those of one rulebook.
 """
@@ -53,7 +54,7 @@ class Incremental:
         self._rulebook = rulebook
         self._readers: dict[str, Rereader] = {}
         self._models: dict[Key, Model] = {}
-        self._inquiries: dict[tuple[tuple[tuple[str, str], ...], bool], Inquiry] = {}
+        self._inquiries: dict[tuple[tuple[tuple[str, Format], ...], bool], Inquiry] = {}
         self._asked: Inquiry | None = None
         self._valued = frozenset[Term]()
         self._outlines: dict[Outline, list[Constraint]] = {}

@@ -7,16 +7,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 
+from kinlint.formats.records import ELEMENTS
 from kinlint.incremental.sight import Path, Sight, ways
 from kinlint.sparql.ast import Triples
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.terms import Term
-from kinlint.vocabulary import SDF, SRDF, URDF
-
-ELEMENTS = (URDF, SDF, SRDF)
-"""The namespaces of the properties that lead from an element to one within it."""
 
 
 @dataclass(frozen=True, slots=True)

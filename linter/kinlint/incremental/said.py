@@ -14,6 +14,7 @@ from kinlint.document import Document
 from kinlint.engine.compiler.names import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.store import Store
+from kinlint.file_format import Format
 from kinlint.terms import RDF_TYPE, Term, is_iri
 
 
@@ -47,7 +48,7 @@ def vocabulary_of(files: tuple[Path, ...]) -> Vocabulary:
 class Outline(NamedTuple):
     """The formats of documents, the properties that they state, and of some with what values."""
 
-    formats: frozenset[str]
+    formats: frozenset[Format]
     properties: frozenset[Term]
     pairs: frozenset[tuple[Term, Term]]
 

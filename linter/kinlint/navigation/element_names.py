@@ -23,7 +23,7 @@ def named_elements(document: Document, references: Sequence[Triple]) -> Iterator
     """Every name of an element in *document*, and every use of one, as *references* have it."""
     said = StatementIndex(document)
     calls = dict(_calls(said, references))
-    if document.format == "sdf":
+    if document.format.name == "sdf":
         calls.update(sdf_names(document, said))
     for (subject, predicate, value), target in calls.items():
         if (place := said.place(subject, predicate, value)) is not None:

@@ -7,16 +7,17 @@ from functools import cached_property
 
 from kinlint.catalogue.applicability import axioms_for
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.document import FROM, TREES, Document
+from kinlint.document import FROM, Document
 from kinlint.engine.closure import close
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.facts.names import REFERENCES
+from kinlint.formats.records import ELEMENTS
 from kinlint.terms import Term, Triple
-from kinlint.vocabulary import EXTENSION, SDF, SRDF, URDF
+from kinlint.vocabulary import EXTENSION
 
-ELEMENTS = tuple(f"<{each}" for each in (URDF, SDF, SRDF, EXTENSION))
+PROPERTIES = tuple(f"<{each}" for each in (*ELEMENTS, EXTENSION))
 """How properties begin whose values are elements, each called like its tag."""
 OWNED = tuple(
     f"#{name}>" for name in ("of-joint", "of-body", "of-inertia", "of-actuator", "actuates")
@@ -77,9 +78,9 @@ class GraphModel:
         return {
             value: predicate[:-1].rpartition("#")[2]
             for document in self.documents
-            if document.format in TREES
+            if document.format.is_tree
             for _, predicate, value in document.statements
-            if predicate.startswith(ELEMENTS)
+            if predicate.startswith(PROPERTIES)
         }
 
     @cached_property

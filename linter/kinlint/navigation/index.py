@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.navigation.element_names import named_elements
 from kinlint.navigation.graph_terms import terms
 from kinlint.navigation.json_terms import keys_and_names
@@ -33,13 +33,13 @@ class Index:
         return tuple(found.values())
 
     def _named_in(self, document: Document) -> Iterator[Occurrence]:
-        if document.format in TREES:
+        if document.format.is_tree:
             yield from named_elements(document, self._references)
             yield from xacro_names(document)
             return
         named = list(terms(document))
         yield from named
-        if document.format == "jsonld":
+        if document.format.fence == "json":
             known = {each.location.span: each.entity for each in reversed(named)}
             yield from keys_and_names(document, known)
 

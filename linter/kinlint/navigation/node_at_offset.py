@@ -7,7 +7,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
-from kinlint.document import TREES, Document
+from kinlint.document import Document
 from kinlint.navigation.text_names import Paths
 from kinlint.terms import Term, is_blank, is_literal
 from kinlint.text import Span
@@ -44,9 +44,7 @@ class Surroundings:
     def _by_text(self) -> Mapping[Path, Sequence[Around]]:
         found: dict[Path, list[Around]] = {}
         for document in self._documents:
-            for span, node in (
-                _elements(document) if document.format in TREES else _values(document)
-            ):
+            for span, node in _elements(document) if document.format.is_tree else _values(document):
                 place = document.location(span)
                 found.setdefault(self._paths[place.source.name], []).append(
                     Around(place.span, node)

@@ -12,7 +12,8 @@ from kinlint.files.companions import urdfs_beside
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import missing, real, shown
 from kinlint.formats.registry import decode
-from kinlint.formats.xml.joining import SRDF, Description, describe, partners
+from kinlint.formats.srdf.format import SRDF
+from kinlint.formats.srdf.pairing import Description, describe, partners
 from kinlint.text import SourceText
 
 

@@ -14,9 +14,9 @@ from kinlint.configuration.config_file import Config, Configs
 from kinlint.configuration.settings import FileSettings, Ignore, Settings
 from kinlint.contexts.context_library import NEWEST, Contexts
 from kinlint.errors import ConfigError, UsageError
-from kinlint.files.discovery import SKIPPED, Input
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import missing, shown
+from kinlint.project.discovery import SKIPPED, Input
 
 DEFAULTS: Mapping[str, Any] = {
     "contexts": NEWEST,

@@ -11,8 +11,10 @@ from types import MappingProxyType
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
-from kinlint.files.discovery import Input
-from kinlint.formats.registry import decode, objection, recognise
+from kinlint.formats.recognition import objection
+from kinlint.formats.registry import decode
+from kinlint.formats.srdf.pairing import may_be_srdf
+from kinlint.project.discovery import Input
 from kinlint.project.recognition import is_model
 from kinlint.text import SourceText
 
@@ -37,7 +39,7 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
             errors.append(error)
             continue
         if one.named:
-            if recognise(one.name, source.text) is None:
+            if source.format is None:
                 cause = f"not a robot model: {objection(source.text)}"
                 errors.append(SourceError(one.name, cause))
                 continue
@@ -55,7 +57,7 @@ def beside(
     *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
     where a configuration names a URDF that cannot be read.
     """
-    if not any(".srdf" in one.name or recognise(one.name, one.text) == "srdf" for one in sources):
+    if not any(map(may_be_srdf, sources)):
         return ()
     from kinlint.project.companions import companions  # noqa: PLC0415  most runs have no SRDF
 

@@ -6,7 +6,6 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from kinlint.formats.registry import recognise
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS
 
@@ -21,12 +20,12 @@ def is_model(source: SourceText, own: Sequence[str] = ()) -> bool:
     Turtle, N-Quads and `.jsonld` are; so is JSON whose `@context` speaks of robots, by an IRI of
     theirs or one of *own*. A document that is nothing but a context for others is none.
     """
-    name, text = source.name.lower(), source.text
-    form = recognise(source.name, text)
-    if form != "jsonld":
+    text, form = source.text, source.format
+    if form is None or form.fence != "json":
         return form is not None
+    named = source.name.lower().endswith(form.suffixes)
     marks = (*ROBOTIC, *own)
-    guess = name.endswith(".jsonld") or any(mark in text for mark in marks)
+    guess = named or any(mark in text for mark in marks)
     if not guess or CONTEXT not in text:
         return guess
     try:
@@ -35,7 +34,7 @@ def is_model(source: SourceText, own: Sequence[str] = ()) -> bool:
         return guess  # Its reader will say what is wrong with it.
     if isinstance(said, dict) and said.keys() == {CONTEXT}:
         return False
-    if name.endswith(".jsonld"):
+    if named:
         return True
     return any(mark in iri for iri in _iris(said) for mark in marks)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from kinlint.formats.records import FORMATS
 from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_example import Marked, marked
@@ -16,7 +17,7 @@ from kinlint.reporters.symptoms import SYMPTOMS
 from kinlint.reporters.terminal_style import Style
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
-_FENCES = {"jsonld": "json", "turtle": "turtle", "urdf": "xml", "sdf": "xml", "mjcf": "xml"}
+_FENCES = {each.name: each.fence for each in FORMATS}
 TEXT_WIDTH = 80
 
 

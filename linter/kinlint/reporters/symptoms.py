@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinlint.format_profile import profile
+from kinlint.formats.records import GRAPHS, LIFTED
 from kinlint.model import Rule
 
 SYMPTOMS = {
@@ -59,7 +60,9 @@ SYMPTOMS = {
     "AP6.11": "the sign of gravity is left open",
     "AP6.12": "point or frame of an inertia is left open",
 }
-FORMATS = {"jsonld": "JSON-LD", "urdf": "URDF", "sdf": "SDF", "srdf": "SRDF"}
+_DESCRIBING_FIRST = sorted(LIFTED, key=lambda each: each.speaks_of is not None)
+FORMATS = {each.name: each.title for each in (GRAPHS[0], *_DESCRIBING_FIRST)}
+"""The titles of the table's columns: one format for all composable files, and all lifted ones."""
 
 
 def symptom_table(rules: Iterable[Rule]) -> Iterator[str]:

@@ -24,7 +24,7 @@ from kinlint.facts.compute import facts
 from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.joining import join, partners
+from kinlint.formats.srdf.pairing import join, partners
 from kinlint.missing_files import references
 from kinlint.model import Rule
 from kinlint.rule_testing.mutants import mutants, repeats

@@ -17,6 +17,7 @@ from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
+from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.model import PLACEHOLDER, Example, Finding, Rule
@@ -25,14 +26,8 @@ from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
 STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
-SUFFIXES = {
-    "jsonld": ".jsonld",
-    "turtle": ".ttl",
-    "urdf": ".urdf",
-    "xacro": ".xacro",
-    "srdf": ".srdf",
-    "sdf": ".sdf",
-}
+FORMATS = {each.name: each for each in records.FORMATS if each.editor is not None}
+"""The formats in which examples are written, by name."""
 
 
 Texts: TypeAlias = tuple[SourceText, ...]
@@ -89,8 +84,8 @@ def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     if not rule.examples:
         yield "it has no example"
     for number, example in enumerate(rule.examples, 1):
-        if example.format not in SUFFIXES:
-            yield f"example {number} is in none of the formats {', '.join(SUFFIXES)}"
+        if example.format not in FORMATS:
+            yield f"example {number} is in none of the formats {', '.join(FORMATS)}"
             continue
         try:
             yield from _judged(rule, rulebook, number, example)
@@ -111,7 +106,7 @@ def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> It
 def _disputed(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """Bad examples on which the two engines disagree."""
     for number, example in enumerate(rule.examples, 1):
-        if example.bad is None or example.format not in SUFFIXES:
+        if example.bad is None or example.format not in FORMATS:
             continue
         with _beside(example) as home, suppress(SourceError):
             texts = _source(example, unmarked(example.bad)[0], home)
@@ -128,7 +123,7 @@ def _repaired(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
         bad = [
             (number, each, _source(each, unmarked(each.bad)[0], stack.enter_context(_beside(each))))
             for number, each in enumerate(rule.examples, 1)
-            if each.bad is not None and each.format in SUFFIXES
+            if each.bad is not None and each.format in FORMATS
         ]
         yield from shown(rule, only, settings, bad)
 
@@ -163,7 +158,7 @@ def _source(example: Example, text: str, home: str) -> Texts:
 
 
 def _path(home: str, name: str, form: str) -> str:
-    return Path(home, name + SUFFIXES[form]).as_posix()
+    return Path(home, name + FORMATS[form].suffixes[0]).as_posix()
 
 
 def _bad(

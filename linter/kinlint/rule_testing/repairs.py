@@ -10,6 +10,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.fixes.offers import Offers
 from kinlint.fixes.rounds import linted, mended
+from kinlint.formats.records import BY_NAME
 from kinlint.model import Applicability, Example, Repair, Rule
 from kinlint.text import SourceText
 
@@ -27,7 +28,7 @@ def shown(
     """
     offered = set[Repair]()
     for number, example, texts in bad:
-        if not any(covers(each.formats, example.format) for each in rule.repairs):
+        if not any(covers(each.formats, BY_NAME[example.format]) for each in rule.repairs):
             continue
         offers = linted(texts, (), settings, rulebook)
         held = {each.repair for each, verdict in offers.verdicts.items() if verdict.applicability}

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TypeAlias
 
 from kinlint.errors import SourceError
-from kinlint.files.discovery import Input
 from kinlint.files.pathname import real
+from kinlint.project.discovery import Input
 from kinlint.project.reading import text_of
 from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText

@@ -11,7 +11,7 @@ from pathlib import Path
 from lsprotocol import types
 
 from kinlint.configuration.config_file import NAMES
-from kinlint.files.discovery import GLOBBED
+from kinlint.formats.records import GLOBBED
 from kinlint.server import publish_diagnostics, pull_diagnostics
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of

@@ -9,8 +9,9 @@ from pathlib import Path
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.file_groups import Ties, models, ties
-from kinlint.files.discovery import Input, Search
 from kinlint.files.pathname import shown
+from kinlint.formats.records import JSON
+from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
 from kinlint.project.reading import beside, own_contexts
 from kinlint.project.recognition import is_model
@@ -100,7 +101,7 @@ class WorkspaceFolder:
         assert one.path is not None
         known = self._verdicts.get(one.path)
         if known is None or known[0] is not source:
-            own = self._contexts(one.path.parent, one) if one.path.suffix == ".json" else ()
+            own = self._contexts(one.path.parent, one) if one.path.suffix == JSON else ()
             known = source, is_model(source, own)
             self._verdicts[one.path] = known
         return known[1]

@@ -7,7 +7,9 @@ from data import locate_data
 
 from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import decode, objection, read, recognise
+from kinlint.formats.recognition import objection, recognise
+from kinlint.formats.records import BY_NAME
+from kinlint.formats.registry import decode, read
 
 MACROS = '<robot xmlns:xacro="x" name="a"><xacro:arm/></robot>'
 EXPANDED = '<robot xmlns:xacro="x" name="a"><!-- <xacro:arm/> --><link name="a"/></robot>'
@@ -56,14 +58,14 @@ SEMANTIC = "<robot name='a'><!-- <link/> --><group name='g'><link name='a'/></gr
     ],
 )
 def test_a_text_is_recognised(name: str, text: str, form: str | None) -> None:
-    assert recognise(name, text) == form
+    assert recognise(name, text) == BY_NAME.get(form)
 
 
 @pytest.mark.parametrize("kind", ["urdf", "srdf", "sdf", "xacro"])
 def test_every_robot_is_recognised(kind: str) -> None:
     for path in sorted(locate_data("robots", kind).rglob(f"*.{kind}")):
         source = decode(str(path), path.read_bytes())
-        assert recognise(source.name, source.text) == kind, path
+        assert source.format == BY_NAME[kind], path
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.json_text.parser import parse
 from kinlint.formats.json_text.values import Object, Parsed
 from kinlint.formats.jsonld.active import FAULTS, complaint
+from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.jsonld.losses import LossWatch
 from kinlint.formats.jsonld.memory import Memory
 from kinlint.formats.jsonld.processor import Processor
@@ -24,8 +25,6 @@ from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.text import SourceText, Span
-
-FORMAT = "jsonld"
 
 _RECURSION = 20_000
 
@@ -53,7 +52,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     _state(triples, processor, parsed, source)
 
     layer = SourceLayer(graph, blanks)
-    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.file(JSONLD.name, source.name, Span(0, len(source.text)))
     layer.described(triples.nodes)
     layer.uses_terms(terms(triples.spans))
     record = processor.record
@@ -66,7 +65,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**triples.nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), places, record.prefixes, FORMAT)
+    return Document(source, graph, tuple(spans), places, record.prefixes, format=JSONLD)
 
 
 def _check_contexts(parsed: Parsed, source: SourceText) -> None:

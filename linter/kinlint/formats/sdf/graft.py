@@ -167,6 +167,6 @@ def grafted(document: Document, included: Iterable[tuple[Term, Document]]) -> Do
         statements += graft.statements()
     places = SourceMap(_Triples(document.map.triples, grafts), _Nodes(document.map.nodes, grafts))
     return Document(
-        document.source, document.graph, statements, places, document.prefixes, document.format,
-        pieces,
+        document.source, document.graph, statements, places, document.prefixes, pieces,
+        format=document.format,
     )  # fmt: skip

@@ -16,6 +16,7 @@ from kinlint.formats.decoding import decode
 from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.sdf.addition import place, stated
+from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Problem
 from kinlint.formats.sdf.graft import grafted
 from kinlint.formats.sdf.inclusion import Missing, locate
@@ -23,12 +24,10 @@ from kinlint.formats.sdf.resolution import resolved
 from kinlint.formats.sdf.tree import Element, tree
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml import reader as xml
-from kinlint.formats.xml.recognition import sniff
 from kinlint.terms import Triple, literal
 from kinlint.text import SourceText
 from kinlint.vocabulary import ATTRIBUTE
 
-FORMAT = "sdf"
 MOST_DEEP = 16
 MOST_INCLUDED = 1_000
 MOST_STATED = 500_000
@@ -65,7 +64,7 @@ class _Inclusion:
 
     def read(self, source: SourceText, chain: tuple[Path, ...]) -> Document:
         """*source* with what it includes; *chain* are the files that include each other."""
-        document = xml.read(source, self.options, FORMAT)
+        document = xml.read(source, self.options)
         self.stated += len(document.statements) if len(chain) > 1 else 0
         root = tree(document.graph, document.statements)
         if root is None:
@@ -112,11 +111,11 @@ class _Inclusion:
 
     def _text(self, path: Path) -> SourceText:
         """The SDF text of the file at *path*, the same object for the whole run."""
-        key, memory = (FORMAT, path), self.options.memory
+        key, memory = (SDF, path), self.options.memory
         text: SourceText | None = self.options.laid_over(path) or memory.get(key)
         if text is None:
             text = memory[key] = decode(shown(path), contents(path, path, LARGEST))
-        if sniff(text.text, text.name) != FORMAT:
+        if text.format != SDF:
             raise Unreadable(f"{text.name} is no SDF")
         return text
 

@@ -12,12 +12,11 @@ from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
 from kinlint.formats.source_layer import SourceLayer, terms
+from kinlint.formats.turtle.format import TURTLE
 from kinlint.formats.turtle.grammar import Grammar, Statement
 from kinlint.formats.turtle.tokens import Unread
 from kinlint.terms import RDF, Term, Triple, is_blank
 from kinlint.text import SourceText, Span
-
-FORMAT = "turtle"
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
@@ -50,7 +49,7 @@ def _document(
     nodes: dict[Term, NodeSpans] = {}
     lists = {f"<{RDF}first>", f"<{RDF}rest>"}
     layer = SourceLayer(graph := document_iri(source.name), blanks)
-    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.file(TURTLE.name, source.name, Span(0, len(source.text)))
     for subject, predicate, value, places in statements:
         if doubles.lost(value):
             layer.lost(subject, value, places[2], doubles.TOO_LARGE)
@@ -63,7 +62,7 @@ def _document(
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), origins, grammar.prefixes, FORMAT)
+    return Document(source, graph, tuple(spans), origins, grammar.prefixes, format=TURTLE)
 
 
 def _shape(found: Iterable[tuple[Term, Term, Term]]) -> Counter[tuple[Term, ...]]:

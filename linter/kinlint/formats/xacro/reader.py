@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from importlib import import_module
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
@@ -13,19 +12,21 @@ from kinlint.formats import registry
 from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.srdf.format import SRDF
+from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xacro.definitions import state_definitions
 from kinlint.formats.xacro.expansion import Expansion
 from kinlint.formats.xacro.failure import MALFORMED, Fault
 from kinlint.formats.xacro.files import Pieces, place
+from kinlint.formats.xacro.format import XACRO
 from kinlint.formats.xacro.mapping import Mapped, Places
 from kinlint.formats.xacro.parse import Parsed
 from kinlint.formats.xacro.session import Session
 from kinlint.formats.xacro.writer import write
-from kinlint.formats.xml.recognition import SEMANTIC, sniff
+from kinlint.formats.xml.recognition import sniff
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
 
-FORMAT = "xacro"
 OFFSET = src("offset")
 TRUE = literal("true", f"{XSD}boolean")
 UNKNOWN = {
@@ -49,20 +50,22 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     if expansion.fault is None and _is_robot(expansion.parsed):
         written = write(expansion.parsed, pieces)
         form = sniff(written.text)
-        if form is not None and form != FORMAT:
-            expanded = replace(source, text=written.text)
+        if form is not None and form != XACRO:
+            expanded = replace(source, text=written.text, format=form)
             try:
-                robot = _front_end(form)(expanded, replace(options, format=form))
+                robot = registry.read(expanded, options)
             except SourceError as error:
                 span = written.span(_told(error, expanded))
                 layer.about("ExpansionFailure", span, ("reason", literal(error.cause)))
             else:
-                triple = layer.document, src("format"), literal(FORMAT)
+                triple = layer.document, src("format"), literal(XACRO.name)
                 layer.triples[triple] = Span(0, min(1, len(source.text)))
                 return _moved(robot, source, written, layer, pieces)
-    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.file(XACRO.name, source.name, Span(0, len(source.text)))
     places = SourceMap(layer.triples, layer.nodes)
-    return Document(source, layer.document, tuple(layer.triples), places, {}, FORMAT, pieces.listed)
+    return Document(
+        source, layer.document, tuple(layer.triples), places, pieces=pieces.listed, format=XACRO
+    )
 
 
 def _is_robot(parsed: Parsed) -> bool:
@@ -75,13 +78,7 @@ def _is_robot(parsed: Parsed) -> bool:
     if root.tagName != "robot":
         return True
     inside = {each.tagName for each in root.elements}
-    return bool(inside & (BODIES | SEMANTIC)) and bool(root.getAttribute("name"))
-
-
-def _front_end(form: str) -> Callable[[SourceText, ReadOptions], Document]:
-    front_end: Callable[[SourceText, ReadOptions], Document]
-    front_end = import_module(registry.FORMATS[form]).read
-    return front_end
+    return bool(inside & (BODIES | SRDF.root_children)) and bool(root.getAttribute("name"))
 
 
 def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLayer:
@@ -153,8 +150,10 @@ def _moved(
     statements += [triple for triple in layer.triples if triple in known]
     nodes = Places(robot.map.nodes, back_to_node, layer.nodes)
     places = SourceMap(Places(robot.map.triples, back, own), nodes)
-    form = FORMAT if robot.format == "urdf" else robot.format
-    return Document(source, robot.graph, statements, places, robot.prefixes, form, pieces.listed)
+    form = XACRO if robot.format == URDF else robot.format
+    return Document(
+        source, robot.graph, statements, places, robot.prefixes, pieces=pieces.listed, format=form
+    )
 
 
 def _told(error: SourceError, text: SourceText) -> Span:

@@ -9,48 +9,47 @@ from contextlib import contextmanager
 from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
+from kinlint.file_format import Format
 from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xml.account import describe, state_flaws
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.parsing import parse
 from kinlint.formats.xml.places import ElementSpans, Places, TripleSpans
-from kinlint.formats.xml.recognition import sniff
 from kinlint.formats.xml.schema import schema
 from kinlint.formats.xml.spacing import state_spacing
 from kinlint.text import SourceText, Span
 
 
-def read(source: SourceText, options: ReadOptions, form: str | None = None) -> Document:
+def read(source: SourceText, _options: ReadOptions) -> Document:
     """What a robot in XML states, and where it departs from its format.
 
     A text that is not well-formed states what its usual readers make of it, and what is wrong;
-    if they make nothing of it, then only that. *form* is the format; by default it is that of
-    *options*, or what the text seems to be.
+    if they make nothing of it, then only that.
 
     Raises SourceError for a document type definition, and for what no robot is as large as.
     """
-    form = form or options.format or sniff(source.text, source.name)
-    if form is None:
+    if source.format is None or source.format.schema is None:
         raise SourceError(source.name, "not a robot in XML that kinlint reads")
     with _undisturbed():
-        return _read(source, form)
+        return _read(source, source.format)
 
 
-def _read(source: SourceText, form: str) -> Document:
-    graph, table = document_iri(source.name), schema(form)
+def _read(source: SourceText, form: Format) -> Document:
+    graph, table = document_iri(source.name), schema(form.name)
     parsed = parse(source, lambda: Elements(graph, table))
     elements = parsed.elements if parsed.fatal is None else Elements(graph, table)
     places = Places(source.text, parsed.offset, elements.index, elements.starts, elements.ends)
     layer = SourceLayer(graph, BlankNodes(source.name))
-    layer.file(form, source.name, Span(0, len(source.text)))
+    layer.file(form.name, source.name, Span(0, len(source.text)))
     nodes = list(elements.index)
     if nodes:
         describe(layer, elements.scopes, nodes[0], places)
     state_flaws(layer, source, parsed, nodes)
     elements.remarks.state(layer, places, nodes)
-    if form == "urdf":
+    if form == URDF:
         state_spacing(layer, places, nodes, elements.statements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import re
 
+from kinlint.file_format import Format
+from kinlint.formats.records import BY_NAME, TREES, by_suffix
 from kinlint.formats.xml.markup import first_tag, tags
 
-SUFFIXES = {
-    "urdf": "urdf",
-    "srdf": "srdf",
-    "sdf": "sdf",
-    "world": "sdf",
-    "xacro": "xacro",
-}
-"""What files with these endings are called that are XML; their content may say otherwise."""
+SDF, XACRO = BY_NAME["sdf"], BY_NAME["xacro"]
 
 OTHERS = {
     "mujoco": "MJCF (MuJoCo)",
@@ -24,15 +19,8 @@ OTHERS = {
 ROOT = re.compile(r"<([A-Za-z_][\w.-]*+(?::[\w.-]++)?)(?=[\s/>])")
 VERSION = re.compile(r"\bversion\s*=")
 
-SEMANTIC = {
-    "group", "virtual_joint", "passive_joint", "end_effector", "group_state", "joint_property",
-    "disable_collisions", "enable_collisions", "disable_default_collisions",
-    "link_sphere_approximation",
-}  # fmt: skip
-"""What stands in an SRDF directly below the robot."""
-
-PHYSICAL = {"link", "joint", "material", "transmission", "gazebo", "ros2_control"}
-"""What stands in a URDF directly below the robot."""
+OLD_ROOT = "gazebo"
+"""The root of SDF files before SDF had its name; URDF has an element of that tag."""
 
 HEAD = 1024
 MOST_TAGS = 10_000
@@ -46,25 +34,27 @@ def root(text: str) -> tuple[str, int] | None:
     return (match[1], at) if match and _may_be_xml(text[:at] or "<") else None
 
 
-def sniff(text: str, name: str = "") -> str | None:
-    """The format of *text*: urdf, srdf, sdf or xacro; None if it is no robot that is read.
+def sniff(text: str, name: str = "") -> Format | None:
+    """Return the format of an XML *text*, None if it is no robot that is read.
 
     A file called `.xacro` is a source of xacro. One called otherwise after a format is of that
     family even if macros were left in it, for that is what its readers take it for. `.sdf` and
     `.world` are also what other people call files.
     """
-    hint = SUFFIXES.get(name.lower().rpartition(".")[2])
+    by_name = by_suffix(name)
+    hint = by_name if by_name in TREES else None
     found = root(text)
     if found is None:
-        return hint if hint != "sdf" or _may_be_xml(text) else None
+        return hint if hint != SDF or _may_be_xml(text) else None
     tag, at = found
-    if hint == "xacro" or (hint is None and _is_xacro(text, at)):
-        return "xacro"
-    if tag == "robot":
-        return _robot(text, at, hint)
-    if tag == "gazebo" and hint is None:
-        return "sdf" if VERSION.search(text, at, text.find(">", at)) else None
-    return "sdf" if tag == "sdf" else None if tag in OTHERS else hint
+    if hint == XACRO or (hint is None and _is_xacro(text, at)):
+        return XACRO
+    sharing = [each for each in TREES if tag in each.roots]
+    if len(sharing) > 1:
+        return _by_children(text, at, sharing, hint)
+    if tag == OLD_ROOT and hint is None:
+        return SDF if VERSION.search(text, at, text.find(">", at)) else None
+    return sharing[0] if sharing else None if tag in OTHERS else hint
 
 
 def unread(text: str) -> str | None:
@@ -84,17 +74,16 @@ def _is_xacro(text: str, at: int) -> bool:
     return any(match[2].startswith("xacro:") for match in tags(text, at, MOST_TAGS))
 
 
-def _robot(text: str, at: int, hint: str | None) -> str:
-    """Whether a robot is a URDF or an SRDF: what stands directly below it decides."""
+def _by_children(text: str, at: int, sharing: list[Format], hint: Format | None) -> Format:
+    """Return the one of the formats *sharing* a root that has the first telling child of it."""
+    telling = {tag: each for each in sharing for tag in each.root_children}
     depth = 0
     for match in tags(text, at, MOST_TAGS):
         closing, tag, rest = match.groups()
-        if depth == 1 and tag in SEMANTIC:
-            return "srdf"
-        if depth == 1 and tag in PHYSICAL:
-            return "urdf"
+        if depth == 1 and tag in telling:
+            return telling[tag]
         if closing:
             depth -= 1
         elif not rest.endswith("/"):
             depth += 1
-    return "srdf" if hint == "srdf" else "urdf"
+    return hint if hint in sharing else sharing[0]

@@ -8,6 +8,7 @@ from itertools import chain
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
+from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.jsonld.losses import Loss, LossWatch
 from kinlint.formats.jsonld.record import Shadow
 from kinlint.formats.jsonld.report import place, shadowed, state_losses, state_uses
@@ -18,8 +19,6 @@ from kinlint.formats.jsonld.rereading.places import ASIDE, Nodes, Places, number
 from kinlint.formats.jsonld.rereading.stating import Stating
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.text import SourceText, Span
-
-FORMAT = "jsonld"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,7 +37,7 @@ def assembled(source: SourceText, given: Arrangement, stating: Stating, known: N
     parts, shifts = given.parts, given.shifts
     labelling = Labelling(source.name, parts)
     layer = SourceLayer(document_iri(source.name), labelling.blanks)
-    layer.file(FORMAT, source.name, Span(0, len(source.text)))
+    layer.file(JSONLD.name, source.name, Span(0, len(source.text)))
     file = tuple(layer.triples)
     layer.owns(_first((part.namespaces for part in parts), shifts))
     layer.uses_terms(_first((part.terms for part in parts), shifts))
@@ -54,7 +53,7 @@ def assembled(source: SourceText, given: Arrangement, stating: Stating, known: N
     nodes = Nodes(arranged, layer)
     places = SourceMap(Places(stated, arranged, layer, nodes), nodes)
     prefixes = stating.prefixes
-    document = Document(source, layer.document, tuple(stated), places, prefixes, FORMAT)
+    document = Document(source, layer.document, tuple(stated), places, prefixes, format=JSONLD)
     return Assembly(document, named)
 
 

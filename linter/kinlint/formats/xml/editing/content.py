@@ -6,15 +6,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from kinlint.formats.records import ELEMENTS
 from kinlint.formats.xml.editing.words import is_number
 from kinlint.formats.xml.places import AT, COMPONENT, TEXT, TEXT_ITSELF
 from kinlint.terms import Term, Triple, is_literal
-from kinlint.vocabulary import EXTENSION, SDF, SRDF, URDF
+from kinlint.vocabulary import EXTENSION
 
 KEPT = 10_000
 """How many properties are remembered; no file has as many."""
 
-SPACES = tuple(f"<{space}" for space in (URDF, SDF, SRDF, EXTENSION))
+SPACES = tuple(f"<{space}" for space in (*ELEMENTS, EXTENSION))
 
 
 @lru_cache(KEPT)

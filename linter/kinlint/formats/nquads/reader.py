@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import Literal
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats import doubles
 from kinlint.formats.naming import BlankNodes
+from kinlint.formats.nquads.format import NQUADS, NTRIPLES
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
 from kinlint.formats.source_layer import SourceLayer, terms
@@ -28,18 +28,16 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
     """
     from pyoxigraph import RdfFormat  # noqa: PLC0415  a native module, needed only here
 
-    form: Literal["ntriples", "nquads"] = (
-        "ntriples" if source.name.lower().endswith(".nt") else "nquads"
-    )
+    form = NTRIPLES if source.format == NTRIPLES else NQUADS
     blanks = BlankNodes(source.name)
-    kind = RdfFormat.N_TRIPLES if form == "ntriples" else RdfFormat.N_QUADS
+    kind = RdfFormat.N_TRIPLES if form == NTRIPLES else RdfFormat.N_QUADS
     stated = list(triples(source, kind, None, blanks))
     lines = list(_LINE.finditer(source.text))
     exact = len(lines) == len(stated)
 
     graph = document_iri(source.name)
     layer = SourceLayer(graph, blanks)
-    layer.file(form, source.name, Span(0, len(source.text)))
+    layer.file(form.name, source.name, Span(0, len(source.text)))
     spans: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     for number, triple in enumerate(stated):

@@ -5,7 +5,7 @@ import pytest
 from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.joining import JOINED_TO, join, partners
+from kinlint.formats.srdf.pairing import JOINED_TO, join, partners
 from kinlint.text import SourceText
 
 URDF = """

@@ -13,8 +13,11 @@ from itertools import takewhile
 
 from kinlint.addresses import root_of
 from kinlint.document import Document
+from kinlint.file_format import Format
 from kinlint.files.pathglob import absolute
-from kinlint.formats.xml.recognition import sniff
+from kinlint.formats.recognition import recognised
+from kinlint.formats.srdf.format import SRDF
+from kinlint.formats.urdf.format import URDF
 from kinlint.terms import RDF_TYPE, Term, Triple, iri
 from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
@@ -26,7 +29,7 @@ LOSSES = frozenset(
 )
 """What says that a robot may have more than was read of it."""
 UNREAD = frozenset({iri(f"{SRC}unread")})
-SRDF, URDF = "srdf", "urdf"
+ENDING = SRDF.suffixes[0]
 MOST = 0.5
 """How much of what an SRDF names a URDF has to know to be taken for the one that is meant."""
 
@@ -44,7 +47,7 @@ class Description:
     """A text that describes a robot: a URDF, or an SRDF about one."""
 
     source: SourceText
-    kind: str
+    kind: Format
 
     @cached_property
     def _text(self) -> str:
@@ -67,7 +70,7 @@ class Description:
     @cached_property
     def generated(self) -> bool:
         """Whether its names are made up when it is expanded."""
-        return sniff(self.source.text, self.source.name) == "xacro"
+        return self.source.format is not None and self.source.format.expands_to is not None
 
     @property
     def varies(self) -> bool:
@@ -95,10 +98,16 @@ class Description:
 
 def describe(source: SourceText) -> Description | None:
     """What *source* is; None for what is neither SRDF nor URDF."""
-    form = sniff(source.text, source.name)
-    if form == "xacro":
-        form = SRDF if ".srdf" in source.name.lower() else URDF
-    return Description(source, form) if form in (SRDF, URDF) else None
+    source = recognised(source)
+    kind = source.format
+    if kind is not None and kind.expands_to == URDF.name:
+        kind = SRDF if ENDING in source.name.lower() else URDF
+    return Description(source, kind) if kind in (SRDF, URDF) else None
+
+
+def may_be_srdf(source: SourceText) -> bool:
+    """Whether *source* is an SRDF, or may expand to one."""
+    return recognised(source).format == SRDF or ENDING in source.name
 
 
 def partners(

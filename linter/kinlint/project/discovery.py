@@ -16,10 +16,8 @@ from kinlint.errors import SourceError
 from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
+from kinlint.formats.records import GLOBBED, JSON, SEARCHED
 
-ROBOTS = (".urdf", ".xacro", ".srdf", ".sdf", ".world")
-SEARCHED = (".jsonld", ".json", *ROBOTS)
-GLOBBED = (*SEARCHED, ".ttl", ".nt", ".nq")
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
 """Names of directories that hold no models; the default of `exclude`."""
 ENVIRONMENT = "pyvenv.cfg"
@@ -140,7 +138,7 @@ class Search:
     def _candidate(self, path: Path, errors: list[SourceError]) -> Iterator[Input]:
         name = shown(path)
         try:
-            if path.suffix.lower() != ".json" or speaks_of_context(path):
+            if path.suffix.lower() != JSON or speaks_of_context(path):
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))

@@ -16,9 +16,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from kinlint.files.bounded_read import SIZE
-from kinlint.files.discovery import GLOBBED
 from kinlint.files.file_exists import KINDS
 from kinlint.files.revision import Revision
+from kinlint.formats.records import GLOBBED
 
 EMPTY = KINDS[0] | KINDS[1]
 POINTER = re.compile(

@@ -1,0 +1,77 @@
+"""The record that describes one file format."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+
+class Shape(Enum):
+    """The data model of a format."""
+
+    GRAPH = "graph"
+    """Statements about nodes with IRIs, in the terms of the composable metamodels."""
+    TREE = "tree"
+    """Elements, each with an IRI below that of its document; lifted to the metamodels."""
+
+
+@dataclass(frozen=True)
+class Format:
+    """One file format: how its files are recognised, read, written and shown.
+
+    Each record stands beside the reader of its format; `kinlint.formats.records` collects them.
+    Modules are named, not imported, so that a run loads only the readers that it needs. Two
+    records of one name are equal, also when one of them comes from another process.
+    """
+
+    name: str
+    """The identifier in rules (`kl:format`), in the source layer and in the names of data files."""
+    title: str = field(compare=False, repr=False)
+    """The name in prose and in headings of tables."""
+    suffixes: tuple[str, ...] = field(compare=False, repr=False)
+    """The ends of the names of its files, with their dots, the usual one first."""
+    shape: Shape = field(compare=False, repr=False)
+    """Whether its files are graphs of statements or trees of elements."""
+    reader: str = field(compare=False, repr=False)
+    """The dotted name of the module whose `read(source, options)` makes a document of a text."""
+    editor: str | None = field(default=None, compare=False, repr=False)
+    """The dotted name of the module whose `Editor(document, options)` writes changes into a text;
+    None if the format is only read."""
+    fence: str = field(default="text", compare=False, repr=False)
+    """The language of its code blocks in Markdown."""
+    namespace: str | None = field(default=None, compare=False, repr=False)
+    """The namespace of its elements in the format layer; None if it has no elements of its own."""
+    roots: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """The tags of its root elements; other formats may share them."""
+    root_children: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
+    """Tags directly below the root that tell it from formats with the same root."""
+    schema: str | None = field(default=None, compare=False, repr=False)
+    """The table of its elements and attributes, a file below `shapes/`."""
+    block_comment: tuple[str, str] | None = field(default=None, compare=False, repr=False)
+    """How comments begin and end, if comments carry suppressions; else statements do."""
+    expands_to: str | None = field(default=None, compare=False, repr=False)
+    """The name of the format that its files are macros of; that one's queries, rules and profile
+    hold for them."""
+    speaks_of: str | None = field(default=None, compare=False, repr=False)
+    """The name of the format of the robots that its files annotate without describing them."""
+    includes: bool = field(default=False, compare=False, repr=False)
+    """Whether what a file states depends on files that it names."""
+    searched: bool = field(default=True, compare=False, repr=False)
+    """Whether directories are searched for its files; others have to be named, or match a glob."""
+    appendable: bool = field(default=False, compare=False, repr=False)
+    """Whether statements may be added at the end of a file without a look at the rest."""
+
+    @property
+    def is_tree(self) -> bool:
+        """Whether files are trees of elements, which are lifted to the composable metamodels."""
+        return self.shape is Shape.TREE
+
+    @property
+    def describes_robots(self) -> bool:
+        """Whether each file describes robots of its own, apart from what is in other files."""
+        return self.is_tree and self.speaks_of is None
+
+    @property
+    def lifted_as(self) -> str:
+        """The name of the format whose lifting queries, rules and profile hold for its files."""
+        return self.expands_to or self.name

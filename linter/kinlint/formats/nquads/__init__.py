@@ -1,0 +1,1 @@
+"""N-Triples and N-Quads: one statement a line."""

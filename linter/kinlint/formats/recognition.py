@@ -1,0 +1,105 @@
+"""Tells the format of a file, by the end of its name or else by its content."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from kinlint.file_format import Format
+from kinlint.formats.records import BY_NAME, FORMATS, JSON, TREES, by_suffix
+from kinlint.text import SourceText
+
+JSONLD, TURTLE, NQUADS = BY_NAME["jsonld"], BY_NAME["turtle"], BY_NAME["nquads"]
+HEAD = 1024
+XML_SUFFIXES = tuple(suffix for each in TREES for suffix in each.suffixes)
+
+_TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
+_CONTEXT = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
+_TURTLE = re.compile(r"(?im)^[ \t]*(?:@(?:prefix|base)[ \t]|(?:prefix|base)[ \t]+[\w.-]*:?[ \t]*<)")
+_STATEMENT = re.compile(r"(?m)^[ \t]*(?:<[^<>\s]*>|_:\S+)[ \t]+<[^<>\s]*>[ \t]+[<\"_].*\.[ \t]*$")
+
+
+def recognised(source: SourceText) -> SourceText:
+    """Return *source* with its format: the same object if it has one already."""
+    if source.format is not None:
+        return source
+    form = recognise(source.name, source.text)
+    return source if form is None else replace(source, format=form)
+
+
+def rewritten(source: SourceText, text: str, *, bom: bool | None = None) -> SourceText:
+    """Return the file of *source* with another *text*, whose format is told anew."""
+    bom = source.bom if bom is None else bom
+    return recognised(replace(source, text=text, bom=bom, format=None))
+
+
+def recognise(name: str, text: str) -> Format | None:
+    """Return the format of a file, None if it is unknown.
+
+    JSON is JSON-LD if there is an `@context` at its top or in an element of a top-level array.
+    """
+    by_name = by_suffix(name)
+    if by_name is not None and not by_name.is_tree:
+        return by_name
+    head = text.lstrip()[:1]
+    if head in ("{", "["):
+        return JSONLD if _has_context(text) else None
+    if name.lower().endswith(JSON):
+        return None
+    if (found := _tree(name, text)) is not None:
+        return found
+    if _TURTLE.search(text):
+        return TURTLE
+    return NQUADS if _STATEMENT.search(text) else None
+
+
+def objection(text: str) -> str:
+    """Say why *text*, which is in no known format, is not read."""
+    if _begins_with_tag(text):
+        from kinlint.formats.xml.recognition import unread  # noqa: PLC0415  few files are XML
+
+        if (kind := unread(text)) is not None:
+            return f"{kind} is not read yet; kinlint reads {known()}"
+    return f"kinlint reads {known()}"
+
+
+def known() -> str:
+    """Return the titles of all formats with the ends of the names of their files."""
+    titles: dict[str, list[str]] = {}
+    for each in FORMATS:
+        titles.setdefault(each.lifted_as, []).extend(each.suffixes)
+        if each == JSONLD:
+            titles[each.name].append(f"{JSON} with an @context")
+    return ", ".join(
+        f"{each.title} ({', '.join(titles[each.name])})" for each in FORMATS if each.name in titles
+    )
+
+
+def _begins_with_tag(text: str) -> bool:
+    return text[:HEAD].lstrip()[:1] == "<"
+
+
+def _tree(name: str, text: str) -> Format | None:
+    """Return the format of a robot in XML, by its root element or the end of its name."""
+    if not _begins_with_tag(text) and not name.lower().endswith(XML_SUFFIXES):
+        return None
+    from kinlint.formats.xml.recognition import sniff  # noqa: PLC0415  few files are XML
+
+    return sniff(text, name)
+
+
+def _has_context(text: str) -> bool:
+    if '"@context"' not in text:
+        return False
+    depth, top = 0, 1
+    for match in _TOKEN.finditer(text):
+        found = match.group(1)
+        if depth == 0 and found == "[":
+            top = 2
+        if found in ("{", "["):
+            depth += 1
+        elif found in ("}", "]"):
+            depth -= 1
+        elif depth == top and found == '"@context"' and _CONTEXT.match(text, match.end()):
+            return True
+    return False

@@ -1,0 +1,53 @@
+"""The records of all formats, collected without importing a reader."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from kinlint.file_format import Format
+
+FOLDERS = ("jsonld", "turtle", "nquads", "urdf", "xacro", "srdf", "sdf")
+"""The packages beside this module that have records, in the order in which formats are told."""
+
+
+def _records(folder: str) -> tuple[Format, ...]:
+    """Return the records of the package *folder*, which is named at run time: it needs this."""
+    found: tuple[Format, ...] = import_module(f"kinlint.formats.{folder}.format").FORMATS
+    return found
+
+
+FORMATS = tuple(each for folder in FOLDERS for each in _records(folder))
+"""All formats."""
+
+BY_NAME = {each.name: each for each in FORMATS}
+
+BY_SUFFIX = {suffix: each for each in FORMATS for suffix in each.suffixes}
+
+TREES = tuple(each for each in FORMATS if each.is_tree)
+"""The formats whose files are trees of elements."""
+
+GRAPHS = tuple(each for each in FORMATS if not each.is_tree)
+"""The formats of composable models; rules that name the first of them hold for all."""
+
+LIFTED = tuple(each for each in TREES if each.expands_to is None)
+"""The formats that have a schema, lifting queries and a profile of their own."""
+
+ELEMENTS: tuple[str, ...] = tuple(each.namespace for each in FORMATS if each.namespace)
+"""The namespaces of elements; their properties lead from an element to one within it."""
+
+JSON = ".json"
+"""The end of the names of files that may be JSON-LD: their content tells."""
+
+SEARCHED = (
+    *(suffix for each in FORMATS if each.searched for suffix in each.suffixes),
+    JSON,
+)
+"""The ends of the names of files that directories are searched for."""
+
+GLOBBED = (*BY_SUFFIX, JSON)
+"""The ends of the names of files that a glob may stand for."""
+
+
+def by_suffix(name: str) -> Format | None:
+    """Return the format that the end of the file *name* stands for, None if it tells nothing."""
+    return BY_SUFFIX.get(f".{name.lower().rpartition('.')[2]}")

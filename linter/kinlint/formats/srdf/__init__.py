@@ -1,0 +1,1 @@
+"""SRDF, the Semantic Robot Description Format of MoveIt."""
