@@ -14,11 +14,8 @@ from itertools import groupby
 from pathlib import Path
 
 from data import locate_data
+from support.linting import lint
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
 from kinlint.model import Finding
 
 MODELS = {
@@ -42,8 +39,7 @@ def findings(name: str) -> tuple[Finding, ...]:
     """All findings in a model of `MODELS`, named by files below its directory."""
     root = locate_data() / "comp-rob2b" / MODELS[name]
     files = list(members(root, root / f"{name}.json"))
-    sources = [decode(file.relative_to(root).as_posix(), file.read_bytes()) for file in files]
-    return lint.run(sources, [], Settings(), rulebook.load()).findings
+    return lint({each.relative_to(root).as_posix(): each.read_bytes() for each in files}).findings
 
 
 def members(root: Path, manifest: Path) -> Iterator[Path]:

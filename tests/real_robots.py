@@ -15,11 +15,8 @@ from pathlib import Path
 from statistics import median
 
 from data import locate_data
+from support.linting import lint
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.model import Finding, Rule, Severity
 from kinlint.report import Report
@@ -68,20 +65,13 @@ What of it can be mended: [real-fixes.md](real-fixes.md).
 
 
 @cache
-def book() -> Rulebook:
-    """The built-in rules."""
-    return rulebook.load()
-
-
-@cache
 def report(form: str) -> Report:
     """What is found in the files of a format, named from the data's robots on."""
     root = locate_data("robots")
     files = sorted(each for each in (root / form).rglob("*") if each.suffix in FORMATS[form])
     sources = [decode(str(file), file.read_bytes()) for file in files]
-    settings = Settings()
     beside = map(_companion, BESIDE.get(form, ()))
-    return lint.run([*sources, *beside], [], settings, book())
+    return lint([*sources, *beside])
 
 
 def _companion(name: str) -> SourceText:

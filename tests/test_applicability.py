@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 import pytest
+from support.linting import book
 
-from kinlint.catalogue import rulebook
 from kinlint.catalogue.applicability import applicability, applicable, applies, axioms_for, formats
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.engine.constraint import Constraint
@@ -13,7 +13,7 @@ from kinlint.formats.records import BY_NAME
 from kinlint.terms import iri
 from kinlint.text import SourceText, Span
 
-BOOK = rulebook.load()
+BOOK = book()
 RULE = BOOK.rules[0]
 
 

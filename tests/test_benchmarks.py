@@ -14,13 +14,11 @@ from benchmarks.fleet import Fleet
 from benchmarks.processes import Workplace
 from benchmarks.table import Row, markdown
 from rdflib import Graph
+from support.linting import lint
 
-from kinlint import lint
 from kinlint.catalogue.rulebook import Rulebook, load
-from kinlint.configuration.settings import Settings
 from kinlint.engine.reference import recording
 from kinlint.report import Report
-from kinlint.text import SourceText
 
 pytestmark = pytest.mark.slow
 
@@ -31,7 +29,7 @@ def catalogue() -> Rulebook:
 
 
 def linted(text: str, catalogue: Rulebook) -> Report:
-    return lint.run([SourceText("chain.jsonld", text)], [], Settings(), catalogue)
+    return lint(text, "chain.jsonld", rules=catalogue)
 
 
 @pytest.mark.parametrize("joints", [1, 7, 70])

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import pytest
+from support.linting import lint
 
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.lint import run
 from kinlint.model import Finding
 from kinlint.term_format import LONGEST, Display
 from kinlint.terms import XSD, iri, literal
-from kinlint.text import SourceText
 
 CONTEXT = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
 
 
 def found(*texts: str, code: str) -> list[Finding]:
-    sources = [SourceText(f"{index}.jsonld", text) for index, text in enumerate(texts)]
-    report = run(sources, (), Settings(), rulebook.load())
+    report = lint({f"{index}.jsonld": text for index, text in enumerate(texts)})
     return [finding for finding in report.findings if finding.rule.code == code]
 
 

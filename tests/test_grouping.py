@@ -6,12 +6,10 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
+from support.linting import lint
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.findings.grouping import grouped
 from kinlint.formats.registry import decode
@@ -51,7 +49,7 @@ def find(tmp_path: Path):
         file.write_text(dedent(RULE).replace("GROUPING", grouping), "utf-8")
         book = Rulebook(read_rules(file), compile_shapes([file]), (), (), (file,))
         sources = [_source(f"{name}.jsonld", meshes, ignored) for name, meshes in files]
-        return list(lint.run(sources, [], Settings(engine=engine), book).findings)
+        return list(lint(sources, rules=book, engine=engine).findings)
 
     return run
 
@@ -161,9 +159,11 @@ def test_what_a_macro_writes_is_told_once(tmp_path, calls, end):
     (tmp_path / "part.xacro").write_text(part)
     uses = "".join(f'<xacro:wheel n="{number}"/>' for number in range(calls))
     text = f'<robot name="r" {space}><xacro:include filename="part.xacro"/>{uses}</robot>'
-    source = decode(str(tmp_path / "car.xacro"), text.encode())
-    found = lint.run([source], [], Settings(), rulebook.load()).findings
-    (told,) = (finding for finding in found if finding.rule.code == "INE003")
+    (told,) = (
+        each
+        for each in lint(text, str(tmp_path / "car.xacro")).findings
+        if each.rule.code == "INE003"
+    )
 
     assert told.location.source.name.endswith("part.xacro")
     assert told.location.source[told.location.span] == "-1"
@@ -176,8 +176,7 @@ def test_a_group_counts_as_the_worst_in_it():
     mesh = '<geometry><mesh filename="a.stl" scale="1 1 1 1"/></geometry>'
     link = f"<visual>{mesh}</visual><collision>{mesh}</collision>"
     text = f'<robot name="a"><link name="b">{link}</link></robot>'
-    found = lint.run([decode("a.urdf", text.encode())], [], Settings(), rulebook.load()).findings
-    (told,) = (finding for finding in found if finding.rule.code == "SRC007")
+    (told,) = (each for each in lint(text).findings if each.rule.code == "SRC007")
 
     assert told.severity.label == "error"
     assert told.location.span.start > text.index("<collision>")

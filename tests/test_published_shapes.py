@@ -9,15 +9,11 @@ from pathlib import Path
 
 import pyoxigraph as ox
 import pytest
+from support.linting import findings
 
-from kinlint import lint, resources
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
-from kinlint.text import SourceText
+from kinlint import resources
 
 SAMPLES = Path(__file__).parents[1] / "samples"
-BOOK = rulebook.load()
 CONTEXT = """
     "@context": ["https://w3id.org/kinlint/composable.json",
         {"ex": "https://example.org/arm#", "kind": "http://qudt.org/vocab/quantitykind/"}]
@@ -27,9 +23,9 @@ CONTEXT = """
 def found(*nodes: str, rule: str) -> list[str]:
     """The messages of *rule* about a model of *nodes*."""
     text = f'{{ {CONTEXT}, "@graph": [ {", ".join(nodes)} ] }}'
-    report = lint.run([SourceText("arm.jsonld", text)], [], Settings(), BOOK)
-    assert report.errors == ()
-    return [finding.message for finding in report.findings if finding.rule.code == rule]
+    return [
+        finding.message for finding in findings(text, "arm.jsonld") if finding.rule.code == rule
+    ]
 
 
 def cosines(x: str, y: str, z: str) -> str:
@@ -210,11 +206,9 @@ def test_s13_a_kind_of_quantity_is_named_by_its_property():
 )
 def test_s14_one_file_of_a_composed_model_is_no_noise(file):
     """What stands in the other files is not missed in this one."""
-    source = decode(str(file), file.read_bytes())
+    found = findings(file.read_bytes(), str(file), partial=True)
 
-    report = lint.run([source], [], Settings(partial=True), BOOK)
-
-    assert [f"{f.rule.code}: {f.message}" for f in report.findings] == []
+    assert [f"{f.rule.code}: {f.message}" for f in found] == []
 
 
 def test_s15_files_can_be_joined_and_lead_to_no_network():

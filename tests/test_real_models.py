@@ -6,11 +6,8 @@ from pathlib import Path
 import pytest
 from data import locate_data
 from real_models import MODELS, findings, page
+from support.linting import lint
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
 from kinlint.model import Severity
 
 pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("published models")]
@@ -153,12 +150,8 @@ def test_whatever_is_an_error_is_a_known_defect(model):
 def test_the_release_decides_what_is_lost():
     """Read with the contexts of its time, the tutorial keeps its operands."""
     files = sorted(locate_data("comp-rob2b", "modelling-tutorial").rglob("*.json"))
-    sources = [decode(file.name, file.read_bytes()) for file in files]
-    settings = Settings(contexts="59e0b06")
-    codes = {
-        (each.location.source.name, each.rule.code)
-        for each in lint.run(sources, [], settings, rulebook.load()).findings
-    }
+    report = lint({file.name: file.read_bytes() for file in files}, contexts="59e0b06")
+    codes = {(each.location.source.name, each.rule.code) for each in report.findings}
 
     assert ("fpk-algorithm.json", "LD001") not in codes
     assert "ALG001" not in {code for _, code in codes}

@@ -4,13 +4,11 @@ import json
 from pathlib import Path
 
 import pytest
+from support.linting import findings
 
-from kinlint import lint
 from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
-from kinlint.formats.registry import decode
 
 pytestmark = pytest.mark.xdist_group("rulebook")
 
@@ -175,13 +173,8 @@ RULE_WITH_AXIOM = """
 
 def found(book, text, engine="oxigraph", *, code="SHACL001"):
     """The lines at which the rule *code* complains about a Turtle model."""
-    report = lint.run([decode("m.ttl", text.encode())], [], Settings(engine=engine), book)
-    assert not report.errors
-    return [
-        (each.location.start.line, each.message)
-        for each in report.findings
-        if each.rule.code == code
-    ]
+    every = findings(text, "m.ttl", rules=book, engine=engine)
+    return [(each.location.start.line, each.message) for each in every if each.rule.code == code]
 
 
 @pytest.mark.parametrize("engine", ["oxigraph", "pyshacl"])

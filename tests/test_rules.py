@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from support.linting import book
 
 from kinlint import resources
 from kinlint.catalogue import rulebook
@@ -12,7 +13,7 @@ from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.errors import RuleInvalid
 from kinlint.rule_testing import promises
 
-BOOK = rulebook.load()
+BOOK = book()
 
 USERS = """
 @prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pyoxigraph as ox
 import pytest
+from support.linting import book, lint
 
-from kinlint import lint, resources
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint import resources
+from kinlint.configuration.settings import Choice, FileSettings
 from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.contexts.declarations import PATH
 from kinlint.formats.jsonld.reader import read
@@ -58,18 +58,13 @@ def files(name):
     )
 
 
-@cache
-def rules():
-    return rulebook.load()
-
-
 def sources(*models):
     return [decode(str(model), model.read_bytes()) for model in models]
 
 
 @cache
 def report(*models):
-    return lint.run(sources(*models), [], Settings(), rules())
+    return lint(sources(*models))
 
 
 @cache
@@ -78,13 +73,13 @@ def broken(file):
 
     A matter of taste is asked for, a rule for one consumer hears of that.
     """
-    rule = next((rule for rule in rules().rules if rule.name == file.stem), None)
+    rule = next((rule for rule in book().rules if rule.name == file.stem), None)
     assert rule, f"no rule is called {file.stem}"
     asked = (Choice(extend_select=(rule.code,)),) if rule.optional else ()
-    settings = Settings(default=FileSettings(choices=asked, targets=rule.targets))
+    chosen = FileSettings(choices=asked, targets=rule.targets)
     about = [COMPANION] if COMPANION.stem in file.read_text() else []
     companions = [replace(one, companion=True) for one in sources(*about)]
-    return lint.run([*sources(file), *companions], [], settings, rules()).findings
+    return lint([*sources(file), *companions], default=chosen).findings
 
 
 @cache
@@ -164,7 +159,7 @@ def test_a_broken_sample_can_be_taken_in_at_a_glance(file):
 
 def test_every_rule_about_models_has_a_broken_sample():
     """A fault that a rule names can be seen in a file of that name."""
-    about_models = {rule.name for rule in rules().rules if rule.family != "LNT"}
+    about_models = {rule.name for rule in book().rules if rule.family != "LNT"}
 
     assert about_models == {file.stem for file in BROKEN}
 

@@ -1,14 +1,10 @@
 """Real SRDF files and their robots: what is found in them is wrong with them."""
 
-from functools import cache
-
 import pytest
 from data import locate_data
+from support.linting import findings
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Choice, FileSettings, Settings
-from kinlint.formats.registry import decode
+from kinlint.configuration.settings import Choice, FileSettings
 
 FANUC = (
     "srdf/moveit_resources/fanuc_moveit_config/config/fanuc.srdf",
@@ -21,22 +17,15 @@ PR2 = (
 DUAL_ARM = ("srdf/moveit_resources/dual_arm_panda_moveit_config/config/panda.srdf",)
 
 
-@cache
-def rules():
-    return rulebook.load()
-
-
 def found(*paths):
     """The codes of what is found in the first of *paths*, with the lines."""
     files = [locate_data("robots", path) for path in paths]
-    sources = [decode(str(file), file.read_bytes()) for file in files]
     composition = FileSettings(choices=(Choice(select=("CMP",)),))
-    report = lint.run(sources, [], Settings(default=composition), rules())
-    assert report.errors == ()
+    every = findings({str(file): file.read_bytes() for file in files}, default=composition)
     return [
         (each.rule.code, each.location.start.line)
-        for each in report.findings
-        if each.location.source.name == sources[0].name
+        for each in every
+        if each.location.source.name == str(files[0])
     ]
 
 

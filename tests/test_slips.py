@@ -4,13 +4,10 @@ import json
 from pathlib import Path
 
 import pytest
+from support.linting import codes
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 
-BOOK = rulebook.load()
 SAMPLE = Path(__file__).parent.parent / "samples" / "one-dof"
 MODEL = {file.name: file.read_text(encoding="utf-8") for file in sorted(SAMPLE.glob("*.jsonld"))}
 HALF = {"qx": 0.0, "qy": 0.0, "qz": 1.0, "qw": 0.0}
@@ -69,11 +66,6 @@ def model(name, changes):
                 for key in [key for key, value in changes.items() if value is None]:
                     del node[key]
         yield decode(file, json.dumps(content, indent=2).encode())
-
-
-def codes(sources):
-    report = lint.run(list(sources), [], Settings(), BOOK)
-    return [finding.rule.code for finding in report.findings]
 
 
 def test_the_model_is_clean_but_for_what_it_always_tells():

@@ -3,12 +3,12 @@
 import re
 
 import pytest
+from support.linting import book
 
-from kinlint.catalogue import rulebook
 from kinlint.format_profile import profile
 from kinlint.reporters.symptoms import FORMATS, SYMPTOMS, symptom_table
 
-RULES = rulebook.load().rules
+RULES = book().rules
 AVOIDABLE = {
     "urdf": "1.1 1.2 1.3 2.3 3.2 3.3 3.8 3.9 3.10 3.11 4.2 4.3 4.4 4.5 5.3 5.4 5.5 5.6 "
     "6.1 6.2 6.3 6.5 6.6 6.7 6.10 6.12",

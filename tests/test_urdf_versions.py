@@ -1,13 +1,8 @@
 """A feature of URDF is found in files of versions that do not have it, and in no others."""
 
 import pytest
+from support.linting import codes
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
-
-BOOK = rulebook.load()
 FEATURES = {
     "capsule": ("SRC008", "1.1", '<collision><geometry><capsule radius="0.1" length="0.3"/>'),
     "quaternion": (
@@ -51,18 +46,11 @@ def robot(version, name):
 def test_a_feature_is_found_below_the_version_that_brought_it(version, name):
     """No version is 1.0."""
     code, since, _ = {**FEATURES, **LIMITS}[name]
-    source = decode("arm.urdf", robot(version, name).encode())
 
-    found = {finding.rule.code for finding in lint.run([source], [], Settings(), BOOK).findings}
-
-    assert (code in found) == ((version or "1.0") < since)
+    assert (code in codes(robot(version, name))) == ((version or "1.0") < since)
 
 
 @pytest.mark.parametrize("version", VERSIONS)
 def test_versions_that_readers_take_are_no_finding(version):
     """URDF has had three so far."""
-    source = decode("arm.urdf", robot(version, None).encode())
-
-    found = {finding.rule.code for finding in lint.run([source], [], Settings(), BOOK).findings}
-
-    assert not found & {"SRC008", "SRC009"}
+    assert not set(codes(robot(version, None))) & {"SRC008", "SRC009"}

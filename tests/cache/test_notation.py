@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 import pytest
+from support import linting
 
 from kinlint.cache.serialization import Unwritable, read, written
-from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.parallel.shard import Job, lint
 from kinlint.report import Report
@@ -21,7 +21,7 @@ ROBOT = (
 
 @pytest.fixture(scope="module")
 def book():
-    return rulebook.load()
+    return linting.book()
 
 
 @pytest.mark.parametrize("fixing", [False, True])

@@ -7,11 +7,8 @@ from pathlib import Path
 
 import pytest
 from data import locate_data
+from support.linting import findings
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.registry import decode
 from kinlint.model import Finding
 
 COORDINATES = "geometry/coordinates.ttl"
@@ -35,12 +32,10 @@ def found() -> tuple[tuple[str, Finding], ...]:
     root = locate_data("comp-rob2b", "metamodels", "ba7e601")
     files = sorted(root.rglob("*.ttl"))
     assert len(files) == 9
-    sources = [decode(str(file), file.read_bytes()) for file in files]
-    report = lint.run(sources, [], Settings(), rulebook.load())
-    assert report.errors == ()
+    every = findings({str(file): file.read_bytes() for file in files})
     return tuple(
         (Path(finding.location.source.name).relative_to(root).as_posix(), finding)
-        for finding in report.findings
+        for finding in every
     )
 
 

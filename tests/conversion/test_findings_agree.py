@@ -6,10 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
+from support.linting import book, codes
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.conversion.composition import compose
 from kinlint.conversion.output import jsonld
 from kinlint.formats.options import ReadOptions
@@ -17,7 +15,7 @@ from kinlint.formats.registry import read
 from kinlint.model import Rule
 from kinlint.text import SourceText
 
-BOOK = rulebook.load()
+BOOK = book()
 TREES = ("urdf", "sdf")
 APART = {
     "INE003": "joints of the metamodels do not say which of two bodies carries the other",
@@ -58,13 +56,8 @@ def test_examples_of_rules_about_robots(rule, example):
             f"robot.{example.format}", text.replace("[|", "").replace("|]", "").strip()
         )
         composed = SourceText("robot.jsonld", jsonld(compose([read(robot, ReadOptions())])))
-        codes = found(robot)
-        assert (rule.code in codes) == (rule.code in found(composed)) or UNRESOLVED in codes
-
-
-def found(source: SourceText) -> set[str]:
-    report = lint.run([source], [], Settings(), BOOK)
-    return {finding.rule.code for finding in report.findings}
+        found = codes([robot])
+        assert (rule.code in found) == (rule.code in codes([composed])) or UNRESOLVED in found
 
 
 BROKEN = """
@@ -112,5 +105,5 @@ BROKEN = """
 def test_one_robot_with_many_faults(code):
     robot = SourceText("broken.urdf", BROKEN.strip())
     composed = SourceText("broken.jsonld", jsonld(compose([read(robot, ReadOptions())])))
-    assert code in found(robot)
-    assert code in found(composed)
+    assert code in codes([robot])
+    assert code in codes([composed])

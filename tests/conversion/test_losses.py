@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+from support.linting import document
+
 from kinlint.conversion.composition import compose
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
-from kinlint.text import SourceText
 
 LINE = "only of joints that move along or about one line"
 
@@ -15,7 +14,7 @@ def lost(inside: str, name: str = "robot.urdf") -> dict[str, str]:
     text = (
         inside if inside.startswith("<sdf") else f'<robot name="r"><link name="a"/>{inside}</robot>'
     )
-    model = compose([read(SourceText(name, text), ReadOptions())])
+    model = compose([document(text, name)])
     return {loss.what: f"{loss.count}: {loss.why}" for loss in model.losses}
 
 

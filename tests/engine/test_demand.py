@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 import pytest
+from support.linting import book
 from turtle_document import PREFIXES, ex
 
 from kinlint import resources
-from kinlint.catalogue import rulebook
 from kinlint.catalogue.applicability import applicability, applicable, applies, axioms_for, demand
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
@@ -35,7 +35,7 @@ FORMATS = [each.name for each in LIFTED]
 
 pytestmark = pytest.mark.slow
 
-BOOK = rulebook.load()
+BOOK = book()
 OPTIONS = ReadOptions.of(Settings())
 JUDGED = {each.owner for each in BOOK.constraints}
 LIFTED = [

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pytest
 from data import locate_data
+from support.linting import book, lint
 
-from kinlint import lint
 from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.closure import close
 from kinlint.engine.evaluate import check
@@ -25,7 +24,7 @@ from kinlint.text import SourceText
 
 SAMPLES = Path(__file__).parents[1] / "samples"
 BROKEN = sorted((SAMPLES / "broken").glob("*.jsonld"))
-BOOK = rulebook.load()
+BOOK = book()
 PUBLISHED = {
     "tutorial": ("comp-rob2b", "modelling-tutorial", "models"),
     "Kinova Gen3": ("comp-rob2b", "robot-models"),
@@ -82,7 +81,7 @@ def test_code_flows_lead_through_the_lines_of_what_is_written():
         }
       ]
     }"""
-    report = lint.run([SourceText("arm.jsonld", text)], [], Settings(), BOOK)
+    report = lint(text, "arm.jsonld")
 
     results = log(report)["runs"][0]["results"]
     (result,) = (each for each in results if each["ruleId"] == "LD012")
@@ -109,7 +108,7 @@ def test_a_finding_about_an_inferred_triple_is_where_that_comes_from():
         SourceText("b.jsonld", f'{{ {context}, "@id": "ex:flange", "origin": "ex:tip" }}'),
     ]
 
-    report = lint.run(files, [], Settings(), BOOK)
+    report = lint(files)
 
     (finding,) = (each for each in report.findings if each.rule.code == "LD012")
     assert finding.location.source.name == "b.jsonld"
@@ -122,7 +121,7 @@ def test_what_one_of_several_targets_chose_says_by_which():
     context = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
     text = f'{{ {context}, "@id": "ex:reach", "@type": "PositionCoordinate" }}'
 
-    report = lint.run([SourceText("a.jsonld", text)], [], Settings(), BOOK)
+    report = lint(text, "a.jsonld")
 
     (finding,) = (each for each in report.findings if each.rule.code == "UNI001")
     assert [(step.statement, step.depth) for step in finding.because] == [
@@ -143,7 +142,7 @@ def test_a_contradiction_shows_its_premises_in_every_file():
         SourceText("d.jsonld", f'{{ {context}, "@id": "ex:tool", "@type": "VelocityTwist" }}'),
     ]
 
-    report = lint.run(files, [], Settings(), BOOK)
+    report = lint(files)
 
     shown = {
         finding.rule.code: sorted(
@@ -171,8 +170,8 @@ def test_what_nobody_describes_is_shown_where_it_is_mentioned(tmp_path):
     context = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
     text = f'{{ {context}, "@id": "ex:stop", "ex:stops": {{"@id": "ex:belt"}} }}'
 
-    book = rulebook.load([], [axioms], None)
-    report = lint.run([SourceText("a.jsonld", text)], [], Settings(), book)
+    rules = rulebook.load([], [axioms], None)
+    report = lint(text, "a.jsonld", rules=rules)
 
     (finding,) = (each for each in report.findings if each.rule.code == "TOP005")
     assert text[finding.location.span.start :].startswith('"ex:belt"')

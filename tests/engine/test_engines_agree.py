@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 from data import locate_data
+from support.linting import book
 
 from kinlint import resources
-from kinlint.catalogue.rulebook import Rulebook, load
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASES, Contexts
 from kinlint.document import Document
@@ -51,11 +51,6 @@ PUBLISHED = {
     "tutorial": ("comp-rob2b", "modelling-tutorial", "models"),
     "Kinova Gen3": ("comp-rob2b", "robot-models"),
 }
-
-
-@cache
-def catalogue() -> Rulebook:
-    return load()
 
 
 @cache
@@ -122,10 +117,10 @@ def test_both_engines_find_the_same_in_a_sample(name):
     """
     store = closed(model_of(name), [*ONTOLOGY, *UNITS])
 
-    book = catalogue()
-    found = reported(list(check(store, book.constraints)))
+    rules = book()
+    found = reported(list(check(store, rules.constraints)))
 
-    assert found == reported(check_store(store, book.shapes, book.constraints))
+    assert found == reported(check_store(store, rules.shapes, rules.constraints))
 
 
 LIFTED = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "broken/automatic-inertia-of-nothing.sdf")
@@ -151,7 +146,7 @@ def test_both_engines_find_the_same_in_what_is_lifted(name):
     """The whole catalogue, rules of other formats included, on models that came from XML."""
     store = lifted(name)
 
-    book = catalogue()
-    found = reported(list(check(store, book.constraints)))
+    rules = book()
+    found = reported(list(check(store, rules.constraints)))
 
-    assert found == reported(check_store(store, book.shapes, book.constraints))
+    assert found == reported(check_store(store, rules.shapes, rules.constraints))

@@ -10,10 +10,10 @@ from functools import cache
 import pytest
 import xml_mutations
 from model_mutations import mutant, values
+from support.linting import book, document
 from test_engines_agree import BROKEN, CHECKOUT, ONTOLOGY, SHAPES, UNITS, closed, reported
 
 from kinlint import resources
-from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.evaluate import check
@@ -41,11 +41,6 @@ def pool():
     return values([json.loads(file.read_text()) for file in BROKEN])
 
 
-@cache
-def book():
-    return rulebook.load()
-
-
 def mutants(file):
     """Some mutants of a sample that can be read, always the same."""
     for seed in range(TRIES):
@@ -68,15 +63,15 @@ def test_both_engines_find_the_same_in_a_mutant(file):
     """By the rule that the sample is of, which the first mutant that is tried still breaks."""
     shapes = [SHAPES / "prefixes.ttl", RULES[file.stem]]
     rule = compile_shapes(shapes)
-    for document in mutants(file):
-        store = closed([document], [*ONTOLOGY, *UNITS])
+    for model in mutants(file):
+        store = closed([model], [*ONTOLOGY, *UNITS])
         results = list(check(store, rule))
         if results:
             break
 
     assert results, "no mutant breaks the rule"
     assert found(results) == found(check_store(store, shapes, rule))
-    told = findings(results, [document], store, book())
+    told = findings(results, [model], store, book())
     assert all(each.location.span.end > 0 for each in told)
     assert max(Counter((each.location.span, each.message) for each in told).values()) == 1
 
@@ -87,7 +82,7 @@ def broken_trees(file):
         text = file.read_text()
         text = xml_mutations.mutant(text, f"{file.stem} {seed}") if seed else text
         with suppress(SourceError):
-            yield read(decode(str(file), text.encode()), ReadOptions.of(Settings()))
+            yield document(text.encode(), str(file))
 
 
 @pytest.mark.parametrize("file", XML, ids=lambda file: file.name)
@@ -95,9 +90,9 @@ def test_both_engines_find_the_same_in_a_mutant_of_a_tree(file):
     """By the rule that the sample is of; a single model, though the rule may speak of several."""
     shapes = [SHAPES / "prefixes.ttl", RULES[file.stem]]
     rule = compile_shapes(shapes)
-    for document in broken_trees(file):
-        store = closed([document], [*ONTOLOGY, *UNITS])
+    for model in broken_trees(file):
+        store = closed([model], [*ONTOLOGY, *UNITS])
         results = list(check(store, rule))
         assert found(results) == found(check_store(store, shapes, rule))
-        told = findings(results, [document], store, book())
+        told = findings(results, [model], store, book())
         assert all(each.location.span.end > 0 for each in told)

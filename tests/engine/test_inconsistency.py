@@ -12,10 +12,9 @@ import pytest
 from data import locate_data
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.linting import book, lint
 
-from kinlint import lint, resources
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
+from kinlint import resources
 from kinlint.engine.reference.owl import owlrl_complaints
 from kinlint.formats.registry import decode
 from kinlint.model import Finding
@@ -27,7 +26,7 @@ pytestmark = pytest.mark.oracle
 
 CHECKOUT = Path(__file__).parents[2]
 ONTOLOGY = sorted((resources.data("shapes") / "ontology").glob("*.ttl"))
-BOOK = rulebook.load()
+BOOK = book()
 OURS = "https://example.org/arm#"
 PREFIXES = f"""
     @prefix ex: <{OURS}> .
@@ -78,8 +77,9 @@ def turtle(text: str) -> tuple[Triple, ...]:
 
 
 def contradictions(*sources: SourceText) -> list[Finding]:
-    found = lint.run(sources, [], Settings(), BOOK).findings
-    return [finding for finding in found if finding.rule.code in ("LD012", "LD019")]
+    return [
+        finding for finding in lint(sources).findings if finding.rule.code in ("LD012", "LD019")
+    ]
 
 
 @cache

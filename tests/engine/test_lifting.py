@@ -5,17 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support import linting
 from turtle_document import document
 
-from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.lifting import EVERYWHERE, FOUNDATION, Lifting, asked, lift, queries
 from kinlint.engine.store import Store
-from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import BY_NAME, LIFTED
-from kinlint.formats.registry import read
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, is_blank
-from kinlint.text import SourceText
 from kinlint.vocabulary import KIN
 
 SAMPLES = Path(__file__).parents[2] / "samples"
@@ -31,7 +28,7 @@ def model(*names: str) -> Store:
 
 def _read(name: str) -> Document:
     text = (SAMPLES / name).read_text()
-    return read(SourceText(name, text), ReadOptions.of(Settings()))
+    return linting.document(text, name)
 
 
 def named(store: Store) -> set[Triple]:

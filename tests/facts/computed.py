@@ -4,29 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from functools import cache
 from typing import Any
 
-from kinlint.catalogue import rulebook
-from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
+from support.linting import book, document
+
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
 from kinlint.terms import Term, iri_value, is_literal, literal_datatype, literal_value
-from kinlint.text import SourceText
 from kinlint.vocabulary import FACT
 
 EX = "https://example.org/arm#"
 CONTEXT = ["https://w3id.org/kinlint/composable.json", {"ex": EX}]
 Node = dict[str, Any]
-
-
-@cache
-def _rulebook() -> Rulebook:
-    return rulebook.load()
 
 
 def store_of(*nodes: Node) -> Store:
@@ -36,9 +26,9 @@ def store_of(*nodes: Node) -> Store:
 
 def closed(texts: Mapping[str, str]) -> Store:
     """A store of all *texts* by file name, closed under the axioms."""
-    options, rules = ReadOptions.of(Settings()), _rulebook()
+    rules = book()
     store = Store()
-    store.load([read(SourceText(name, text), options) for name, text in texts.items()])
+    store.load([document(text, name) for name, text in texts.items()])
     store.load_vocabulary(rules.vocabulary)
     close(store, rules.axioms)
     return store

@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
-from kinlint.catalogue import rulebook
-from kinlint.catalogue.rulebook import Rulebook
+from support.linting import book, document
+
 from kinlint.engine.closure import close
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
 from kinlint.terms import is_literal, literal_value
-from kinlint.text import SourceText
 from kinlint.vocabulary import FACT
 
 BOX = '<collision><geometry><box size="{}"/></geometry></collision>'
-
-
-@cache
-def _rulebook() -> Rulebook:
-    return rulebook.load()
 
 
 def store_of(*parts: str) -> Store:
@@ -34,10 +25,10 @@ def store_of(*parts: str) -> Store:
 def closed(texts: Mapping[str, str]) -> Store:
     """A store of all *texts* by file name, lifted and closed under the axioms."""
     store = Store()
-    store.load([read(SourceText(name, text), ReadOptions()) for name, text in texts.items()])
-    store.load_vocabulary(_rulebook().vocabulary)
+    store.load([document(text, name) for name, text in texts.items()])
+    store.load_vocabulary(book().vocabulary)
     lift(store)
-    close(store, _rulebook().axioms)
+    close(store, book().axioms)
     return store
 
 

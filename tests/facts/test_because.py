@@ -6,13 +6,11 @@ import json
 
 import pytest
 from computed import CONTEXT, QUARTER, STRAIGHT, Node, frame, pose, shift
+from support.linting import lint
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.lint import run
 from kinlint.model import Premise
-from kinlint.text import SourceText
 
 pytestmark = pytest.mark.xdist_group("faults")
 
@@ -63,8 +61,8 @@ def faults(tmp_path_factory: pytest.TempPathFactory) -> Rulebook:
 
 def because(faults: Rulebook, code: str, *nodes: Node) -> tuple[Premise, ...]:
     """The premises of the one finding of a rule."""
-    source = SourceText("arm.jsonld", json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=1))
-    report = run([source], (), Settings(), faults)
+    text = json.dumps({"@context": CONTEXT, "@graph": nodes}, indent=1)
+    report = lint(text, "arm.jsonld", rules=faults)
     (finding,) = (each for each in report.findings if each.rule.code == code)
     return finding.because
 
@@ -190,8 +188,7 @@ ARM = """<robot name="arm">
 
 def places(code: str, text: str, name: str) -> list[tuple[str, int]]:
     """What the first finding of a rule of the catalogue rests on, each with its line."""
-    report = run([SourceText(name, text)], (), Settings(), rulebook.load())
-    finding = next(each for each in report.findings if each.rule.code == code)
+    finding = next(each for each in lint(text, name).findings if each.rule.code == code)
     return [
         (each.statement, each.location.start.line)
         for each in finding.because

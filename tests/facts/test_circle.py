@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+from support.linting import document
+
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
-from kinlint.text import SourceText
 
 
 def back(*texts: tuple[str, str]) -> dict[str, str]:
     """The names of what leads back to itself, each with that of the first on the circle."""
     store = Store()
-    store.load([read(SourceText(name, text), ReadOptions()) for name, text in texts])
+    store.load([document(text, name) for name, text in texts])
     lift(store)
     return {
         s.rpartition("/")[2][:-1]: o.rpartition("/")[2][:-1]

@@ -3,6 +3,8 @@
 from dataclasses import replace
 from pathlib import Path
 
+from support.linting import book as built_in
+
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.configuration.settings import Settings
@@ -35,7 +37,7 @@ REPAIR = """dash:suggestionGenerator [
         a dash:SPARQLUpdateSuggestionGenerator ; sh:order {order} ;
         rdfs:label "{title}" ; kl:applicability kl:{claim} ; rdfs:comment "It is a guess." ;
         sh:prefixes kl:prefixes ; sh:update '''{update}''' ]"""
-OURS = rulebook.load()
+OURS = built_in()
 
 
 def repair(update, title="Mend it", claim="safe", order=1):

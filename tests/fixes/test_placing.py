@@ -1,6 +1,7 @@
 """Where a change goes that several files say."""
 
-from kinlint.catalogue import rulebook
+from support.linting import book
+
 from kinlint.configuration.settings import Settings
 from kinlint.fixes.rounds import mended
 from kinlint.model import Applicability
@@ -16,7 +17,6 @@ MASS = """{
 def test_what_two_files_say_is_replaced_in_both():
     """Neither loses the value without getting the new one."""
     texts = [SourceText(name, MASS) for name in ("a.jsonld", "b.jsonld")]
-    book = rulebook.load()
-    made = mended(texts, (), Settings(), book, Applicability.UNSAFE).texts
+    made = mended(texts, (), Settings(), book(), Applicability.UNSAFE).texts
 
     assert [each.text for each in made] == [MASS.replace('"unit": "M"', '"unit": "KiloGM"')] * 2

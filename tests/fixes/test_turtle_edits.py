@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 from editing_json_ld import OPTIONS
+from support.linting import document
 
 from kinlint.document import Document
 from kinlint.edits import Delta, Unsayable, applied
-from kinlint.formats.registry import editor, read
+from kinlint.formats.registry import editor
 from kinlint.terms import XSD, Term, Triple, literal
-from kinlint.text import SourceText
 
 TEXT = """@prefix e: <https://e.org/#> .\r
 @prefix xsd: <http://www.w3.org/2001/XMLSchema#> .\r
@@ -20,7 +20,7 @@ e:c e:to [ e:real 2e0 ] ; e:real 5e0 . e:c e:real 5e0 .\r
 
 
 def found(text: str = TEXT) -> Document:
-    return read(SourceText("arm.ttl", text), OPTIONS)
+    return document(text, "arm.ttl")
 
 
 def after(*changes: tuple[str, Term]) -> str:

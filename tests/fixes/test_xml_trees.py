@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 import pytest
+from support.linting import document
 
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
 from kinlint.formats.xml.editing import tree
-from kinlint.text import SourceText
 
 ROBOT = """\
 <robot name="a b">
@@ -20,7 +18,7 @@ ROBOT = """\
 
 
 def built(text: str, name: str = "arm.urdf") -> Hashable:
-    return tree.tree(read(SourceText(name, text), ReadOptions()))
+    return tree.tree(document(text, name))
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,10 @@ from pathlib import Path
 import pytest
 from data import locate_data
 from reading import details, domain, losses
+from support.linting import document
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
 from kinlint.formats.turtle import reader
 from kinlint.terms import RDF, XSD, is_blank
 from kinlint.text import SourceText
@@ -29,7 +28,7 @@ _:x e:p _:y, '\N{ROBOT FACE}' .
 
 
 def found(text: str, name: str = "arm.ttl") -> Document:
-    return read(SourceText(name, text), ReadOptions())
+    return document(text, name)
 
 
 def test_every_triple_has_the_span_of_its_value() -> None:

@@ -8,9 +8,10 @@ import pytest
 from data import locate_data
 from incremental.answers import agree, answer
 from incremental.random_edits import versions
+from support import linting
 
 from kinlint import lint
-from kinlint.catalogue.rulebook import Rulebook, load
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.incremental.examiner import Cancelled, Incremental
 from kinlint.text import SourceText, Span
@@ -39,7 +40,7 @@ ARM = """{
 
 @pytest.fixture(scope="module")
 def book() -> Rulebook:
-    return load()
+    return linting.book()
 
 
 @pytest.mark.parametrize("file", FEW, ids=lambda file: f"{file.parent.name}/{file.name}")

@@ -6,13 +6,11 @@ import math
 
 import pytest
 from robot import GEOM, REL, Robot, name
+from support.linting import document
 
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import read
 from kinlint.terms import iri, iri_value, literal_value
-from kinlint.text import SourceText
 from kinlint.vocabulary import KIN, SRC
 
 DOCUMENT = "urn:kinlint:document:robot.urdf"
@@ -24,7 +22,7 @@ def lifted(inside: str, version: str = "") -> Robot:
     attribute = f' version="{version}"' if version else ""
     text = f'<robot name="r"{attribute}><link name="a"/><link name="b"/>{inside}</robot>'
     store = Store()
-    store.load([read(SourceText("robot.urdf", text), ReadOptions())])
+    store.load([document(text, "robot.urdf")])
     lift(store)
     return Robot(store.lifted())
 

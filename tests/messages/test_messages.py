@@ -10,10 +10,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from support.linting import book
 
 from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint.configuration.settings import Choice, FileSettings
 from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode
 from kinlint.formats.xml.recognition import sniff
@@ -35,19 +35,14 @@ EVERY = [(table.stem, line) for table in TABLES for line in lines(table)]
 FOUND = [(reader, line) for reader, line in EVERY if line["rule"] != NONE]
 
 
-@cache
-def rules():
-    return rulebook.load()
-
-
-def settings():
+def chosen():
     """All rules, for all targets that any is about."""
     said = (
         rule.targets + sum((each.targets for each in rule.severity_for), ())
-        for rule in rules().rules
+        for rule in book().rules
     )
     targets = tuple(sorted({target for each in said for target in each}))
-    return Settings(default=FileSettings(choices=(Choice(select=("ALL",)),), targets=targets))
+    return FileSettings(choices=(Choice(select=("ALL",)),), targets=targets)
 
 
 def sources(number, example):
@@ -69,7 +64,7 @@ def found():
     ]
     together = [source for _, files in examples if len(files) == 1 for source in files]
     for run in (together, *(files for _, files in examples if len(files) > 1)):
-        for finding in lint.run(run, [], settings(), rules()).findings:
+        for finding in lint(run, default=chosen()).findings:
             codes[int(finding.location.source.name.split("/")[0])].add(finding.rule.code)
     return codes
 
@@ -88,7 +83,7 @@ def test_a_table_has_a_line_for_each_message_and_no_message_twice(table):
 )
 def test_a_line_names_a_rule_with_an_example_or_says_why_not(reader, line):
     """Either, never both."""
-    known = {rule.code for rule in rules().rules}
+    known = {rule.code for rule in book().rules}
     assert all(value is not None for value in line.values())
     assert (line["rule"] in known) == bool(line["example"])
     assert (line["rule"] == NONE) == bool(line["reason"])

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
+from support.linting import book
+
 from kinlint import lint
-from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.navigation.navigator import Navigator
 from kinlint.text import Location, SourceText
@@ -63,8 +63,3 @@ class Model:
         """`name:line: text`."""
         text = place.source[place.span]
         return f"{self.own(place.source.name)}:{place.start.line}: {text}"
-
-
-@cache
-def book():
-    return rulebook.load()

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 from sarif_reader import by_specification, by_viewer, results
+from support.linting import book
 
-from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
 from kinlint.edits import Edit, applied
 from kinlint.formats.registry import decode
@@ -23,9 +23,8 @@ BROKEN = Path(__file__).parents[2] / "samples" / "broken"
 
 def samples() -> list[tuple[Path, Rule]]:
     """The broken samples whose rule knows how to mend them."""
-    book = rulebook.load()
     files = {file.stem: file for file in BROKEN.iterdir() if file.suffix != ".expected"}
-    return [(files[one.name], one) for one in book.rules if one.repairs and one.name in files]
+    return [(files[one.name], one) for one in book().rules if one.repairs and one.name in files]
 
 
 def by_edits(source: SourceText, edits: list[dict[str, Any]]) -> str:

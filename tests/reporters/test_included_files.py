@@ -7,11 +7,8 @@ import json
 from pathlib import Path
 
 import pytest
+from support.linting import lint
 
-from kinlint.catalogue import rulebook
-from kinlint.configuration.settings import Settings
-from kinlint.formats.decoding import decode
-from kinlint.lint import run
 from kinlint.report import Report
 from kinlint.reporters import reporter_registry
 
@@ -41,8 +38,7 @@ def found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Report:
     monkeypatch.chdir(tmp_path)
     Path("parts").mkdir()
     Path(INCLUDED).write_bytes(LINK.encode("iso-8859-1"))
-    robot = decode("robot.urdf.xacro", ROBOT.encode())
-    report = run([robot], (), Settings(), rulebook.load())
+    report = lint(ROBOT, "robot.urdf.xacro")
     assert [each.rule.code for each in report.findings] == ["INE003"]
     return report
 

@@ -3,30 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 
-from kinlint import lint
-from kinlint.catalogue import rulebook
-from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
+from support.linting import lint
+
 from kinlint.report import Report
 from kinlint.structure import Joint, Link, Structure
-from kinlint.text import SourceText
 
 SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 
 
-@cache
-def book() -> Rulebook:
-    """The built-in rules."""
-    return rulebook.load()
-
-
 def linted(texts: dict[str, str]) -> Report:
     """The report of *texts* by file name, with structures."""
-    sources = [SourceText(name, text) for name, text in texts.items()]
-    return lint.run(sources, (), Settings(drawn=True), book())
+    return lint(texts, drawn=True)
 
 
 def structures(**texts: str) -> tuple[Structure, ...]:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from structured import linted, sample, structures, tree, urdf
+from support.linting import lint
 
 from kinlint.structure import Origin, Structure
 
@@ -234,14 +235,7 @@ def test_a_long_chain_needs_no_recursion() -> None:
 
 
 def test_who_draws_nothing_pays_nothing() -> None:
-    from structured import book  # noqa: PLC0415
-
-    from kinlint import lint  # noqa: PLC0415
-    from kinlint.configuration.settings import Settings  # noqa: PLC0415
-    from kinlint.text import SourceText  # noqa: PLC0415
-
-    report = lint.run([SourceText("a.urdf", urdf("a>b"))], (), Settings(), book())
-    assert report.structures == ()
+    assert lint(urdf("a>b")).structures == ()
 
 
 def test_samples_have_robots() -> None:
