@@ -149,7 +149,7 @@ class Elements:
                 remarks.repeated(number, holder, tag, before)
             if type_ is ANY:
                 remarks.stranger(number, outer, tag, first)
-            elif type_.dated or type_.required or not number:
+            elif type_.checked or not number:
                 remarks.typed(number, type_, attributes)
             frames.append((address, node, type_, number, {}))
             if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
@@ -208,6 +208,8 @@ class Elements:
             self.remarks.malformed(number, tag, "", written, slot)
         elif isinstance(value, str):
             add((node, _TEXT, value))
+            if type_.choices:
+                self.remarks.chosen(number, type_, "", written)
         else:
             components = slot.components(len(value))
             self.statements.extend((node, c, v) for c, v in zip(components, value, strict=True))

@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from kinlint.formats.source_layer import SourceLayer
+from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml.places import Places
 from kinlint.formats.xml.schema import ElementType, Lifetime, Schema, Slot, version
 from kinlint.formats.xml.values import UNEXPANDED
 from kinlint.suggestion import nearest
-from kinlint.terms import XSD, Term, literal
+from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span
+from kinlint.vocabulary import ATTRIBUTE
 
 LONGEST_WORD = 60
 MOST_WORDS = 2_000
@@ -119,6 +120,9 @@ class Remarks:
         for name in type_.required:
             if name not in attributes:
                 self.note("MissingAttribute", number, None, attribute=name, tag=type_.tag)
+        for name in type_.choices:
+            if name in attributes:
+                self.chosen(number, type_, name, attributes[name])
         if not type_.dated:
             return
         if type_.lifetime is not None:
@@ -126,6 +130,17 @@ class Remarks:
         for name, lifetime in type_.lifetimes.items():
             if name in attributes:
                 self._dated(number, name, type_, name, lifetime)
+
+    def chosen(self, number: int, type_: ElementType, key: str, written: str) -> None:
+        """A value of what has only a few; *key* is empty for text."""
+        known = type_.choices[key]
+        if written not in known and "$" not in written:
+            folded = {each.casefold(): each for each in known}
+            self.note(
+                "UnknownChoice", number, key,
+                tag=type_.tag, written=written, choices=", ".join(filter(None, known)),
+                resembles=folded.get(written.casefold()),
+            )  # fmt: skip
 
     def _dated(
         self, number: int, place: str | None, type_: ElementType, name: str, life: Lifetime
@@ -179,6 +194,8 @@ class Remarks:
                 assert isinstance(first, int)
                 said["equal"] = _content(places, first) == _content(places, number)
             terms = [(name, _term(value)) for name, value in said.items()]
+            if kind == "UnknownChoice":
+                terms.append(("property", iri(ATTRIBUTE + place) if place else src("text")))
             layer.about(kind, _span(places, kind, number, place), ("node", nodes[number]), *terms)
 
 

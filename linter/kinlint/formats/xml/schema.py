@@ -5,7 +5,7 @@ The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a pr
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -54,8 +54,9 @@ class ElementType:
     """An element as it may stand below certain others.
 
     `once` are tags of children that may stand there once, `requires` those that must, `required`
-    the attributes that must. An `open` one takes anything. A `dated` one is not in every version
-    of the format, or one of its attributes is not.
+    the attributes that must. `choices` are the words that attributes can be, or its text (""). An
+    `open` one takes anything. A `dated` one is not in every version of the format, or one of its
+    attributes is not. What has to be `checked` asks something of its attributes.
     """
 
     tag: str
@@ -66,10 +67,12 @@ class ElementType:
     required: tuple[str, ...] = ()
     requires: tuple[str, ...] = ()
     content: Slot | None = None
+    choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
     open: bool = False
     lifetime: Lifetime | None = None
     lifetimes: dict[str, Lifetime] = field(default_factory=dict)
     dated: bool = False
+    checked: bool = False
 
 
 @dataclass(eq=False, slots=True)
@@ -148,6 +151,7 @@ class _Tables:
                     kinds.setdefault(name, []).append(kind)
         content = [each.removeprefix(FMT) for each in said.get("content", ())]
         since, until = (next(iter(said.get(name, ())), None) for name in ("since", "until"))
+        choices = {name: words for name, *words in map(self._list, said.get("choice", ()))}
         lifetimes = _lifetimes(said.get("introduced", ()), said.get("removed", ()))
         return ElementType(
             tag,
@@ -158,11 +162,19 @@ class _Tables:
             },
             required=tuple(said.get("required", ())),
             content=Slot.of(f"{SRC}text", Form(tuple(content), infinite)) if content else None,
+            choices={name: tuple(words) for name, words in choices.items()},
             open="true" in said.get("open", ()),
             lifetime=Lifetime(since, until) if since or until else None,
             lifetimes=lifetimes,
             dated=bool(since or until or lifetimes),
+            checked=bool(since or until or lifetimes or choices or said.get("required")),
         )
+
+    def _list(self, head: str) -> Iterator[str]:
+        """Yield the members of the RDF list *head*."""
+        while head in self.nodes:
+            (first,), (head,) = self.nodes[head]["first"], self.nodes[head]["rest"]
+            yield first
 
 
 def _lifetimes(introduced: Iterable[str], removed: Iterable[str]) -> dict[str, Lifetime]:
