@@ -12,11 +12,11 @@ from kinlint.formats.json_text.values import Array, Integer, Key, Member, Object
 from kinlint.text import SourceText, Span
 
 MAX_DEPTH = 500
-"""How deep arrays and objects may nest."""
+"""Largest nesting depth of arrays and objects."""
 MAX_DIGITS = 1000
-"""How long the spelling of a number may be."""
+"""Largest length of a number in characters."""
 SHOWN_DIGITS = 24
-"""How much of a number a message repeats."""
+"""Number of characters of a number that a message repeats."""
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _PLAIN = re.compile(r'"[^"\\\x00-\x1f]*"')
@@ -50,10 +50,11 @@ class Element(NamedTuple):
 
 
 def element(source: SourceText, at: int, *, first: bool, depth: int) -> Element:
-    """What stands next in an array that is within *depth* arrays and objects, itself included.
+    """Parse the next element of an array.
 
-    The offset is behind its opening bracket if it is the *first*, or else behind an element.
-    Raises SourceError as `parse` does.
+    *depth* counts the arrays and objects around it, the array itself included. *at* is behind the
+    opening bracket if the element is the *first*, or else behind the previous one. Raises
+    SourceError as `parse` does.
     """
     return _Parser(source).element(at, first=first, depth=depth)
 
@@ -88,7 +89,7 @@ class _Parser:
         return match.end() if match else at
 
     def shown(self, at: int) -> str:
-        """What stands at an offset, for a message."""
+        """Return the token at an offset, for a message."""
         if at >= len(self.text):
             return "the end of the file"
         word = _WORD.match(self.text, at)

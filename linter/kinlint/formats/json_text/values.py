@@ -12,7 +12,7 @@ from kinlint.text import Span
 
 
 class Placed:
-    """What a value is besides itself: a range of the text, brackets and quotes included."""
+    """Mix-in of values with their range in the text, brackets and quotes included."""
 
     __slots__ = ()
     start: int
@@ -65,7 +65,7 @@ class Array(Placed, list[Any]):
         self.literals = None
 
     def element_span(self, index: int) -> Span:
-        """Where element *index* stands."""
+        """Return the span of element *index*."""
         if self.literals and index in self.literals:
             return self.literals[index]
         element = self[index]
@@ -73,7 +73,7 @@ class Array(Placed, list[Any]):
 
 
 class Member(NamedTuple):
-    """One occurrence of a key."""
+    """Occurrence of a key with its value."""
 
     key: Key
     value: Any

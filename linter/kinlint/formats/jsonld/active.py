@@ -145,7 +145,7 @@ class ActiveContexts:
     def _salvaged(
         self, active: Context, entry: Any, process: _Process, problem: Problem
     ) -> tuple[Context, Problem]:
-        """What the terms that can be defined make of *active*, and the first that cannot be."""
+        """Extend *active* by the terms that can be defined, and return the first problem."""
         try:
             found: list[Resolved] = self.resolver.resolve(active, entry, "")
         except FAULTS:
@@ -221,6 +221,6 @@ def _reason(fault: BaseException) -> str:
 
 
 def complaint(error: JsonLdError) -> str:
-    """What PyLD says is wrong, as the rest of a sentence."""
+    """Return PyLD's error message as the rest of a sentence."""
     text = str(error.args[0]).removeprefix("Invalid JSON-LD syntax; ").rstrip(".").replace('"', "")
     return text[:1].lower() + text[1:]

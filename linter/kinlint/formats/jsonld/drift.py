@@ -24,11 +24,11 @@ class OtherRelease:
         self._at: dict[Origin, tuple[Context, Context]] = {}
 
     def maps_key(self, key: Text, origin: Origin) -> bool:
-        """Whether *key* has a meaning on the node of *origin*."""
+        """Tell whether the release maps *key* on the node of *origin*."""
         return self._means(self._contexts(origin)[0], key, None)
 
     def maps_type(self, name: Text, origin: Origin) -> bool:
-        """Whether *name* is a type there."""
+        """Tell whether *name* is a type in the release."""
         return self._means(self._contexts(origin)[1], name, None)
 
     def _means(self, context: Context, name: str, base: str | None) -> bool:

@@ -49,7 +49,7 @@ def _text(value: str, datatype: str | None, item: dict[str, Any], *, directed: b
 
 
 def too_large(item: dict[str, Any]) -> bool:
-    """Whether a value object is a text for a double, with a number that is beyond all doubles."""
+    """Tell whether a value object is a double whose text is beyond the range of doubles."""
     value = item["@value"]
     if item.get("@type") != _DOUBLE or not isinstance(value, str):
         return False
@@ -57,7 +57,7 @@ def too_large(item: dict[str, Any]) -> bool:
 
 
 def malformed(iri: str) -> bool:
-    """Whether *iri* holds characters that no IRI can hold, or two fragments."""
+    """Tell whether *iri* holds characters that no IRI can hold, or two fragments."""
     return _MALFORMED.search(iri) is not None
 
 

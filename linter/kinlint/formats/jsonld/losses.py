@@ -1,4 +1,4 @@
-"""What an author wrote and RDF would lose, as statements to be made in the source layer."""
+"""Losses of JSON-LD: what an author wrote and RDF would drop, for the source layer."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from kinlint.text import Span
 from kinlint.vocabulary import KL
 
 _MANNERS = frozenset({"NestedNode", "RepeatedValue"})
-"""What is only a way to write: nothing of the node is lost."""
+"""Kinds that concern the writing only: nothing of the node is lost."""
 
 _FALLEN = frozenset({Reach.DOCUMENT_BASE, Reach.NOWHERE})
 
 
 class Detail(NamedTuple):
-    """One more thing said about a loss: a name in the source vocabulary, and a term."""
+    """A further property of a loss: a name in the source vocabulary, and a term."""
 
     name: str
     value: Term
@@ -39,7 +39,7 @@ class Loss:
 
     @property
     def relation(self) -> str:
-        """How it is related to its node: rules excuse a node of which something is lost."""
+        """Name of its relation to the node: rules excuse a node of which something is lost."""
         return "subject" if self.kind in _MANNERS else "node"
 
     def with_details(self, details: Iterable[Detail]) -> Loss:

@@ -1,4 +1,4 @@
-"""What expansion leaves behind: values of plain JSON types that remember their origin."""
+"""Marked values: what expansion leaves, as plain JSON types that remember their origin."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from kinlint.text import Span
 
 
 class Reach(Enum):
-    """How a string became an IRI."""
+    """The step by which a string became an IRI."""
 
     TERM = auto()
     """A context maps it as a whole."""
@@ -37,10 +37,10 @@ RELATIVE = frozenset({Reach.DOCUMENT_BASE, Reach.AUTHORS_BASE, Reach.NOWHERE})
 
 
 class Resolution(NamedTuple):
-    """What a string means under an active context.
+    """The meaning of a string under an active context.
 
-    `blind` tells that a context in force could not be read, so that nobody can know. `terms` are
-    those of the context where the string is none of them and was to be one.
+    `blind` says that a context in force could not be read, so that the meaning is unknown. `terms`
+    are those of the context, where the string should have been one of them.
     """
 
     iri: str | None
@@ -62,7 +62,7 @@ class Iri(str):
 
     @property
     def span(self) -> Span:
-        """Where it was written."""
+        """Return the span of its token."""
         return self.token.span
 
 
@@ -82,7 +82,7 @@ class Origin:
         self.naming: Key | None = None
         """Its key that means `@id`."""
         self.identifier: str | None = None
-        """What its `@id` expands to, kept for objects of which nothing is stated."""
+        """The expansion of its `@id`, kept for objects of which nothing is stated."""
         self.content: Key | None = None
         """Its key that means `@value`, `@list` or `@set`."""
 
@@ -127,6 +127,6 @@ class ExpandedArray(list[Any]):
 
 
 def value_span(prop: str | None) -> Span | None:
-    """Where the value of a member stands, given its key or the IRI that its key expanded to."""
+    """Return the span of a member's value, given its key or the IRI that its key expanded to."""
     token = prop.token if isinstance(prop, Iri) else prop
     return token.value_span if isinstance(token, Key) else None

@@ -1,4 +1,4 @@
-"""What the contexts of one file leave for the next: documents found, and contexts processed."""
+"""Cache of contexts between files: documents found, and contexts processed."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Memory:
         self._known[id(initial)] = (initial, None)
 
     def key(self, active: Context, entry: Any) -> tuple[Hashable, ...] | None:
-        """What *entry* on top of *active* is remembered by; None if it depends on a file."""
+        """Return the cache key of *entry* on top of *active*; None if it depends on a file."""
         if id(active) not in self._ids:
             return None
         if isinstance(entry, str):

@@ -24,7 +24,7 @@ from kinlint.formats.jsonld.record import Record
 from kinlint.text import Span
 
 _Bases: TypeAlias = tuple[Any, str]
-"""What relative IRIs are resolved against, if they are, and the base of the document."""
+"""The base that relative IRIs are resolved against, if any, and the base of the document."""
 _KEYWORDS = frozenset(KEYWORDS)
 _CONTENT = frozenset({"@value", "@list", "@set"})
 _LIKE_KEYWORD = re.compile(KEYWORD_PATTERN)
@@ -174,7 +174,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         return result
 
     def _taker(self, active_ctx: Context, active_property: Any) -> Callable[[Any], None] | None:
-        """Who takes the elements of an array instead of the result: `on_node`, at the top."""
+        """Return the receiver of array elements, `on_node` for the top-level graph; else None."""
         if self.on_node is None or len(self.trail) != 1 or active_property is None:
             return None
         graph = self._expand_iri(active_ctx, active_property, vocab=True) == "@graph"
@@ -246,7 +246,7 @@ def _element_span(array: list[Any], index: int) -> Any:
 
 
 def _reach(context: Context, value: str, iri: Any, bases: _Bases, *, vocab: bool) -> Reach:
-    """By which of its steps IRI expansion (JSON-LD 1.1 API, 5.2) came to *iri*."""
+    """Return the step of IRI expansion (JSON-LD 1.1 API, 5.2) that gave *iri*."""
     if vocab and value in context["mappings"]:
         return Reach.TERM
     return _reach_of_compact(context, value) or _reach_of_relative(

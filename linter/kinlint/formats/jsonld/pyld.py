@@ -10,7 +10,7 @@ from types import ModuleType
 from typing import Any
 
 UNUSED = ("asyncio", "lxml.html")
-"""What PyLD imports as a whole and kinlint has no use for; it takes longer than PyLD itself."""
+"""Modules that PyLD imports and kinlint does not use; they load more slowly than PyLD itself."""
 
 
 class Postponed(ModuleType):

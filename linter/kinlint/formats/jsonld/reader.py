@@ -30,7 +30,7 @@ _RECURSION = 20_000
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
-    """What a JSON-LD file states, and what it fails to.
+    """Read a JSON-LD file with its losses.
 
     Raises SourceError when it is no JSON, or breaks the rules of JSON-LD outside of a context.
     """
@@ -90,7 +90,7 @@ def _state(triples: Triples, processor: Processor, parsed: Parsed, source: Sourc
 
 
 def _blamed(fault: BaseException, processor: Processor, parsed: Parsed) -> int:
-    """Where the value stands that PyLD complains of, or the object it was at."""
+    """Return the offset of the value that PyLD refuses, or of the object it was at."""
     details = getattr(fault, "details", None) or {}
     start = getattr(details.get("value"), "start", None)
     if start is None:

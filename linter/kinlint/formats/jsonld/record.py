@@ -1,4 +1,4 @@
-"""What a processor notes while it expands: keys dropped, contexts used, missing and broken."""
+"""The record of an expansion: keys dropped, contexts used, missing and broken."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Record:
     unprefixed: dict[int, Text] = field(default_factory=dict)
 
     def drop(self, key: Text, origin: Origin, resolution: Resolution) -> None:
-        """*key* in *origin* means nothing, as *resolution* says."""
+        """Note that *key* in *origin* means nothing, as *resolution* says."""
         self.drops.setdefault(key.start, Drop(key, origin, resolution))
 
     def reserve(self, value: Text, origin: Origin) -> None:

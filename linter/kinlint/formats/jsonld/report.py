@@ -17,11 +17,11 @@ from kinlint.text import Span
 from kinlint.vocabulary import METAMODELS
 
 LOOKED_UP = 1_000
-"""How many lost words are compared with the terms of their contexts."""
+"""Number of lost words that are compared with the terms of their contexts."""
 
 
 class Comparison:
-    """What the lost words of a file might have meant: here, and under other releases."""
+    """Comparison of lost words with the terms of their contexts, and of other releases."""
 
     def __init__(self, options: ReadOptions) -> None:
         self._options = options
@@ -30,7 +30,7 @@ class Comparison:
 
     @property
     def looked_up(self) -> int:
-        """How many words have been compared with the terms of their contexts."""
+        """Return the number of words compared so far."""
         return len(self._near)
 
     def others(self, *, named: bool) -> list[OtherRelease]:
@@ -158,7 +158,7 @@ def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
 
 
 def state_uses(layer: SourceLayer, uses: Iterable[tuple[Span, str]], release: str) -> None:
-    """Which context documents the file names where; those of ours are read under *release*."""
+    """State which contexts the file uses, and where; metamodel contexts are of *release*."""
     for span, name in sorted(uses):
         version = literal(release) if name.startswith(METAMODELS) else None
         details = (("context", literal(name)), ("release", version))
@@ -166,14 +166,14 @@ def state_uses(layer: SourceLayer, uses: Iterable[tuple[Span, str]], release: st
 
 
 def state_losses(layer: SourceLayer, losses: Iterable[Loss]) -> None:
-    """What the file loses, in this order."""
+    """State the losses of the file, in this order."""
     for loss in losses:
         details = [(detail.name, detail.value) for detail in loss.details]
         layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
 
 
 def place(loss: Loss) -> tuple[int, int, str]:
-    """What losses are ordered by."""
+    """Return the sort key of losses."""
     return (*loss.span, loss.kind)
 
 

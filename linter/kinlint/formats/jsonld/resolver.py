@@ -14,7 +14,7 @@ _NULL = object()
 
 
 class Resolved:
-    """One context that takes part; `missing` tells why it is not what was asked for."""
+    """A context that takes part; `missing` says why it is not the requested one."""
 
     def __init__(self, document: Any, missing: str | None = None) -> None:
         self.document = document

@@ -1,4 +1,4 @@
-"""Who is told how things are written, on their way into the graph."""
+"""The observer of how things are written, on their way into the graph."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Slot(NamedTuple):
 
 
 class Watch(Protocol):
-    """Who is told about IRIs, and how nodes and values are written, on the way into the graph."""
+    """Observer of IRIs, and of how nodes and values are written, on the way into the graph."""
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
         """*written* names a node, a property, a datatype or a value."""

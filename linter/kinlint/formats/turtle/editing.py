@@ -70,7 +70,7 @@ class Editor:
 
     @cached_property
     def _spans(self) -> Mapping[Triple, list[Span]]:
-        """Where the object of each triple is written; nothing where that is not known exactly."""
+        """Return the spans of the object of each triple; empty where they are not known exactly."""
         source = self._document.source
         grammar = Grammar(source.text, self._base, BlankNodes(source.name))
         try:
@@ -84,7 +84,10 @@ class Editor:
         return found if all(triple in stated for triple in found) else {}
 
     def _written(self, term: Term, old: str, predicate: Term) -> str:
-        """*term* in Turtle, in quotes like those of *old*; a number if that has a datatype."""
+        """Return *term* in Turtle, in quotes like those of *old*.
+
+        A number if that has a datatype.
+        """
         if is_iri(term):
             return self._name(iri_value(term))
         if is_blank(term):
@@ -105,7 +108,7 @@ class Editor:
         return f"{quote}{text}{quote}{tail}"
 
     def _name(self, iri: str) -> str:
-        """*iri* with the longest prefix of the file that abbreviates it."""
+        """Return *iri* with the longest prefix of the file that abbreviates it."""
         prefixes = self._document.prefixes.items()
         for prefix, namespace in sorted(prefixes, key=lambda each: -len(each[1])):
             local = iri[len(namespace) :]

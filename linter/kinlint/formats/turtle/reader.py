@@ -20,7 +20,7 @@ from kinlint.text import SourceText, Span
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
-    """What a Turtle file states.
+    """Read a Turtle file.
 
     Raises SourceError with line and column when it is no Turtle.
     """

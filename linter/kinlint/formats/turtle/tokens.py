@@ -44,7 +44,7 @@ class Token(NamedTuple):
 
     @property
     def span(self) -> Span:
-        """Where it stands."""
+        """Return the span of the token."""
         return Span(self.start, self.end)
 
 

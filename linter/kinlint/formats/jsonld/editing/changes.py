@@ -23,11 +23,10 @@ class _Touched:
 
 @dataclass
 class Changes:
-    """What is to become of a text.
+    """Changes of a JSON text.
 
-    A value is replaced by its new JSON. Of the children of a container some go and some come. A
-    container that loses all its children goes too, save one in `lasting`. `cut` are the ranges
-    that are no more.
+    A value is replaced by its new JSON. Children of a container are removed and added. A container
+    that loses all its children goes too, save one in `lasting`. `cut` are the removed ranges.
     """
 
     text: str
@@ -118,6 +117,6 @@ def _joined(edits: list[Edit]) -> list[Edit]:
 
 
 def _order(edit: Edit) -> tuple[int, bool, int]:
-    """By place; at one place insertions come first, then the longest."""
+    """Return the sort key: by place; at one place insertions first, then the longest."""
     start, end = edit.span
     return start, end > start, -end

@@ -122,14 +122,14 @@ class Compaction:
         return None
 
     def _is_map(self, scope: Scope, key: str) -> bool:
-        """Whether objects under *key* are maps."""
+        """Tell whether objects under *key* are maps."""
         container = self._processor.get_context_value(scope.keys, key, "@container") or ()
         return not _MAPS.isdisjoint(container)
 
     def says(
         self, scope: Scope, key: str, prop: str, value: Any, agrees: Callable[[Item], bool]
     ) -> bool:
-        """Whether *value* under *key* means what *agrees* tells, and that alone."""
+        """Tell whether *value* under *key* expands to one item that *agrees* accepts."""
         try:
             expanded = self._expanded(scope, key, prop, value)
         except FAULTS:
@@ -150,12 +150,12 @@ class Compaction:
         return written if "@list" in container else {self.keyword(scope.keys, "@list"): written}
 
     def _expanded(self, scope: Scope, key: str, prop: str, value: Any) -> list[Any]:
-        """What `{key: value}` says about *prop* at an object of *scope*."""
+        """Return the values of *prop* that `{key: value}` expands to at an object of *scope*."""
         values = self.meaning(scope, key, value).get(prop, [])
         return values if isinstance(values, list) else [values]
 
     def meaning(self, scope: Scope, key: str, value: Any) -> dict[str, Any]:
-        """What `{key: value}` expands to at an object of *scope*."""
+        """Expand `{key: value}` at an object of *scope*."""
         processor = self._processor
         found: dict[str, Any] = {}
         processor.trail.append(Origin(Object(0), None, None))
@@ -177,7 +177,7 @@ class Compaction:
         return self._prefixed(scope, prop) if key == prop else key
 
     def holds_nodes(self, scope: Scope, key: str) -> bool:
-        """Whether an object under *key* is a node to which the property points."""
+        """Tell whether an object under *key* is a node to which the property points."""
         mapping = scope.keys["mappings"].get(key) or {}
         if mapping.get("reverse") or mapping.get("@nest") or mapping.get("@type") == "@json":
             return False

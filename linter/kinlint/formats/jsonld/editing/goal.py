@@ -1,4 +1,4 @@
-"""What a text is to say, and what of it some change does already."""
+"""The triples a text is to state, and those that some edit makes already."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ class Goal:
                 index.setdefault(triple[0], []).append(triple)
 
     def new(self, node: Term) -> list[Triple]:
-        """What is to be said of *node*."""
+        """Return the triples to add about *node*."""
         return self._new.get(node, [])
 
     def old(self, node: Term) -> list[Triple]:
-        """What is no longer to be said of *node*."""
+        """Return the triples to remove about *node*."""
         return self._old.get(node, [])
 
     def node(self, term: Term) -> Term:
@@ -50,7 +50,7 @@ class Goal:
         return self.renamed.get(term, term)
 
     def is_list(self, term: Term) -> bool:
-        """Whether *term* is a list that is new, or empty."""
+        """Tell whether *term* is a list that is new, or empty."""
         return term == NIL or any(prop in LINKS for _, prop, _ in self.new(term))
 
     def sequence(self, head: Term) -> list[tuple[Term, Term]]:

@@ -70,7 +70,7 @@ class Layout:
         return edits
 
     def _heir(self, held: list[Child], gone: set[int], piece: Piece) -> int | None:
-        """Which of the children that go *piece* takes the place of; elements keep their order."""
+        """Return the removed child whose place *piece* takes; elements keep their order."""
         if piece.key is None:
             return next(
                 (number for number in (piece.after, piece.after + 1) if number in gone), None
@@ -79,7 +79,7 @@ class Layout:
         return next(alike, min(gone, default=None))
 
     def _alike(self, old: Child, piece: Piece) -> bool:
-        """Whether *piece* has the key or the value of *old*."""
+        """Tell whether *piece* has the key or the value of *old*."""
         same = self.text[old.value.start : old.value.end] == self.style.flat(piece.value)
         return same or old.key == piece.key
 
@@ -151,14 +151,14 @@ class Layout:
         )
 
     def _has_flat(self, array: Array) -> bool:
-        """Whether some object of *array* is written on one line."""
+        """Tell whether some object of *array* is written on one line."""
         near = (element for element in array[:_SIBLINGS] if isinstance(element, Object))
         return any(not _LINE_END.search(self.text, *element.span) for element in near if element)
 
     def _joint(
         self, container: Object | Array, held: list[Child], neighbour: int, *, first: bool
     ) -> str:
-        """What stands between two children, the first of them *neighbour*."""
+        """Return the text between two children, the first of them *neighbour*."""
         if neighbour + 1 < len(held):
             return self.text[held[neighbour].whole.end : held[neighbour + 1].whole.start]
         if neighbour and not first:
@@ -167,7 +167,7 @@ class Layout:
         return f",{lead}" if _LINE_END.search(lead) else self.style.comma
 
     def _same_line(self, held: list[Child], text: str) -> str | None:
-        """What joins elements on one line, if the array has such and the last has room."""
+        """Return the separator of elements on one line, if there are any and room for one more."""
         for one, other in pairwise(held):
             between = self.text[one.whole.end : other.whole.start]
             if not _LINE_END.search(between):

@@ -67,7 +67,7 @@ def _natives(text: str, datatype: str, spellings: Collection[str]) -> list[Item]
 
 
 def spelled(text: str, spellings: Collection[str]) -> str | None:
-    """How to write a number in JSON whose lexical form is *text*; None if JSON has no such."""
+    """Return the JSON spelling of a number whose lexical form is *text*; None if JSON has none."""
     try:
         value = float(text)
     except ValueError:
@@ -80,7 +80,10 @@ def spelled(text: str, spellings: Collection[str]) -> str | None:
 
 
 def says(item: Item, term: Term) -> bool:
-    """Whether the expanded value *item* is the literal *term*; numbers count by their value."""
+    """Tell whether the expanded value *item* is the literal *term*.
+
+    Numbers are compared by value.
+    """
     found = value_literal(item)
     if found == term:
         return True

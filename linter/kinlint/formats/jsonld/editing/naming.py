@@ -53,7 +53,7 @@ def _pairs(plan: Plan) -> list[tuple[Term, Term]]:
 
 
 def _likeness(plan: Plan, old: Term, new: Term) -> int:
-    """How much of what is said of *old* is to be said of *new*; 0 if less than half."""
+    """Count the statements that *old* has and *new* is to have; 0 if they are less than half."""
     said = {(prop, _self(value, old)) for _, prop, value in plan.places.by_subject.get(old, ())}
     now = {(prop, _self(value, new)) for _, prop, value in plan.new(new)}
     alike = len(said & now)

@@ -1,4 +1,4 @@
-"""What is said of the text itself: keys and names that are lost, and the contexts it names."""
+"""Edits of what the source layer states: keys and names that are lost, and contexts in use."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
 
 
 def _spare(plan: Plan, holder: Object, key: Key) -> None:
-    """What a member says that is written once more in the same object is still said without it."""
+    """Mark what a repeated member states as kept when one of its copies goes."""
     members = [*holder.items(), *(holder.overwritten or ())]
     value = next(value for token, value in members if token is key)
     if any(token == key and token is not key and other == value for token, other in members):

@@ -1,4 +1,4 @@
-"""Where in an object a new key belongs: where objects beside it have it."""
+"""Order of keys: a new key goes where sibling objects have it."""
 
 from __future__ import annotations
 

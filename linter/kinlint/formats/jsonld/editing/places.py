@@ -1,4 +1,4 @@
-"""Where each triple of a text is written, and under which key of which object."""
+"""Places of triples in a JSON-LD text: the object and the key of each."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class Places:
         return triples[bisect_left(starts, span.start) : bisect_left(starts, span.end)]
 
     def spans(self, triple: Triple) -> list[Span]:
-        """Where the value of *triple* is written."""
+        """Return the spans of the value of *triple*."""
         tracks = self.trace.tracks
         if triple not in tracks.spans:
             return []
@@ -112,7 +112,7 @@ class Places:
         return self.trace.processor.scopes.get(id(element))
 
     def meaning(self, element: Object, key: str) -> str | None:
-        """What *key* of *element* expands to."""
+        """Return the IRI that *key* of *element* expands to."""
         scope = self.scope(element)
         if scope is None:
             return None
@@ -120,7 +120,7 @@ class Places:
         return found if isinstance(found, str) else None
 
     def is_reverse(self, element: Object, key: str) -> bool:
-        """Whether the values under *key* point to *element* and not away from it."""
+        """Tell whether *key* of *element* is a reverse property."""
         scope = self.scope(element)
         mapping = scope.keys["mappings"].get(str(key)) if scope else None
         return bool(mapping and mapping["reverse"])
@@ -163,7 +163,7 @@ class Places:
         return Place(owner, seat.at, item) if fits and self._describes(owner, triple[0]) else None
 
     def _describes(self, owner: Object, node: Term) -> bool:
-        """Whether *owner* is an object of *node*, or nested in one without being a node."""
+        """Tell whether *owner* is an object of *node*, or nested in one without being a node."""
         while (subject := self.subject(owner)) is None:
             seat = self.tree.seat(owner)
             if seat is None or not isinstance(seat.holder, Object):

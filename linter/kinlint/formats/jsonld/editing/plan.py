@@ -1,4 +1,4 @@
-"""One delta on its way into the text: the changes, and where they are made."""
+"""The plan of one delta: its changes of the text, and the places where they are made."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Plan(Goal):
         self._scopes: dict[int, Scope] = {}
 
     def places_of(self, triple: Triple) -> Iterator[Place]:
-        """Where *triple* is written, save in what goes anyway.
+        """Yield the places of *triple*, except in text that is removed anyway.
 
         Raises Unsayable where it is not the value of a key.
         """
@@ -46,11 +46,11 @@ class Plan(Goal):
             yield place
 
     def is_cut(self, span: Span) -> bool:
-        """Whether what stands at *span* goes."""
+        """Tell whether the text at *span* is removed."""
         return span in self.changes.cut
 
     def goes(self, triple: Triple) -> bool:
-        """Whether all places of *triple* go anyway."""
+        """Tell whether all places of *triple* are removed anyway."""
         return all(map(self.is_cut, self.places.spans(triple)))
 
     def scope(self, element: Object) -> Scope:

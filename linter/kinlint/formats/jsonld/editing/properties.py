@@ -67,7 +67,7 @@ class _Node:
             self.plan.changes.insert(owner, Piece(value, key, after))
 
     def _replaced(self, place: Place, heir: Triple) -> bool:
-        """Whether the value at *place* can give way to that of *heir* where it stands."""
+        """Replace the value at *place* by that of *heir* and tell whether that was possible."""
         plan, old = self.plan, place.item.value
         prop, scope = iri_value(heir[1]), plan.scope(place.owner)
         content = self._content(old)
@@ -117,7 +117,7 @@ class _Node:
         return Seat(owner, key).number in self.plan.changes.gone(owner)
 
     def _joined(self, owner: Object, key: Key, value: Any) -> bool:
-        """Whether *value* finds room beside those under *key*."""
+        """Add *value* to those under *key* and tell whether that was possible."""
         plan, old = self.plan, owner[key]
         span = key.value_span
         if isinstance(old, Object):

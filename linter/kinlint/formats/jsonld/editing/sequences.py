@@ -75,7 +75,7 @@ def _change(plan: Plan, head: Triple) -> None:
 
 
 def _successor(plan: Plan, head: Triple) -> Term | None:
-    """Where the list begins after the delta; None if there is none."""
+    """Return the first cell of the list after the delta; None if there is none."""
     if head not in plan.removed:
         return head[2]
     values = [value for _, prop, value in plan.new(head[0]) if prop == head[1]]
@@ -97,7 +97,7 @@ def _cells(plan: Plan, head: Term) -> list[tuple[Term, Term]]:
 
 
 class _List:
-    """One list of the text."""
+    """A list of the text."""
 
     def __init__(self, plan: Plan, place: Place, prop: str) -> None:
         self.plan = plan

@@ -1,4 +1,4 @@
-"""How a JSON text is laid out, and new values in the same manner."""
+"""Layout style of a JSON text, applied to new values."""
 
 from __future__ import annotations
 
@@ -55,9 +55,10 @@ class Style:
     ascii: bool
 
     def written(self, value: Any, indent: str, *, flat: bool | None = None, used: int = 0) -> str:
-        """*value* as JSON, at a line indented by *indent* of which *used* characters are taken.
+        """Return *value* as JSON at a line indented by *indent*.
 
-        *flat* keeps an object on one line, or spreads it; by default the file's manner decides.
+        *used* is the number of characters taken on the line. *flat* keeps an object on one line, or
+        spreads it; by default the style of the file decides.
         """
         line = self.flat(value)
         if isinstance(value, (dict, list)) and value and self.newline:
@@ -77,7 +78,7 @@ class Style:
         return self.text(value)
 
     def bracketed(self, opening: str, texts: Sequence[str], closing: str) -> str:
-        """*texts* with commas, in brackets, on one line."""
+        """Return *texts* with commas, in brackets, on one line."""
         pad = self.object_pad if opening == "{" else self.array_pad
         return (
             f"{opening}{pad}{self.comma.join(texts)}{pad}{closing}" if texts else opening + closing

@@ -19,14 +19,14 @@ class Child(NamedTuple):
 
 
 class Seat(NamedTuple):
-    """Where a value stands: in an object under a key, or in an array at an index."""
+    """The position of a value: in an object under a key, or in an array at an index."""
 
     holder: Object | Array
     at: Key | int
 
     @property
     def value(self) -> Any:
-        """What stands there."""
+        """Return the value at this position."""
         return self.holder[self.at]  # type: ignore[index]
 
     @property
@@ -39,7 +39,7 @@ class Seat(NamedTuple):
 
     @property
     def number(self) -> int:
-        """Which child of its holder it is, in the order of the text."""
+        """Return the index among the children of its holder, in the order of the text."""
         if isinstance(self.at, int):
             return self.at
         starts = [child.whole.start for child in children(self.holder)]
@@ -54,7 +54,7 @@ class TextTree:
         self._seats: dict[int, Seat] = {}
 
     def seat(self, container: Object | Array) -> Seat | None:
-        """Where *container* stands; None if it is the root."""
+        """Return the position of *container*; None if it is the root."""
         if container is self.root:
             return None
         if id(container) not in self._seats:
@@ -91,7 +91,7 @@ class TextTree:
 
 
 def children(container: Object | Array) -> list[Child]:
-    """What *container* holds, in the order of the text, members that are overwritten too."""
+    """Return the children of *container* in the order of the text, overwritten members too."""
     if isinstance(container, Array):
         spans = [container.element_span(index) for index in range(len(container))]
         return [Child(span, span) for span in spans]

@@ -86,7 +86,7 @@ class Tracks(Triples):
 
 
 class Trace(NamedTuple):
-    """What a text says, and how: its JSON, the processor that expanded it, and the triples."""
+    """A traced reading of a text: its JSON, the processor that expanded it, and the triples."""
 
     parsed: Parsed
     processor: Tracing
@@ -95,7 +95,7 @@ class Trace(NamedTuple):
 
 
 def trace(source: SourceText, options: ReadOptions) -> Trace:
-    """What *source* says, with the blank nodes named as the reader names them.
+    """Read *source* with a trace, naming blank nodes as the reader does.
 
     Raises what the reader raises; a text that was read raises nothing.
     """

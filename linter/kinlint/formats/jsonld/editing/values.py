@@ -79,7 +79,7 @@ class Values:
         return member.value
 
     def _is_node(self, term: Term) -> bool:
-        """Whether *term* is to be written as an object: it has no name, or no place of its own."""
+        """Tell whether *term* is written as an object: it has no name, or no place of its own."""
         if is_literal(term) or self._goal.is_list(term) or term in self._goal.places.trace.labels:
             return False
         if is_blank(term):
@@ -152,7 +152,7 @@ class Values:
         return iri_value(term) if is_iri(term) else f"_:{self._goal.places.trace.labels[term]}"
 
     def _is(self, term: Term, item: Item) -> bool:
-        """Whether the expanded *item* means *term*."""
+        """Tell whether the expanded *item* means *term*."""
         if is_literal(term):
             return "@value" in item and says(item, term)
         if self._goal.is_list(term):
@@ -166,7 +166,10 @@ class Values:
         return item.get("@id") == self._name(term) and "@value" not in item
 
     def _kept_spellings(self) -> set[str]:
-        """What is written where values go, without quotes: a number that moves keeps it."""
+        """Return the spellings of removed values, without quotes.
+
+        A number that moves keeps its own.
+        """
         if self._spellings is None:
             spans = (
                 span for triple in self._goal.removed for span in self._goal.places.spans(triple)

@@ -14,7 +14,7 @@ from kinlint.text import SourceText, Span
 WITHIN = 2
 """The object and the array in which the elements of the outermost graph stand."""
 NEAR = 8
-"""So many elements before and behind the one in its place are compared with an element."""
+"""Number of neighbours, before and behind, with which an element is compared."""
 
 
 @dataclass

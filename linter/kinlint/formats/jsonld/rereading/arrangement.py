@@ -18,7 +18,7 @@ class Arrangement:
     shifts: Sequence[int]
 
     def end_of(self, number: int) -> int:
-        """Where a part ends."""
+        """Return the end of a part."""
         return self.parts[number].whole.end + self.shifts[number]
 
     def first_to(self, end: int) -> int:
@@ -34,7 +34,7 @@ class Arrangement:
         )
 
     def notes(self) -> Iterator[Notes]:
-        """What is to be said of the parts, at their places now."""
+        """Yield the notes of the parts, moved to their present places."""
         for part, by in zip(self.parts, self.shifts, strict=True):
             if part.notes is not NOTHING:
                 yield part.notes.moved(partial(shifted, by=by)) if by else part.notes

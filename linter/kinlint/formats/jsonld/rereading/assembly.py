@@ -58,7 +58,7 @@ def assembled(source: SourceText, given: Arrangement, stating: Stating, known: N
 
 
 def _first(found: Iterable[Mapping[str, Span]], shifts: Sequence[int]) -> dict[str, Span]:
-    """What is *found* in the parts, each where it comes first."""
+    """Merge what is *found* in the parts, keeping the first place of each name."""
     first: dict[str, Span] = {}
     for places, by in zip(found, shifts, strict=True):
         if not places.keys() <= first.keys():

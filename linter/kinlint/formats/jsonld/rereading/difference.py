@@ -1,4 +1,4 @@
-"""What of a text is another than before."""
+"""The changed range between two versions of a text."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Difference(NamedTuple):
-    """From `start` to `old_end` the old text had something else than the new one to `new_end`."""
+    """A changed range: `start` to `old_end` in the old text, to `new_end` in the new one."""
 
     start: int
     old_end: int
@@ -15,7 +15,7 @@ class Difference(NamedTuple):
 
     @property
     def shift(self) -> int:
-        """How far what follows has moved."""
+        """Return the offset by which the text after it has moved."""
         return self.new_end - self.old_end
 
 
@@ -32,7 +32,7 @@ def difference(old: str, new: str) -> Difference:
 
 
 def _same(most: int, equal: Callable[[int, int], bool]) -> int:
-    """Of how many things the first are *equal*, range by range; at most *most*."""
+    """Return the length of the longest equal prefix, at most *most*, by binary search."""
     low = 0
     while low < most:
         middle = (low + most + 1) // 2

@@ -15,7 +15,7 @@ from kinlint.formats.jsonld.triples import Triples
 
 
 class Noticed(NamedTuple):
-    """What was noticed of a part while it was expanded and stated.
+    """Observations of a part while it was expanded and stated.
 
     Of the contexts that `record` says are used, those that are `known` are named elsewhere.
     """
@@ -36,7 +36,7 @@ class Noticed(NamedTuple):
         yield from (origin.owner for origin in (*strays, *repeated) if origin is not None)
 
     def notes(self, compared: Comparison) -> tuple[Notes, int, int]:
-        """What is to be said, and how many blank nodes had been asked for before two steps."""
+        """Return the notes, and the number of blank nodes asked for before each of two steps."""
         record, watch, order = self.record, self.watch, self.blanks.order
         report = LossReport(record, watch, self.triples, compared)
         others = [*report.types(), *report.dropped()]

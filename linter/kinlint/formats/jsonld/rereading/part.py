@@ -1,4 +1,4 @@
-"""One element of the outermost graph, and what it says."""
+"""One element of the outermost graph, with its statements."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ class Asked(BlankNodes):
 
 @dataclass(frozen=True, slots=True)
 class Notes:
-    """What is to be said of a part in the source layer, once the whole file is known.
+    """Statements of the source layer about a part, pending until the whole file is read.
 
-    `values` are losses by what is written there, which are none if that is among the
-    `identifiers` of the file; `within` are the nodes described in others; `others` are losses
-    that come after both.
+    `values` are losses by the value written there, which are none if it is among the `identifiers`
+    of the file; `within` are the nodes described in others; `others` are losses that come after
+    both.
     """
 
     losses: tuple[Loss, ...] = ()
@@ -103,11 +103,11 @@ NOTHING = Notes()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """What one element says: statements and nodes with their places when it was read.
+    """One element's statements and nodes, with their places when it was read.
 
-    `asked` are its blank nodes in the order in which they were asked for, with their labels in
-    the text if they have some. `steps` are how many were asked for by statements, then by keys
-    without meaning, then by values without effect; the others were asked for by repeated keys.
+    `asked` are its blank nodes in the order in which they were asked for, with their labels in the
+    text if they have some. `steps` are how many were asked for by statements, then by keys without
+    meaning, then by values without effect; the others were asked for by repeated keys.
     """
 
     whole: Span

@@ -1,4 +1,4 @@
-"""Where the statements and nodes of a file stand, found when it is asked for."""
+"""Places of the statements and nodes of a file, computed on demand."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ASIDE = -1
 
 
 def numbered(groups: Sequence[Collection[T]]) -> dict[T, int]:
-    """All that is in *groups* in the order of first occurrence, with the group where that is."""
+    """Map each item in *groups*, in the order of first occurrence, to the number of its group."""
     found: dict[T, int] = {}
     size = 0
     for number, group in enumerate(groups):
@@ -56,7 +56,7 @@ class Nodes(Mapping[Term, NodeSpans]):
         return self.described(node) if own is None else own
 
     def described(self, node: Term) -> NodeSpans:
-        """Where a part describes *node* first; KeyError if it is no node."""
+        """Return the spans of the first description of *node*; KeyError if it is no node."""
         number = self._numbers[node]
         whole, identifier = spans = self._parts[number].nodes[node]
         by = self._shifts[number]

@@ -35,7 +35,7 @@ class PartedProcessor(Processor):
 
     @property
     def contexts(self) -> int:
-        """How many active contexts are remembered."""
+        """Return the number of active contexts in the cache."""
         return len(self._kept)
 
     def expand(self, element: Object) -> list[Any]:

@@ -62,7 +62,7 @@ class Reading:
 
 
 def begin(source: SourceText, options: ReadOptions) -> Reading:
-    """What *source* says, part by part.
+    """Read *source* part by part.
 
     Raises Indivisible if it cannot be read like that, perhaps not at all; SourceError if it is no
     JSON.
@@ -84,7 +84,7 @@ def begin(source: SourceText, options: ReadOptions) -> Reading:
 
 
 def again(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
-    """What *source* says, given that its text is almost that of *before*.
+    """Read *source*, whose text is almost that of *before*.
 
     Raises Indivisible if that does not help, SourceError if *source* is no JSON.
     """
@@ -114,7 +114,7 @@ def again(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
 
 
 def _part(old: Division, element: Element | int, rest: int) -> Part:
-    """What an element says that was parsed now, or that is one of *old*.
+    """Return the part of an element that was parsed now, or that is one of *old*.
 
     None is there twice: one that is among the *rest* as well gets a twin.
     """

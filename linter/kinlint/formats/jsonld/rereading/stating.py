@@ -22,7 +22,7 @@ from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
 from kinlint.text import Span
 
 MANY, CONTEXTS = 5_000, 500
-"""How many parts are read again, and how many contexts are known, before all is read anew."""
+"""Number of parts read again, and of contexts cached, at which everything is read anew."""
 
 
 class Stating:
@@ -46,7 +46,7 @@ class Stating:
 
     @property
     def worn(self) -> bool:
-        """Whether so much was read that what is remembered of it had better be forgotten."""
+        """Tell whether so much was read that the caches should be dropped."""
         return self._processor.contexts > CONTEXTS or self._count > len(self.parts) + MANY
 
     @property
@@ -56,13 +56,13 @@ class Stating:
 
     @property
     def place(self) -> Span:
-        """Where the elements of the outermost graph stand, with their brackets."""
+        """Return the span of the elements of the outermost graph, with their brackets."""
         return self._processor.place
 
     def hull(self, parsed: Parsed) -> Part:
-        """What the file says beside its parts, which are stated on the way.
+        """Read what the file states beside its parts, stating the parts on the way.
 
-        Raises Indivisible if that is not all it says, and what expansion raises.
+        Raises Indivisible if that is not all of it, and what expansion raises.
         """
         if not isinstance(parsed.value, Object) or parsed.value.overwritten is not None:
             raise Indivisible
@@ -84,7 +84,7 @@ class Stating:
         return part
 
     def part(self, element: Object, repeats: Collection[Object]) -> Part:
-        """What *element* says in the outermost graph; in it, *repeats* have repeated keys.
+        """Read *element* of the outermost graph; *repeats* are its objects with repeated keys.
 
         Raises Indivisible if it is entangled with others, and what expansion raises.
         """
@@ -124,7 +124,7 @@ class Stating:
     def _part(
         self, whole: Span, nodes: list[Any], repeats: Collection[Object], known: Collection[int]
     ) -> Part:
-        """What expanded *nodes* say; the contexts at *known* are named elsewhere."""
+        """Make a part of expanded *nodes*; the contexts at *known* are named elsewhere."""
         if not all(isinstance(node, Expanded) for node in nodes):
             raise Indivisible
         processor, blanks, watch = self._processor, Asked(), LossWatch()
