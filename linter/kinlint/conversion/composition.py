@@ -12,6 +12,7 @@ from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, no
 from kinlint.conversion.published import contexts_of
 from kinlint.document import Document
 from kinlint.engine.lifting import lift
+from kinlint.engine.provenance import Provenance
 from kinlint.engine.store import Store
 from kinlint.errors import UsageError
 from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
@@ -56,7 +57,8 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     }
     _distinct(statements, names)
     made = list(nodes(statements, Order(statements, documents), names))
-    return Composition(made, contexts_of(_terms(made)), _prefixes(names), losses(documents, lifted))
+    left_out = losses(documents, lifted, Provenance(store))
+    return Composition(made, contexts_of(_terms(made)), _prefixes(names), left_out)
 
 
 def robot(document: Document) -> str:

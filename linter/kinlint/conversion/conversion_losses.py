@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.conversion.coverage import Coverage, coverage
 from kinlint.document import FROM, Document
+from kinlint.engine.provenance import Provenance
 from kinlint.terms import (
-    RDF,
+    NUMERIC,
     RDF_TYPE,
     Term,
     Triple,
     iri,
-    is_blank,
     literal_datatype,
-    literal_value,
 )
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, SRC
 
 Path = tuple[str, ...]
 
 ORDER = iri(f"{SRC}order")
-FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 FAULTS = {
     f"<{SRC}MalformedValue>": "malformed values",
     f"<{SRC}MalformedText>": "places that are not well-formed",
@@ -31,6 +30,7 @@ FAULTS = {
     f"<{SRC}CircularInclude>": "files that include themselves",
     f"<{SRC}Unexpanded>": "places that xacro would have to expand",
 }
+COMPONENT = re.compile(r"-\d+$")
 FAULTY = "kinlint check tells where"
 FOREIGN = "the format has no such thing here"
 REPEATED = "the first of several counts"
@@ -49,50 +49,38 @@ class Loss:
         return f"{self.count} {self.what}: {self.why}"
 
 
-def losses(documents: Iterable[Document], lifted: Iterable[Triple]) -> list[Loss]:
+def losses(
+    documents: Iterable[Document], lifted: Iterable[Triple], provenance: Provenance
+) -> list[Loss]:
     """Return what is in *documents* and not in what was *lifted* from them, by kind."""
-    made = _numbers(lifted)
+    read: dict[Term, set[str]] = {o: set() for _, p, o in lifted if p == FROM}
+    for element, property_ in provenance.all_read():
+        read.setdefault(element, set()).add(_attribute(property_))
     counted: Counter[tuple[str, str]] = Counter()
     for document in documents:
-        counted.update(_Contents(document, made).lost())
+        counted.update(_Contents(document, read).lost())
     return [Loss(what, count, why) for (what, why), count in sorted(counted.items())]
 
 
-def _numbers(lifted: Iterable[Triple]) -> Mapping[Term, set[float]]:
-    """The numbers of what comes from each element."""
-    origins: dict[Term, list[Term]] = {}
-    said: dict[Term, list[Term]] = {}
-    for s, p, o in lifted:
-        if p == FROM:
-            origins.setdefault(s, []).append(o)
-        elif p != RDF_TYPE and (p in (FIRST, REST) or is_blank(o) or o[0] == '"'):
-            said.setdefault(s, []).append(o)
-    found: dict[Term, set[float]] = {}
-    for node, elements in origins.items():
-        pending, numbers = [node], set()
-        while pending:
-            for value in said.get(pending.pop(), ()):
-                if is_blank(value):
-                    pending.append(value)
-                elif (number := _number(value)) is not None:
-                    numbers.add(number)
-        for element in elements:
-            found.setdefault(element, set()).update(numbers)
-    return found
+def _attribute(property_: Term) -> str:
+    """Return the name of the attribute that has *property_*, or a component of it."""
+    return COMPONENT.sub("", property_.rpartition("#")[2][:-1])
 
 
-def _number(term: Term) -> float | None:
-    numeric = term[0] == '"' and literal_datatype(term).endswith(("double", "integer", "decimal"))
-    return float(literal_value(term)) if numeric else None
+def _is_number(term: Term) -> bool:
+    return term[0] == '"' and literal_datatype(term) in NUMERIC
 
 
 class _Contents:
-    """The elements of one document below each other, with their attributes."""
+    """The elements of one document below each other, with their attributes.
 
-    def __init__(self, document: Document, made: Mapping[Term, set[float]]) -> None:
+    *read* are the elements that something is lifted from, each with the attributes that enter it.
+    """
+
+    def __init__(self, document: Document, read: Mapping[Term, set[str]]) -> None:
         form = document.format.lifted_as
         self.known: Coverage = coverage(form)
-        self.made = made
+        self.read = read
         self.root = document.graph
         self.below: dict[Term, list[tuple[str, Term]]] = {}
         self.attributes: dict[Term, list[tuple[str, Term]]] = {}
@@ -128,27 +116,25 @@ class _Contents:
         reason = self.known.reason(path)
         if not self.known.lifts(path):
             return reason.why if reason else FOREIGN
-        if element in self.made or (reason is not None and reason.lifted == "yes"):
+        if element in self.read or (reason is not None and reason.lifted == "yes"):
             return None
         if element in self.repeated:
             return REPEATED
-        if any(_number(value) is not None for _, value in self.attributes.get(element, ())):
+        if any(_is_number(value) for _, value in self.attributes.get(element, ())):
             return reason.why if reason else UNUSED
         return None
 
     def _attributes(self, path: Path, element: Term) -> Iterator[tuple[str, str]]:
         """The attributes of *element* that nothing has the values of."""
-        made = self.made.get(element, ())
+        read = self.read.get(element, ())
         told = set()
         for name, value in self.attributes.get(element, ()):
-            stem, _, component = name.rpartition("-")
-            attribute = stem if component.isdecimal() else name
+            attribute = COMPONENT.sub("", name)
             reason = self.known.reason(path, attribute)
             if attribute in told or (reason is not None and reason.lifted == "yes"):
                 continue
-            number = _number(value)
             lifted = self.known.lifts_attribute(path, attribute)
-            if not lifted or (number is not None and number not in made):
+            if not lifted or (_is_number(value) and attribute not in read):
                 told.add(attribute)
                 why = reason.why if reason else UNUSED if lifted else FOREIGN
                 yield f"'{path[-1]}/@{attribute}'", why

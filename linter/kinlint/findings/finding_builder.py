@@ -15,6 +15,7 @@ from kinlint.document import Document
 from kinlint.engine.computed_from import is_fact, items
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import Step, because
+from kinlint.engine.provenance import Provenance
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.duplicates import identity
@@ -71,6 +72,11 @@ class Account:
         for result in results:
             finding = _finding(result, self._locator, rulebook)
             self._told.setdefault(identity(finding), (finding, []))[1].append(result)
+
+    @property
+    def provenance(self) -> Provenance:
+        """The origins of what was lifted in the store."""
+        return self._locator.provenance
 
     def brief(self) -> list[Finding]:
         """One finding for each result, without `related` and `because`; what says the same once."""
@@ -166,9 +172,13 @@ def _related(
 ) -> Iterator[Related]:
     """The other things that a result names, where they are written and described."""
     named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
+    matched = {o[1:]: p for s, p, o in result.constraint.premises if s == "?this"}
+    ways = {term: matched[name] for name, term in named.items() if name in matched}
     terms = [*named.values(), *([result.value] if result.value is not None else ())]
     for term in dict.fromkeys(terms):
         said = locator.triple(result.focus, result.path if is_literal(term) else None, term)
+        if said is None and is_literal(term) and term in ways:
+            said = locator.origin((result.focus, ways[term], term))
         if said is not None and said[0] != location and said[1] != RDF_TYPE:
             yield Related(said[0], f"'{display.term(said[1])}' is given here")
         described = None if is_literal(term) or term == result.focus else locator.node(term)

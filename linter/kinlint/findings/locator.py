@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from operator import itemgetter
-from urllib.parse import unquote
 
 from kinlint.addresses import document_of
 from kinlint.document import FROM, Document, NodeSpans
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.explanation import explain
+from kinlint.engine.provenance import Provenance, Trace
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.blank_node_names import AnonymousNodes
@@ -24,19 +24,15 @@ from kinlint.terms import (
     iri,
     is_blank,
     is_iri,
-    is_literal,
-    literal,
     literal_value,
 )
 from kinlint.text import Location, Span
 from kinlint.vocabulary import QUDT, SRC
 
-ANGLES = ("alpha", "beta", "gamma")
 OWN = iri(f"{SRC}ownNamespace")
-TEXT = iri(f"{SRC}text")
 UNIT = iri(f"{QUDT}unit")
-COMPONENTS = {name: str(1 + i % 3) for i, name in enumerate(("x", "y", "z", *ANGLES))}
-"""Which number of a vector is the value of a property."""
+COMPONENT = re.compile(r"-\d+>$")
+"""How the properties end that have one of several numbers: `at:xyz-1`."""
 
 
 @dataclass(frozen=True)
@@ -110,30 +106,22 @@ class Locator:
             return ()
         return tuple(self.store.values(node, FROM))
 
-    def _written(
-        self, elements: Iterable[Term], predicate: Term, value: Term
-    ) -> tuple[Location, Term] | None:
-        """Where one of *elements*, or one right below, has what *value* was made of, and as what.
+    @cached_property
+    def provenance(self) -> Provenance:
+        """The origins of what was lifted."""
+        return Provenance(self.store)
 
-        Of several places with the same number it is the one that *predicate* is called after.
+    def places(self, trace: Trace) -> list[tuple[Location, Term]]:
+        """Return where what *trace* tells of is written, and as the value of which property.
+
+        What one element says is one place, from the first to the last of its values.
         """
-        asked = [each for element in elements for each in (element, *self._below(element))]
-        for spelled in (value,) if is_literal(value) else _names(value):
-            places = [
-                (_likeness(predicate, each, triple[1]), document.location(span), triple[1])
-                for each in asked
-                for document, triple in self.store.written(each, None, spelled)
-                if (span := document.map.triples.get(triple)) is not None
-            ]
-            if places:
-                _, place, written = max(places, key=itemgetter(0))
-                return place, written
-        return None
-
-    def _below(self, element: Term) -> Iterator[Term]:
-        """The elements right below *element*."""
-        address = f"{element[:-1]}/"
-        return (each for _, each in self.store.said(element) if each.startswith(address))
+        found: dict[tuple[Term, Term], list[tuple[Location, Term]]] = {}
+        for document, triple in trace.written:
+            if (span := document.map.triples.get(triple)) is not None:
+                place = document.location(span), triple[1]
+                found.setdefault((document.graph, triple[0]), []).append(place)
+        return [(_around([place for place, _ in each]), each[0][1]) for each in found.values()]
 
     def triple(
         self, subject: Term, predicate: Term | None, value: Term
@@ -145,9 +133,11 @@ class Locator:
         for document, triple in self.store.written(subject, predicate, value):
             if (span := document.map.triples.get(triple)) is not None:
                 return document.location(span), triple[1]
-        if predicate is not None:
-            return self._written(self.origins(subject), predicate, value)
-        return None
+        return None if predicate is None else self.origin((subject, predicate, value))
+
+    def origin(self, triple: Triple) -> tuple[Location, Term] | None:
+        """Return where a lifted *triple* is written, and as the value of which property."""
+        return next(iter(self.places(self.provenance.trace(triple))), None)
 
     def premise(self, triple: Triple) -> Location | None:
         """Where *triple* is written, or what it was lifted from; a unit that it implies nowhere."""
@@ -176,39 +166,29 @@ class Locator:
         place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
         return place or self.documents[0].location(Span(0, 0))
 
-    def _spot(self, node: Term, attribute: Term) -> Location | None:
-        """Where the value of *attribute* is written, with all its numbers, in the element *node*.
+    def _spot(self, node: Term, property_: Term) -> Location | None:
+        """Return where the values of *property_* that *node* has are written.
 
-        That is the element itself or the one it was lifted from. Where an element has no such
-        attribute, it is the text of its child of that name, or its own.
+        Of an attribute or a text with several numbers that is all of them.
         """
-        name = _local_name(attribute)
-        for element in (node, *self.origins(node)):
-            if (found := self._numbers(element, attribute)) is not None:
+        if document_of(node) not in self.store.documents:
+            return None
+        trace = self.provenance.property(node, property_)
+        spelled = [(triple[0], COMPONENT.sub(">", triple[1])) for _, triple in trace.written]
+        for element, way in ((node, property_), *spelled):
+            if (found := self._numbers(element, way)) is not None:
                 return found
-            children = (
-                each
-                for way, each in self.store.said(element)
-                if is_iri(each) and _local_name(way) == name
-            )
-            for each in (*children, element):
-                if (found := self._numbers(each, TEXT)) is not None:
-                    return found
         return None
 
     def _numbers(self, element: Term, property_: Term) -> Location | None:
-        """From the first to the last of the values that *element* has for *property_*."""
-        stem = f"{property_[:-1]}-"
+        """Return the place from the first to the last value that *element* has for *property_*."""
         found = [
             said[0]
             for way, value in self.store.said(element)
-            if (way == property_ or (way.startswith(stem) and way[len(stem) : -1].isdecimal()))
+            if COMPONENT.sub(">", way) == property_
             and (said := self.triple(element, way, value)) is not None
         ]
-        if not found or any(each.source is not found[0].source for each in found):
-            return None
-        start, end = min(each.span.start for each in found), max(each.span.end for each in found)
-        return replace(found[0], span=Span(start, end))
+        return _around(found) if found else None
 
     @cached_property
     def _mentions(self) -> Mapping[Term, Location]:
@@ -275,20 +255,10 @@ class Locator:
         return {}
 
 
-def _likeness(predicate: Term, element: Term, written: Term) -> int:
-    """How much a property that was lifted is like what may have been written for it."""
-    wanted, attribute = _local_name(predicate), _local_name(written)
-    if wanted in (attribute, element[:-1].rpartition("/")[2]):
-        return 2
-    return int(COMPONENTS.get(wanted, "") == attribute.rpartition("-")[2])
-
-
-def _names(node: Term) -> Iterator[Term]:
-    """The names in the address of what was lifted, the last one first, as files spell them."""
-    steps = node[:-1].partition("#")[2].split("/")
-    for step in reversed(steps):
-        yield literal(unquote(step))
-
-
-def _local_name(property_: Term) -> str:
-    return property_[:-1].rpartition("#")[2]
+def _around(places: Sequence[Location]) -> Location:
+    """Return the place from the first to the last of *places* that are in the text of the first."""
+    first = places[0]
+    spans = [each.span for each in places if each.source is first.source]
+    return replace(
+        first, span=Span(min(each.start for each in spans), max(each.end for each in spans))
+    )

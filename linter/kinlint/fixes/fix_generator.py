@@ -88,7 +88,7 @@ class FixGenerator(Generator):
         meant = change(store, repair, results)
         if not meant:
             return None
-        where = placed(store, meant, self.homes[finding.location.source.name])
+        where = placed(account.provenance, meant, self.homes[finding.location.source.name])
         edits: dict[Path, dict[Edit, None]] = {}
         sources: dict[Path, SourceText] = {}
         for graph, delta in where.deltas.items():

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from kinlint.document import FROM, Document
+from kinlint.document import Document
 from kinlint.edits import Delta, Unsayable
-from kinlint.engine.store import Store
-from kinlint.terms import Term, Triple, is_literal
+from kinlint.engine.provenance import Provenance
+from kinlint.terms import (
+    NUMERIC,
+    Term,
+    Triple,
+    is_literal,
+    literal,
+    literal_datatype,
+    literal_value,
+)
 
 
 class Replacement(NamedTuple):
@@ -20,11 +27,11 @@ class Replacement(NamedTuple):
     new: Triple
 
 
-def lowered(store: Store, lifted: Delta) -> Iterator[Replacement]:
-    """What says *lifted* in the documents that it was made of.
+def lowered(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
+    """Yield what says *lifted* in the documents that it was made of.
 
-    Raises Unsayable unless each value that goes is replaced by one other, and one place of the
-    text is what it was made of.
+    Raises Unsayable unless each value that goes is replaced by one other, and is itself the value,
+    or the negative of the value, of one place of the text.
     """
     added: dict[tuple[Term, Term], list[Term]] = {}
     for subject, predicate, value in lifted.added:
@@ -33,36 +40,24 @@ def lowered(store: Store, lifted: Delta) -> Iterator[Replacement]:
         new = added.pop((subject, predicate), [])
         if len(new) != 1 or not is_literal(value) or not is_literal(new[0]):
             raise Unsayable("the format has no word for this change")
-        document, old = _written(store, subject, predicate, value)
-        yield Replacement(document, old, (old[0], old[1], new[0]))
+        trace = provenance.trace((subject, predicate, value))
+        if len(trace.written) != 1:
+            several = (
+                "several places of the text have" if trace.written else "no place of the text has"
+            )
+            raise Unsayable(f"{several} the value that changes")
+        ((document, old),) = trace.written
+        yield Replacement(document, old, (old[0], old[1], _unsigned(new[0], trace.sign)))
     if added:
         raise Unsayable("the format has no word for what is added")
 
 
-def _written(store: Store, subject: Term, predicate: Term, value: Term) -> tuple[Document, Triple]:
-    """The one place that *value* was made of: if there are several, that of the same name."""
-    found = {
-        triple: document
-        for element in store.values(subject, FROM)
-        for document, triple in _places(store, element, value)
-    }
-    name = _local(predicate)
-    triples: Sequence[Triple] = list(found)
-    if len(triples) > 1:
-        triples = [each for each in triples if name in (_local(each[1]), _local(each[0]))]
-    if len(triples) != 1:
-        several = "several places of the text have" if found else "no place of the text has"
-        raise Unsayable(f"{several} the value that changes")
-    return found[triples[0]], triples[0]
-
-
-def _places(store: Store, element: Term, value: Term) -> Iterator[tuple[Document, Triple]]:
-    """Where *element*, or one right below it, says *value*."""
-    address = f"{element[:-1]}/"
-    below = [each for _, each in store.said(element) if each.startswith(address)]
-    for each in (element, *below):
-        yield from store.written(each, None, value)
-
-
-def _local(term: Term) -> str:
-    return re.split(r"[#/]", term.rstrip(">"))[-1].partition(";")[0]
+def _unsigned(value: Term, sign: int) -> Term:
+    """Return what is to be written for *value*, which is that times *sign*."""
+    if sign == 1:
+        return value
+    datatype = literal_datatype(value)
+    if not sign or datatype not in NUMERIC:
+        raise Unsayable("the value that changes is worked out from what the text says")
+    number = literal_value(value)
+    return literal(number[1:] if number.startswith("-") else f"-{number.lstrip('+')}", datatype)

@@ -10,6 +10,7 @@ from kinlint.addresses import document_of
 from kinlint.document import FROM, Document
 from kinlint.edits import Delta, Unsayable
 from kinlint.engine.literal_spelling import normal
+from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
 from kinlint.fixes.lowering import lowered
 from kinlint.terms import (
@@ -30,10 +31,12 @@ DOUBLE = f"{XSD}double"
 
 @dataclass
 class Placed:
-    """A change of the graph as changes of documents, by their graphs; `lifted` is what it means."""
+    """A change of the graph as changes of documents."""
 
     deltas: Mapping[Term, Delta]
+    """The change of each document, by its graph."""
     lifted: Delta
+    """What of the change is lifted from documents, less what is said of the cells of lists."""
 
 
 @dataclass
@@ -69,11 +72,12 @@ def _short(value: Term) -> Term:
     return literal(f"{number:.16E}".replace("E+", "E"), DOUBLE)
 
 
-def placed(store: Store, delta: Delta, home: Document) -> Placed:
+def placed(provenance: Provenance, delta: Delta, home: Document) -> Placed:
     """*delta* by document; *home* is where a repair belongs that could go anywhere.
 
     Raises Unsayable for what no text says: what was inferred or computed.
     """
+    store = provenance.store
     sheets: dict[Term, _Sheet] = {}
 
     def sheet(document: Document) -> _Sheet:
@@ -83,14 +87,17 @@ def placed(store: Store, delta: Delta, home: Document) -> Placed:
     if not all(map(store.is_lifted, above)):
         raise Unsayable("what has to go is written nowhere: it follows from other statements")
     lifted = Delta(tuple(above), tuple(each for each in delta.added if _is_lifted(store, each[0])))
-    for document, old, new in lowered(store, lifted):
+    named = [[each for each in part if is_iri(each[0])] for part in (lifted.removed, lifted.added)]
+    for document, old, new in lowered(provenance, lifted):
         sheet(document).removed[old] = None
         sheet(document).added[new] = None
     rest = [each for each in delta.added if each not in set(lifted.added)]
     for document, triple in _homes(store, rest, list(sheets.values()), home):
         for each in (document, *_besides(triple, document, sheets.values())):
             sheet(each).added[triple] = None
-    return Placed({graph: each.delta() for graph, each in sheets.items()}, lifted)
+    return Placed(
+        {graph: each.delta() for graph, each in sheets.items()}, Delta(*map(tuple, named))
+    )
 
 
 def _is_number(term: Term) -> bool:
@@ -119,6 +126,10 @@ def _besides(triple: Triple, home: Document, sheets: Iterable[_Sheet]) -> list[D
 
 
 def _is_lifted(store: Store, node: Term) -> bool:
+    if is_blank(node):
+        return any(
+            map(store.is_lifted, ((node, FIRST, each) for each in store.values(node, FIRST)))
+        )
     return is_iri(node) and any(True for _ in store.values(node, FROM))
 
 

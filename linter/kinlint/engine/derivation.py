@@ -1,0 +1,302 @@
+"""How the values that a lifting query makes come about, read off the query.
+
+The object of a template triple is bound by a pattern of the WHERE, `?limit at:lower ?lower`, or
+worked out from such variables by BIND. Both are known before anything is read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from itertools import count
+from typing import TypeAlias
+
+from kinlint.document import FROM
+from kinlint.engine.lifting import Lifting
+from kinlint.engine.template import Made, trimmed
+from kinlint.formats.records import ELEMENTS
+from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
+from kinlint.sparql.patterns import Pattern, patterns
+from kinlint.sparql.scope import variables
+from kinlint.sparql.tokens import is_variable
+from kinlint.terms import RDF_TYPE, Term
+
+_ELEMENTS = tuple(f"<{each}" for each in ELEMENTS)
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """What a pattern binds."""
+
+    element: str
+    """The variable for the node that has the value."""
+    properties: tuple[Term, ...]
+    """The properties that it may have it by."""
+    value: str
+    """The variable for the value."""
+
+
+@dataclass(frozen=True, slots=True)
+class First:
+    """COALESCE: the first of several derivations that has a value."""
+
+    parts: tuple[tuple[str, Derivation], ...]
+    """Each with the variable that is bound if it has one, "" for one that always has."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """IF."""
+
+    test: str
+    """The variable that is bound to the condition."""
+    then: Derivation
+    otherwise: Derivation
+
+
+@dataclass(frozen=True, slots=True)
+class Negation:
+    """The negative of a number."""
+
+    part: Derivation
+
+
+@dataclass(frozen=True, slots=True)
+class Combination:
+    """What is worked out from all of its parts, in a way that is not looked into."""
+
+    parts: tuple[Derivation, ...] = ()
+
+
+Derivation: TypeAlias = Read | First | Choice | Negation | Combination
+CONSTANT = Combination()
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """A template triple whose object, or a member of it, is read somewhere."""
+
+    made: Made
+    members: tuple[Derivation, ...]
+    """How the object comes about, or each member of a list."""
+
+
+@dataclass
+class Derivations:
+    """How the values of one lifting query come about."""
+
+    lifting: Lifting
+    probes: dict[str, str] = field(default_factory=dict)
+    """The expressions that a run has to work out, by the variables that stand for them."""
+
+    @cached_property
+    def stated(self) -> Sequence[Stated]:
+        """The template triples that some text has the value of."""
+        found = []
+        for made in self.lifting.made:
+            if made.predicate in (FROM, RDF_TYPE):
+                continue
+            members = tuple(self._term(each) for each in made.items or (made.object,))
+            if any(reads(each) for each in members):
+                found.append(Stated(made, members))
+        return found
+
+    @cached_property
+    def select(self) -> str:
+        """The query for the variables of all derivations, and of the triples that they make."""
+        names = set[str]()
+        for each in self.stated:
+            names.update(each.made.variables, *map(_named, each.members))
+        plain = names - self.probes.keys()
+        worked = [f"({text} AS {name})" for name, text in self.probes.items() if name in names]
+        used = plain.union(*(_variables(self.probes[each]) for each in names - plain))
+        where = render(trimmed(self._where, used))
+        return f"SELECT {' '.join((*sorted(plain), *worked))} WHERE {where}"
+
+    def _term(self, term: str) -> Derivation:
+        return self._variable(term) if is_variable(term) else CONSTANT
+
+    def _variable(self, name: str) -> Derivation:
+        """Return how the variable *name* is bound."""
+        bound = [self._expression(each.expression) for each in self._binds if each.variable == name]
+        read = [
+            Read(each.subject, properties, name)
+            for each in self._patterns
+            if each.object == name and is_variable(each.subject) and (properties := _valued(each))
+        ]
+        found = (*bound, *read)
+        return found[0] if len(found) == 1 else Combination(found)
+
+    def _expression(self, expression: Expression) -> Derivation:
+        words = _bare(expression)
+        verb = str(words[0]).upper()
+        if len(words) == 1:
+            return self._term(str(words[0]))
+        if verb == "-" and len(_bare(words[1:])) == 1:
+            return Negation(self._expression(words[1:]))
+        if verb in {"IF", "COALESCE"} and _end(words, 1) == len(words):
+            return self._call(verb, _arguments(words[2:-1]))
+        return Combination(tuple(self._parts(words)))
+
+    def _call(self, verb: str, arguments: Sequence[Expression]) -> Derivation:
+        if verb == "COALESCE":
+            return First(tuple((self._probe(each), self._expression(each)) for each in arguments))
+        condition, then, otherwise = arguments
+        return Choice(
+            self._noted(f"IF ({render(condition)}, true, false)"),
+            self._expression(then),
+            self._expression(otherwise),
+        )
+
+    def _parts(self, words: Expression) -> Iterator[Derivation]:
+        """Yield how each variable and each choice in an expression comes about."""
+        at = 0
+        while at < len(words):
+            word = words[at]
+            if isinstance(word, str) and word.upper() in {"IF", "COALESCE"}:
+                end = _end(words, at + 1)
+                yield self._expression(words[at:end])
+                at = end
+                continue
+            if isinstance(word, str) and is_variable(word):
+                yield self._variable(word)
+            at += 1
+
+    def _probe(self, argument: Expression) -> str:
+        """Return the variable that is bound if *argument* has a value; "" for a constant."""
+        words = _bare(argument)
+        if not variables(words):
+            return ""
+        return str(words[0]) if len(words) == 1 else self._noted(render(argument))
+
+    def _noted(self, text: str) -> str:
+        """Return the variable that stands for the expression *text*."""
+        known = (name for name, each in self.probes.items() if each == text)
+        name = next(known, None) or f"?p_{len(self.probes)}"
+        self.probes[name] = text
+        return name
+
+    @cached_property
+    def _where(self) -> Group:
+        """The WHERE of the query, with a variable for each node on a path."""
+        return _spelled(self.lifting.where, count())
+
+    @cached_property
+    def _binds(self) -> Sequence[Bind]:
+        return [each for each in _joined(self._where) if isinstance(each, Bind)]
+
+    @cached_property
+    def _patterns(self) -> Sequence[Pattern]:
+        return [
+            pattern
+            for each in _joined(self._where)
+            if isinstance(each, Triples)
+            for pattern in patterns(each.tokens, count())
+        ]
+
+
+@lru_cache(maxsize=128)
+def derivations(lifting: Lifting) -> Derivations:
+    """Return how the values of the query *lifting* come about."""
+    return Derivations(lifting)
+
+
+def reads(derivation: Derivation) -> Sequence[Read]:
+    """Return what *derivation* may be read from, conditions left out."""
+    match derivation:
+        case Read():
+            return (derivation,)
+        case First(parts):
+            inner = tuple(each for _, each in parts)
+        case Choice(_, then, otherwise):
+            inner = (then, otherwise)
+        case Negation(part):
+            inner = (part,)
+        case Combination(parts):
+            inner = parts
+    return [read for each in inner for read in reads(each)]
+
+
+def _named(derivation: Derivation) -> set[str]:
+    """Return the variables that tell how a value comes about."""
+    match derivation:
+        case Read(element, _, value):
+            return {element, value}
+        case First(parts):
+            probes = {probe for probe, _ in parts if probe}
+            return probes.union(*(_named(each) for _, each in parts))
+        case Choice(test, then, otherwise):
+            return {test}.union(*map(_named, (then, otherwise)))
+        case Negation(part):
+            return _named(part)
+        case Combination(parts):
+            return set[str]().union(*map(_named, parts))
+
+
+def _variables(text: str) -> set[str]:
+    return {word for word in text.split() if is_variable(word)}
+
+
+def _valued(pattern: Pattern) -> tuple[Term, ...]:
+    """Return the properties by which *pattern* may match a value; none where it is an element's."""
+    if pattern.path[::2] != tuple(word for word in pattern.path if word[0] == "<"):
+        return ()
+    return tuple(each for each in pattern.path[::2] if not each.startswith(_ELEMENTS))
+
+
+def _joined(group: Group) -> Iterator[Element]:
+    """Yield the elements of *group* and of those whose solutions are joined to it."""
+    for each in group.elements:
+        yield each
+        if isinstance(each, Union):
+            for branch in each.branches:
+                yield from _joined(branch)
+        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
+            yield from _joined(each.group)
+
+
+def _spelled(group: Group, names: count[int]) -> Group:
+    """Return *group* with sequences of steps, outside of filters, as patterns of their own."""
+    found: list[Element] = []
+    for each in group.elements:
+        if isinstance(each, Triples):
+            text = " . ".join(pattern.text for pattern in patterns(each.tokens, names))
+            found.append(Triples(tuple(f"{text} .".split(" "))))
+        elif isinstance(each, Union):
+            found.append(Union(tuple(_spelled(branch, names) for branch in each.branches)))
+        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
+            found.append(Clause(each.head, _spelled(each.group, names)))
+        else:
+            found.append(each)
+    return Group(tuple(found))
+
+
+def _bare(words: Expression) -> Expression:
+    """Return *words* without parentheses round all of them."""
+    while words[0] == "(" and _end(words, 0) == len(words):
+        words = words[1:-1]
+    return words
+
+
+def _end(words: Expression, at: int) -> int:
+    """Return where the parenthesis that opens *at* is closed, plus one; *at* if none opens."""
+    depth = 0
+    for place in range(at, len(words)):
+        depth += (words[place] == "(") - (words[place] == ")")
+        if not depth:
+            return place + (place > at)
+    return len(words)
+
+
+def _arguments(words: Expression) -> list[Expression]:
+    """Return the arguments of a call, between its commas."""
+    found: list[list[str | Group]] = [[]]
+    depth = 0
+    for word in words:
+        depth += (word == "(") - (word == ")")
+        if word == "," and not depth:
+            found.append([])
+        else:
+            found[-1].append(word)
+    return [tuple(each) for each in found]
