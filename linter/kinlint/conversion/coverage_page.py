@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from kinlint.conversion.coverage import Coverage, Reason, coverage
+from kinlint.engine.lifting import SHARED
 from kinlint.formats.records import LIFTED
 from kinlint.resources import data
 
@@ -24,6 +25,13 @@ the format implies stands in the query and is explicit in the result: metres, ki
 radians, the frames that numbers are seen by, turns about fixed axes, the values of what is not
 written. Every node says by `src:from` which element it comes from.
 
+What formats share is written once. A query of a format may be a *reading*: it makes records of the
+intermediate vocabulary (`ir:`, below), each with one value at most for a property, and each value
+as it is read from one attribute or as its default. A query in `shared` makes parts of the
+composable model of such records, whatever format they are read from. No record is ever stored: the
+WHERE of the reading takes the place of the record when queries are loaded
+(`kinlint.engine.unfolding`). Prefixes are those of `../prefixes.ttl` and need no declaration.
+
 `kinlint` runs the queries that its rules need, `kinlint convert` all of them. A query starts from
 the elements and never searches for a name; it resolves a reference by building its IRI. An element
 `{doc}#/link/base` is the body `{doc}#link/base`, whose frame is `{doc}#link/base/frame`. Where a
@@ -37,15 +45,30 @@ from it, from the queries and from what the format knows (`../formats`).
 NAMES = {each.name: each.title for each in LIFTED}
 
 
+RECORDS = """
+- `ir:Placement`, called as the pose: `ir:frame` is on `ir:base` at `ir:x` `ir:y` `ir:z`, in metres.
+  If it is on the body `ir:carrier` by that alone, its origin may be the point `ir:centre`.
+- `ir:EulerAngles`, called as the pose: it is turned by `ir:roll` `ir:pitch` `ir:yaw` about fixed
+  axes, in the `ir:angle-unit`.
+- `ir:Quaternion`, called as the pose: it is turned by `ir:qx` `ir:qy` `ir:qz` `ir:qw`.
+"""
+
+
 def readme() -> str:
     """The whole file."""
-    return HEAD + "".join(text for form in NAMES for text in _format(form))
+    shared = ("\n## Shared by formats\n", RECORDS, *_queries(SHARED))
+    return HEAD + "".join((*shared, *(text for form in NAMES for text in _format(form))))
+
+
+def _queries(directory: str) -> Iterator[str]:
+    yield "\n| query | what it makes |\n|---|---|\n"
+    for file in sorted((data("shapes") / "lifting" / directory).glob("*.rq")):
+        yield f"| `{file.stem}` | {_comment(file)} |\n"
 
 
 def _format(form: str) -> Iterator[str]:
-    yield f"\n## {NAMES[form]}\n\n| query | what it makes |\n|---|---|\n"
-    for file in sorted((data("shapes") / "lifting" / form).glob("*.rq")):
-        yield f"| `{file.stem}` | {_comment(file)} |\n"
+    yield f"\n## {NAMES[form]}\n"
+    yield from _queries(form)
     known = coverage(form)
     yield "\n| lifted in part | when, or how |\n|---|---|\n"
     yield from _rows((one.why, [_place(one.path, one.attribute)]) for one in _partly(known))

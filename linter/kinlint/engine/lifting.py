@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from pathlib import Path
 
 import pyoxigraph as ox
 
 from kinlint import resources
+from kinlint.contexts.prefixes import customary
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.template import Made, made_by, needed, trimmed
+from kinlint.engine.unfolding import is_reading, unfolded
 from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
 from kinlint.formats.records import ELEMENTS, LIFTED
-from kinlint.sparql.ast import Group, render
+from kinlint.sparql.ast import Construct, Group, render
 from kinlint.sparql.parser import parse_construct
 from kinlint.sparql.scope import words
 from kinlint.sparql.tokens import NotSparql
@@ -24,6 +26,7 @@ from kinlint.terms import RDF_TYPE, Term, iri, iri_value
 from kinlint.vocabulary import (
     ATTRIBUTE,
     EXTENSION,
+    INTERMEDIATE,
     KIN,
     LIFTED_GRAPH,
     METAMODELS,
@@ -60,7 +63,7 @@ class Lifting:
     format: str
     """The format that it reads."""
     name: str
-    """The name of its file."""
+    """The name of its file, or of a reading and the shared query that is unfolded by it."""
     made: tuple[Made, ...]
     """The triples of its template."""
     makes: frozenset[Term]
@@ -86,20 +89,51 @@ class Lifting:
         if wanted is None:
             return self.made, self.where
         made = needed(self.made, wanted)
-        return made, trimmed(self.where, set[str]().union(*(each.variables for each in made)))
+        return made, trimmed(self.where, _variables(made))
+
+
+def _variables(made: Iterable[Made]) -> set[str]:
+    return set[str]().union(*(each.variables for each in made))
+
+
+SHARED = "shared"
+"""The directory of the queries that make the composable model of what readings make."""
 
 
 @lru_cache(maxsize=len(LIFTED))
 def queries(form: str) -> tuple[Lifting, ...]:
-    """Return the lifting queries of the format *form*, by name."""
-    return tuple(map(_read, sorted(resources.data("shapes").glob(f"lifting/{form}/*.rq"))))
+    """Return the lifting queries of the format *form*, by name.
+
+    In place of a reading come the shared queries that make something of its records.
+    """
+    return tuple(each for file in _files(form) for each in _queries(form, file))
 
 
-def _read(file: Path) -> Lifting:
+def _queries(form: str, file: Path) -> Iterator[Lifting]:
+    query = _parsed(file)
+    if not is_reading(query):
+        yield _lifting(form, file.stem, query)
+        return
+    for shared in _files(SHARED):
+        if (made := unfolded(_parsed(shared), query)) is not None:
+            each = _lifting(form, f"{file.stem}/{shared.stem}", made)
+            yield replace(each, where=trimmed(each.where, _variables(each.made)))
+
+
+def _files(directory: str) -> list[Path]:
+    return sorted(resources.data("shapes").glob(f"lifting/{directory}/*.rq"))
+
+
+@cache
+def _parsed(file: Path) -> Construct:
+    prefixes = {**customary(), "ir": INTERMEDIATE}
     try:
-        query = parse_construct(file.read_text(encoding="utf-8"))
+        return parse_construct(file.read_text(encoding="utf-8"), prefixes)
     except NotSparql as error:
         raise RuleInvalid(f"{file}: {error}") from error
+
+
+def _lifting(form: str, name: str, query: Construct) -> Lifting:
     made = made_by(query.template)
     stated = {term for each in made for term in (each.predicate, each.term) if term}
     chosen = {
@@ -108,7 +142,7 @@ def _read(file: Path) -> Lifting:
         if _IRI.fullmatch(each) and not each[1:].startswith(READ)
     }
     named = {each for each in stated | chosen if not each[1:].startswith((UNIT, QUANTITY_KIND))}
-    return Lifting(file.parent.name, file.stem, made, frozenset(named - EVERYWHERE), query.group)
+    return Lifting(form, name, made, frozenset(named - EVERYWHERE), query.group)
 
 
 def lifts(formats: Iterable[Format]) -> frozenset[Term]:
