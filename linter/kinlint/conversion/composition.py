@@ -68,7 +68,7 @@ def robot(document: Document) -> str:
     for s, p, o in document.statements:
         if p == NAME and is_literal(o):
             called[s] = literal_value(o)
-        elif p.startswith(f"<{KINLINT}{document.format}#") or p == iri(f"{KINLINT}urdf#robot"):
+        elif p.startswith(f"<{KINLINT}{document.format.name}#") or p == iri(f"{KINLINT}urdf#robot"):
             below.setdefault(s, []).append(o)
     for root in below.get(document.graph, ()):
         held = [called[each] for each in below.get(root, ()) if each in called]
