@@ -15,7 +15,7 @@ from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
-from kinlint.vocabulary import ATTRIBUTE, EXTENSION
+from kinlint.vocabulary import ATTRIBUTE, EXTENSION, REFERENCE
 
 TERM = PLAIN
 ALTERNATIVES = re.compile(r"<[^<>]*>( ?\| ?<[^<>]*>)*")
@@ -23,7 +23,7 @@ FOCUS = "?this"
 ANY_CLASS: Term = "a"
 """Among terms: whatever class a node is said to be of, as far as it is there."""
 
-FORMAT_LAYER = tuple(f"<{each}" for each in (*ELEMENTS, ATTRIBUTE, EXTENSION))
+FORMAT_LAYER = tuple(f"<{each}" for each in (*ELEMENTS, ATTRIBUTE, EXTENSION, REFERENCE))
 
 _CLASS = re.compile(rf"(?:\ba|{re.escape(RDF_TYPE)}) \?(?!k_)\w")
 HEAD = re.compile(r"SELECT [^{}]*WHERE")

@@ -83,13 +83,3 @@ OF = rel("of")
 WITH_RESPECT_TO = rel("with-respect-to")
 COORDINATE_OF = kin("coordinate-of")
 AS_SEEN_BY = kin("as-seen-by")
-REFERENCES = tuple(
-    map(
-        reference,
-        (
-            *("link", "link1", "link2", "base_link", "tip_link", "parent_link", "child_link"),
-            *("joint", "group", "parent_group", "reference"),
-        ),
-    )
-)
-"""All that refers by name to something of another file, or of another part of the file."""

@@ -9,7 +9,6 @@ from kinlint.facts.names import (
     AS_SEEN_BY,
     COORDINATE_OF,
     OF,
-    REFERENCES,
     WITH_RESPECT_TO,
     body,
     chain,
@@ -95,12 +94,11 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     ),
     "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, chain("Joint")),
     **dict.fromkeys(("twin", "unlike-siblings"), (*INERTIAS, *RANGES, *BOUNDS)),
-    **dict.fromkeys(("comprises", "moves", "joints", "between"), (*REFERENCES, *TREES)),
-    "resembles": REFERENCES,
+    **dict.fromkeys(("comprises", "moves", "joints", "between"), TREES),
     **dict.fromkeys(
         ("root", "root-beside", "claimed-by", "circle", "unresolved", "near-name", "links"), TREES
     ),
-    "leads-back-to": (kin("leader"), kin("follower"), *REFERENCES),
+    "leads-back-to": (kin("leader"), kin("follower")),
     **dict.fromkeys(("component", "undecided"), (chain("joints"), *WELDS)),
     **{name: (kin(name), *UNITS) for name in ("lower", "upper", "offset")},
     "value": (qudt("value"), *UNITS),

@@ -7,9 +7,11 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from urllib.parse import unquote
 
-from kinlint.facts.names import REFERENCES, attribute
+from kinlint.addresses import root_of
+from kinlint.facts.names import attribute
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import fact
+from kinlint.formats.xml.references import properties
 from kinlint.suggestion import distance
 from kinlint.terms import Term, Triple
 
@@ -22,11 +24,14 @@ class References:
     """What elements refer to by name, whether it is there or not."""
 
     def __init__(self, scan: Scan) -> None:
+        forms = {each.format for each in scan.documents if each.format.is_tree}
+        leading = {each for form in forms for each in properties(form)}
         self._targets = {
             target
-            for name in REFERENCES
-            for _, targets in scan.table(name).items()
+            for each in sorted(leading)
+            for _, targets in scan.table(each).items()
             for target in targets
+            if target != root_of(target)
         }
         self._named = scan.table(attribute("name"))
 

@@ -12,7 +12,6 @@ from kinlint.engine.closure import close
 from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
-from kinlint.facts.names import REFERENCES
 from kinlint.formats.records import ELEMENTS
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import EXTENSION
@@ -33,14 +32,6 @@ class GraphModel:
 
     def __init__(self, documents: Sequence[Document], rulebook: Rulebook) -> None:
         self.documents, self.rulebook = documents, rulebook
-
-    @cached_property
-    def references(self) -> Sequence[Triple]:
-        """What leads from the names that elements use to what they name; found on its own."""
-        store = Store()
-        store.load(self.documents)
-        lift(store, frozenset(REFERENCES))
-        return tuple(each for each in store.lifted() if each[1] in REFERENCES)
 
     @cached_property
     def lifted(self) -> Sequence[Triple]:

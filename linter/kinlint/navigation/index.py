@@ -13,14 +13,14 @@ from kinlint.navigation.json_terms import keys_and_names
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.navigation.text_names import Paths
 from kinlint.navigation.xacro_names import xacro_names
-from kinlint.terms import RDF_TYPE, Triple
+from kinlint.terms import RDF_TYPE
 
 
 class Index:
-    """The places in *documents* where something is named; *references* lead from names on."""
+    """The places in *documents* where something is named."""
 
-    def __init__(self, documents: Sequence[Document], references: Sequence[Triple]) -> None:
-        self.documents, self._references = documents, references
+    def __init__(self, documents: Sequence[Document]) -> None:
+        self.documents = documents
         self.paths = Paths()
 
     @cached_property
@@ -34,7 +34,7 @@ class Index:
 
     def _named_in(self, document: Document) -> Iterator[Occurrence]:
         if document.format.is_tree:
-            yield from named_elements(document, self._references)
+            yield from named_elements(document)
             yield from xacro_names(document)
             return
         named = list(terms(document))

@@ -45,7 +45,7 @@ class Navigator:
 
     @cached_property
     def _index(self) -> Index:
-        return Index(self._documents, self._model.references)
+        return Index(self._documents)
 
     @cached_property
     def _texts(self) -> Sequence[SourceText]:

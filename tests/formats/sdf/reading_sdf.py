@@ -10,13 +10,12 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode
 from kinlint.formats.sdf.reader import read
 from kinlint.terms import Term, iri, literal_value
-from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
 
 
 def document(text: str, name: str = "robot.sdf") -> Document:
     """*text* read as SDF."""
-    return read(SourceText(name, text), ReadOptions())
+    return read(decode(name, text.encode()), ReadOptions())
 
 
 def model(body: str, version: str = "1.9", attributes: str = "") -> Document:

@@ -6,7 +6,7 @@ from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.terms import Term, iri_value, is_blank, is_iri, literal_value
-from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, SRC
+from kinlint.vocabulary import ATTRIBUTE, EXTENSION, REFERENCE, SRC
 
 OPTIONS = ReadOptions()
 ALWAYS = {"document", "offset", "node"}
@@ -23,9 +23,10 @@ def short(document: Document, term: Term) -> str:
     if not is_iri(term):
         return literal_value(term) if term.startswith('"') else term
     name = iri_value(term).removeprefix(iri_value(document.graph))
-    for space, prefix in ((ATTRIBUTE, "@"), (EXTENSION, "ext:"), (SRC, "src:")):
+    spaces = ((ATTRIBUTE, "@"), (EXTENSION, "ext:"), (REFERENCE, "ref:"), (SRC, "src:"))
+    for space, prefix in spaces:
         name = name.replace(space, prefix)
-    return name.removeprefix(f"{KINLINT}{document.format}#")
+    return name.removeprefix(document.format.namespace or "")
 
 
 def graph(document: Document) -> list[tuple[str, str, str]]:

@@ -67,6 +67,7 @@ def test_elements_attributes_and_text_are_stated() -> None:
         ("#/gazebo/mu1", "src:text", "0.2"),
         ("#/gazebo", "ext:drake:x", "#/gazebo/drake:x"),
         ("#/gazebo/drake:x", "@drake:y", "2"),
+        ("#/gazebo", "ref:reference", "#/link/base"),
     ]
 
 

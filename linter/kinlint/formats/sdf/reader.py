@@ -46,7 +46,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     root = tree(whole.graph, whole.statements)
     if root is None:
         return whole
-    triples, problems = resolved(root)
+    triples, problems = resolved(root, whole.statements)
     return _with_names(whole, triples, problems)
 
 

@@ -7,26 +7,34 @@ couples. What leads nowhere is stated, too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from kinlint.formats.sdf import references
 from kinlint.formats.sdf.axis import AXES, direction
+from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Frames, Problem, written
 from kinlint.formats.sdf.gearbox import gears
 from kinlint.formats.sdf.scopes import FRAMES, Scopes
 from kinlint.formats.sdf.transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.tree import Element
 from kinlint.formats.source_layer import src
+from kinlint.formats.xml.references import names
+from kinlint.formats.xml.schema import schema
 from kinlint.terms import XSD, Term, Triple, literal
 
 ENTITIES = ("model", "actor", "light")
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
-def resolved(root: Element) -> tuple[list[Triple], list[Problem]]:
-    """What follows from all below *root*, each triple about the element it is from."""
+def resolved(root: Element, statements: Sequence[Triple]) -> tuple[list[Triple], list[Problem]]:
+    """What follows from all below *root*, each triple about the element it is from.
+
+    The *statements* of the document have the names by which elements refer to others.
+    """
     scopes = Scopes.below(root)
     resolution = _Resolution(root, scopes, Frames(scopes))
-    triples = [*dict.fromkeys(resolution.statements())]
+    leading = references.resolved(names(statements, schema(SDF.name)), scopes)
+    triples = [*dict.fromkeys((*resolution.statements(), *leading))]
     return triples, resolution.frames.problems
 
 

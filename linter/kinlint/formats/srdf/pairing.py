@@ -18,7 +18,9 @@ from kinlint.files.pathglob import absolute
 from kinlint.formats.recognition import recognised
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
-from kinlint.terms import RDF_TYPE, Term, Triple, iri
+from kinlint.formats.xml.references import names_in, resolved
+from kinlint.formats.xml.schema import schema
+from kinlint.terms import RDF_TYPE, iri
 from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
 
@@ -151,14 +153,14 @@ def join(documents: Sequence[Document], partner: Mapping[str, str]) -> list[Docu
     None does of which a part could not be read: what is missing there is nobody's fault here.
     """
     asked = {*partner, *partner.values()}
-    roots = {
-        each.source.name: _root(each)
+    whole = {
+        each.source.name: each
         for each in documents
         if each.source.name in asked and _is_whole(each)
     }
     return [
-        _said(each, (_root(each), JOINED_TO, roots[found]))
-        if each.source.name in roots and (found := partner.get(each.source.name)) in roots
+        _joined(each, whole[found])
+        if each.source.name in whole and (found := partner.get(each.source.name)) in whole
         else each
         for each in documents
     ]
@@ -171,9 +173,9 @@ def _is_whole(document: Document) -> bool:
     )
 
 
-def _root(document: Document) -> Term:
-    return root_of(document.graph)
-
-
-def _said(document: Document, triple: Triple) -> Document:
-    return replace(document, statements=(*document.statements, triple))
+def _joined(srdf: Document, urdf: Document) -> Document:
+    """Return *srdf* with the root of *urdf* that it is joined to, and what it refers to there."""
+    joined = root_of(urdf.graph)
+    found = resolved(names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes))
+    leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *found))
+    return replace(srdf, statements=(*srdf.statements, *leading))

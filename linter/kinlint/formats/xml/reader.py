@@ -18,6 +18,7 @@ from kinlint.formats.xml.account import describe, state_flaws
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.parsing import parse
 from kinlint.formats.xml.places import ElementSpans, Places, TripleSpans
+from kinlint.formats.xml.references import names, resolved
 from kinlint.formats.xml.schema import schema
 from kinlint.formats.xml.spacing import state_spacing
 from kinlint.text import SourceText, Span
@@ -53,6 +54,9 @@ def _read(source: SourceText, form: Format) -> Document:
         state_spacing(layer, places, nodes, elements.statements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
+    if table.flat:
+        found = [*names(statements, table)]
+        statements += dict.fromkeys(resolved(found, table, elements.index))
     statements += layer.triples
     spans = TripleSpans(places, statements, layer.triples)
     described = ElementSpans(places, layer.nodes)

@@ -5,7 +5,7 @@ The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a pr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -16,6 +16,7 @@ from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
 
 KINDS = ("text", "number", "integer", "boolean", "vectors")
 VECTOR = "vector"
+TEXT = iri(f"{SRC}text")
 Version = tuple[int, ...]
 
 
@@ -49,12 +50,31 @@ class Lifetime:
     until: str | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """The value of an attribute or text of an element is the name of another element."""
+
+    predicate: Term
+    """The property, of `ref:`, that leads from the element to the one that is named."""
+    targets: tuple[tuple[str, str], ...]
+    """What it may be, by the namespace of its format and its tag: the first that is there, or else
+    the last. What is of another format is in the file that this one is joined to."""
+    optional: bool
+    """Whether the name stands for itself where there is no such element."""
+    required: bool
+    """Whether the value must be there. Elsewhere, nothing is named by an empty one."""
+    inside: bool
+    """Whether the name is one in the scope of the element itself and not of what is around it."""
+
+
 @dataclass(eq=False, slots=True)
 class ElementType:
     """An element as it may stand below certain others.
 
     `once` are tags of children that may stand there once, `requires` those that must, `required`
-    the attributes that must. `choices` are the words that attributes can be, or its text (""). An
+    the attributes that must. `choices` are the words that attributes can be, or its text ("").
+    `references` are by property. `leads` are the children, by theirs, below which there are any.
+    `scope` are the tags of what it knows by name. An
     `open` one takes anything. A `dated` one is not in every version of the format, or one of its
     attributes is not. What has to be `checked` asks something of its attributes.
     """
@@ -68,6 +88,9 @@ class ElementType:
     requires: tuple[str, ...] = ()
     content: Slot | None = None
     choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    references: dict[Term, Reference] = field(default_factory=dict)
+    leads: dict[Term, ElementType] = field(default_factory=dict)
+    scope: tuple[str, ...] = ()
     open: bool = False
     lifetime: Lifetime | None = None
     lifetimes: dict[str, Lifetime] = field(default_factory=dict)
@@ -87,6 +110,12 @@ class Schema:
     types: dict[str, list[ElementType]]
     parents: dict[str, list[str]]
     version: str | None = None
+
+    @property
+    def flat(self) -> bool:
+        """Whether all that has a name is known in the whole file."""
+        scopes = (each for types in self.types.values() for each in types if each.scope)
+        return all(each is self.roots.get(each.tag) for each in scopes)
 
 
 ANY = ElementType("", "", open=True)
@@ -136,10 +165,30 @@ class _Tables:
                 parents.setdefault(found[child].tag, []).append(type_.tag)
             type_.once = frozenset(found[child].tag for child in said.get("once", ()))
             type_.requires = tuple(found[child].tag for child in said.get("requires", ()))
+            type_.references = dict(self._references(said, type_))
             if f"{FMT}Root" in said.get("type", ()):
                 roots[type_.tag] = type_
                 default = next(iter(said.get("defaultVersion", ())), default)
+        _link(list(found.values()))
         return Schema(self.namespace, roots, types, parents, default)
+
+    def _references(
+        self, said: dict[str, list[str]], type_: ElementType
+    ) -> Iterator[tuple[Term, Reference]]:
+        """Yield what an element of *type_*, of which *said* is said, refers to, by property."""
+        for word in ("refersTo", "mayReferTo", "refersInside"):
+            for predicate, name, *targets in map(self._list, said.get(word, ())):
+                ends = (each.rpartition("#") for each in targets)
+                yield (
+                    iri(ATTRIBUTE + name) if name else TEXT,
+                    Reference(
+                        iri(predicate),
+                        tuple((f"{space}#", tag) for space, _, tag in ends),
+                        optional=word == "mayReferTo",
+                        required=not name or name in type_.required,
+                        inside=word == "refersInside",
+                    ),
+                )
 
     def _type(self, said: dict[str, list[str]]) -> ElementType:
         tag = said["tag"][0]
@@ -162,6 +211,7 @@ class _Tables:
             },
             required=tuple(said.get("required", ())),
             content=Slot.of(f"{SRC}text", Form(tuple(content), infinite)) if content else None,
+            scope=tuple(each.rpartition("#")[2] for each in said.get("scope", ())),
             choices={name: tuple(words) for name, words in choices.items()},
             open="true" in said.get("open", ()),
             lifetime=Lifetime(since, until) if since or until else None,
@@ -175,6 +225,21 @@ class _Tables:
         while head in self.nodes:
             (first,), (head,) = self.nodes[head]["first"], self.nodes[head]["rest"]
             yield first
+
+
+def _link(types: Sequence[ElementType]) -> None:
+    """Have each of *types* lead to those below which elements refer to others."""
+    leading = {id(each) for each in types if each.references}
+    count = -1
+    while count < len(leading):
+        count = len(leading)
+        leading |= {
+            id(each)
+            for each in types
+            if any(id(child) in leading for child in each.children.values())
+        }
+    for each in types:
+        each.leads = {c.predicate: c for c in each.children.values() if id(c) in leading}
 
 
 def _lifetimes(introduced: Iterable[str], removed: Iterable[str]) -> dict[str, Lifetime]:

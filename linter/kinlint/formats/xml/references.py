@@ -1,0 +1,97 @@
+"""What elements refer to by name, as the schema of their format has it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from typing import NamedTuple
+
+from kinlint.addresses import child, root_of
+from kinlint.document import Document
+from kinlint.file_format import Format
+from kinlint.formats.records import FORMATS
+from kinlint.formats.xml.schema import ElementType, Reference, Schema, schema
+from kinlint.terms import Term, Triple, is_literal, literal_value
+
+ROOTS = {each.namespace: each.roots for each in FORMATS}
+
+
+class Name(NamedTuple):
+    """At a `place`, a property of `element`, its `value` is the name of another one."""
+
+    element: Term
+    place: Term
+    value: Term
+    reference: Reference
+
+    @property
+    def text(self) -> str:
+        """The name; empty if nothing is named: by no name, or by one that xacro has to expand."""
+        text = literal_value(self.value)
+        return "" if "$" in text else text
+
+    @property
+    def says(self) -> bool:
+        """Whether the element refers to something."""
+        return bool(self.text) or (self.reference.required and literal_value(self.value) == "")
+
+
+def names(statements: Iterable[Triple], table: Schema) -> Iterator[Name]:
+    """Yield the names by which elements refer to others, in *statements* that put parents first."""
+    roots = {each.predicate: each for each in table.roots.values()}
+    types: dict[Term, ElementType] = {}
+    for subject, predicate, value in statements:
+        type_ = types.get(subject)
+        inner = type_ and type_.leads.get(predicate)
+        if inner or (inner := roots.get(predicate)):
+            types[value] = inner
+        elif type_ and (reference := type_.references.get(predicate)) and is_literal(value):
+            yield Name(subject, predicate, value, reference)
+
+
+def names_in(document: Document) -> Iterator[Name]:
+    """Yield the names by which elements of *document*, a tree, refer to others."""
+    yield from names(document.statements, schema(document.format.lifted_as))
+
+
+def properties(form: Format) -> frozenset[Term]:
+    """Return the properties, of `ref:`, that lead from elements of the format *form* to others."""
+    types = schema(form.lifted_as).types.values()
+    each_type = (type_ for same in types for type_ in same)
+    return frozenset(each.predicate for type_ in each_type for each in type_.references.values())
+
+
+def resolved(
+    found: Iterable[Name],
+    table: Schema,
+    known: Collection[Term],
+    joined: tuple[Term, Collection[Term]] | None = None,
+) -> Iterator[Triple]:
+    """Yield what leads from the elements of the names *found* to what they name, there or not.
+
+    Names are of what stands right below a root: of the file itself, whose nodes are *known*, or of
+    the one that it is *joined* to, with its nodes. What may be of another file is left out without
+    that, and what cannot be with it.
+    """
+    for each in found:
+        reference = each.reference
+        foreign = any(space != table.namespace for space, _ in reference.targets)
+        if not each.says or foreign != (joined is not None):
+            continue
+        target = None
+        for space, tag in reference.targets:
+            own = space == table.namespace
+            home, nodes = (each.element, known) if own or joined is None else joined
+            target = _target(root_of(home), space, tag, each.text)
+            if target in nodes:
+                break
+            if reference.optional:
+                target = None
+        if target is not None:
+            yield each.element, reference.predicate, target
+
+
+def _target(root: Term, space: str, tag: str, name: str) -> Term:
+    """Return the element with *tag* and *name* of a file whose root element is *root*."""
+    if tag in ROOTS.get(space, ()):
+        return root
+    return child(root, tag, name) if name else f"{child(root, tag)[:-1]}/>"
