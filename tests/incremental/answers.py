@@ -9,8 +9,8 @@ from typing import Any
 from kinlint import lint
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.incremental.examiner import Incremental
-from kinlint.lint import Examination
+from kinlint.pipeline.analyzer import Examination
+from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
 from kinlint.report import Report
 from kinlint.text import SourceText
 
@@ -23,7 +23,7 @@ def answer(examination: Examination) -> dict[str, Any]:
 
 
 def agree(
-    incremental: Incremental,
+    incremental: IncrementalAnalyzer,
     sources: Sequence[SourceText],
     settings: Settings,
     rulebook: Rulebook,

@@ -12,8 +12,8 @@ from kinlint.engine.lifting import queries
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.incremental.lifting import Unit
 from kinlint.incremental.restriction import restricted, restriction
+from kinlint.incremental.tracked_lifting import Unit
 from kinlint.terms import iri_value, is_iri
 from kinlint.text import SourceText
 

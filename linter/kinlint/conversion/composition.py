@@ -11,10 +11,11 @@ from kinlint.conversion.conversion_losses import Loss, losses
 from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, nodes
 from kinlint.conversion.published import contexts_of
 from kinlint.document import Document
-from kinlint.engine.lifting import lift
 from kinlint.engine.provenance import Provenance
-from kinlint.engine.store import Store
 from kinlint.errors import UsageError
+from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.stage_inputs import Inputs
+from kinlint.pipeline.stages import through
 from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
@@ -44,9 +45,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     for document in documents:
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
-    store = Store()
-    store.load(documents)
-    lift(store)
+    store = through("lifting", SingleRun(()), Inputs(documents))
     lifted = list(store.lifted())
     statements = Statements(lifted)
     if not statements.subjects:

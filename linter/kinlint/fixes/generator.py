@@ -18,8 +18,8 @@ from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.writable import WritableFiles
 from kinlint.formats.registry import Editor, editor
-from kinlint.lint import Examination
 from kinlint.model import Applicability, Finding, Fix, Repair, TextEdit
+from kinlint.pipeline.analyzer import Examination
 from kinlint.terms import Term
 from kinlint.text import Location, SourceText
 

@@ -15,9 +15,10 @@ from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, tried
 from kinlint.fixes.wording import update
-from kinlint.lint import Examination, examine
+from kinlint.lint import examine
 from kinlint.model import Applicability, Finding, Fix
 from kinlint.phases import Phases
+from kinlint.pipeline.analyzer import Examination
 from kinlint.report import Report
 from kinlint.terms import Term
 from kinlint.text import SourceText

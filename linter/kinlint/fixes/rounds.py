@@ -15,9 +15,9 @@ from kinlint.fixes.generator import Candidate, MakeGenerator
 from kinlint.fixes.offers import Offers, Sieve, every, examined, offers
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
-from kinlint.lint import NOTHING, Examination
 from kinlint.model import Applicability, Finding
 from kinlint.phases import Phases
+from kinlint.pipeline.analyzer import NOTHING, Examination
 from kinlint.report import Report
 from kinlint.text import SourceText
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import count
 
 from kinlint.formats.records import ELEMENTS
-from kinlint.incremental.sight import Path, Sight, ways
+from kinlint.incremental.dependency_paths import Path, PatternPath, ways
 from kinlint.sparql.ast import Triples
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
@@ -21,7 +21,7 @@ class Restriction:
     """A variable that each solution binds, and how each pattern of the query leads to it."""
 
     root: str
-    sights: tuple[Sight, ...]
+    pattern_paths: tuple[PatternPath, ...]
 
 
 @lru_cache(maxsize=512)
@@ -38,12 +38,12 @@ def restriction(select: str) -> Restriction | None:
     found: Restriction | None = None
     fewest = 0
     for root in _elements(first):
-        sights = ways(query.group, root)
-        if sights is None:
+        pattern_paths = ways(query.group, root)
+        if pattern_paths is None:
             return None
-        lost = sum(each.steps is None for each in sights)
+        lost = sum(each.steps is None for each in pattern_paths)
         if found is None or lost <= fewest:
-            found, fewest = Restriction(root, sights), lost
+            found, fewest = Restriction(root, pattern_paths), lost
     return found
 
 

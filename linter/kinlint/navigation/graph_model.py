@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from kinlint.catalogue.applicability import axioms_for
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import FROM, Document
-from kinlint.engine.closure import close
-from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
 from kinlint.formats.records import ELEMENTS
+from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.stage_inputs import Demand, Inputs
+from kinlint.pipeline.stages import through
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import EXTENSION
 
@@ -36,23 +35,19 @@ class GraphModel:
     @cached_property
     def lifted(self) -> Sequence[Triple]:
         """What was made of the elements of XML formats."""
-        return tuple(self._stated.lifted())
+        return tuple(self._lifted.store.lifted())
 
     @cached_property
     def store(self) -> Store:
         """Everything."""
-        store = self._stated
-        close(store, axioms_for(self.documents, self.rulebook.axioms, None))
-        store.state(tuple(facts(store)))
-        return store
+        demand = Demand.for_everything(self.rulebook)
+        return through("facts", self._lifted, Inputs(self.documents), demand, first="closure")
 
     @cached_property
-    def _stated(self) -> Store:
-        store = Store()
-        store.load(self.documents)
-        store.load_vocabulary(self.rulebook.vocabulary)
-        lift(store)
-        return store
+    def _lifted(self) -> SingleRun:
+        run = SingleRun(self.rulebook.vocabulary)
+        through("lifting", run, Inputs(self.documents))
+        return run
 
     @cached_property
     def made(self) -> Mapping[Term, Sequence[Term]]:

@@ -10,7 +10,6 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.extraction import structures
-from kinlint.lint import Examination
 from kinlint.model import Finding
 from kinlint.navigation.entity_hover import EntityPages
 from kinlint.navigation.file_links import Link, links
@@ -21,6 +20,7 @@ from kinlint.navigation.node_at_offset import Surroundings
 from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
+from kinlint.pipeline.analyzer import Examination
 from kinlint.suppression.directive import Directive, directives
 from kinlint.term_format import Display
 from kinlint.text import Location, SourceText, Span

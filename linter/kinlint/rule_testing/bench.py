@@ -9,7 +9,6 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
-from kinlint.engine.closure import close
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.compiler.graph import ShapesGraph
 from kinlint.engine.compiler.graph import read as read_shapes
@@ -17,16 +16,16 @@ from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.prefixes import declared
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
-from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
-from kinlint.facts.compute import facts
 from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.srdf.pairing import join, partners
-from kinlint.missing_files import references
 from kinlint.model import Rule
+from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.stage_inputs import Demand, Inputs
+from kinlint.pipeline.stages import through
 from kinlint.rule_testing.mutants import mutants, repeats
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
@@ -69,13 +68,9 @@ class Bench:
 def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
     options = ReadOptions()
     documents = join([read(text, options) for text in texts], partners(texts))
-    store = Store()
-    store.load(documents)
-    store.load_vocabulary(rulebook.vocabulary)
-    lift(store)
-    close(store, rulebook.axioms)
-    store.state((*facts(store), *references(documents, options.packages_of)))
-    return documents, store
+    inputs = Inputs(documents, documents, options.packages_of)
+    run = SingleRun(rulebook.vocabulary)
+    return documents, through("facts", run, inputs, Demand.for_everything(rulebook))
 
 
 def idle(bench: Bench) -> Iterator[str]:

@@ -15,7 +15,7 @@ from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 from kinlint import __version__
-from kinlint.incremental.examiner import Cancelled
+from kinlint.pipeline.analyzer import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of
 from kinlint.server.client_settings import ClientSettings

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from kinlint.incremental.examiner import Cancelled
 from kinlint.phases import Phases
+from kinlint.pipeline.analyzer import Cancelled
 
 
 class CancellablePhases(Phases):

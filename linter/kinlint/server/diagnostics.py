@@ -11,8 +11,8 @@ from pathlib import Path
 from lsprotocol import types
 
 from kinlint.errors import SourceError
-from kinlint.lint import Examination
 from kinlint.model import Finding, Severity
+from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.sarif.rule_descriptors import web_address
 from kinlint.server.request_context import Places
 from kinlint.server.session import Session

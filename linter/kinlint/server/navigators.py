@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar
 
-from kinlint.lint import Examination
 from kinlint.navigation.navigator import Navigator
+from kinlint.pipeline.analyzer import Examination
 from kinlint.server.app import KinlintServer
 from kinlint.server.request_context import RequestContext
 

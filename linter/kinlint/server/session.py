@@ -11,10 +11,11 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.files.pathname import real
 from kinlint.fixes.texts import Texts
-from kinlint.incremental.examiner import Cancelled, Incremental
-from kinlint.lint import Examination, examine
+from kinlint.lint import examine
 from kinlint.model import Finding, Fix
 from kinlint.phases import Phases
+from kinlint.pipeline.analyzer import Cancelled, Examination
+from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.document_store import DocumentStore, Stamp, stamp
 from kinlint.server.frozen_state import FrozenState
@@ -40,7 +41,7 @@ class Session:
     """Included files that are no sources of their own, with their stamps."""
     fixes: dict[Named, tuple[Fix, ...]] = field(default_factory=dict)
     """Fixes already proven, by finding."""
-    _incremental: Incremental | None = None
+    _incremental: IncrementalAnalyzer | None = None
     _repairing: Examination | None = None
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
     released: bool = False
@@ -128,7 +129,10 @@ class Session:
         try:
             if self._incremental is None:
                 Policies(model.settings, book.rules).check()
-                self._incremental, self.fresh_cache = Incremental(model.settings, book), True
+                self._incremental, self.fresh_cache = (
+                    IncrementalAnalyzer(model.settings, book),
+                    True,
+                )
             made = self._incremental.examine(
                 [*model.sources, *model.beside],
                 model.errors,

@@ -13,7 +13,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
-from kinlint.incremental.examiner import Cancelled
+from kinlint.pipeline.analyzer import Cancelled
 from kinlint.server.diagnostics import Told, told
 from kinlint.server.document_store import DocumentStore, stamps
 from kinlint.server.frozen_state import FrozenState

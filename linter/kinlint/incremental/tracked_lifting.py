@@ -1,4 +1,4 @@
-"""Lifts again by those queries that look at what changed, and tells what that makes different."""
+"""Lifts documents, and again by those queries that look at what changed of them."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ import pyoxigraph as ox
 
 from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
+from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, quads
-from kinlint.incremental.focus import Focus, TooMany
-from kinlint.incremental.reading import Reading, reading
+from kinlint.incremental.query_dependencies import Dependencies, dependencies
 from kinlint.incremental.restriction import Restriction, restricted, restriction
 from kinlint.sparql.ast import render
 from kinlint.terms import RDF, Term, Triple, iri, iri_value
@@ -38,7 +38,7 @@ class Unit:
     select: str
     names: tuple[str, ...]
     template: Sequence[tuple[str, str, tuple[str, ...] | str]]
-    reading: Reading
+    dependencies: Dependencies
     narrow: Restriction | None
     made: dict[Row, list[tuple[Triple, ...]]] | None = None
 
@@ -56,11 +56,11 @@ class Unit:
         shown = " ".join(f"?{name}" for name in names) or "*"
         select = f"SELECT {shown} {body}"
         template = [(each.subject, each.predicate, each.items or each.object) for each in made]
-        return cls(select, names, template, reading(select), narrow)
+        return cls(select, names, template, dependencies(select), narrow)
 
 
-class Lifted:
-    """What was lifted of a model, query by query."""
+class TrackedLifting:
+    """Asserted statements about elements to lifted ones: a composable model."""
 
     def __init__(
         self,
@@ -74,16 +74,16 @@ class Lifted:
         self._counts: Counter[Triple] = Counter()
         self._numbers = count(1)
 
-    def lift(self, changes: Changes, ask: Callable[[], None]) -> None:
-        """Lift anew what looks at what *changes* are about, and add to them."""
-        focus = Focus(changes)
+    def run(self, changes: Changes, ask: Callable[[], None]) -> None:
+        """Lift by those queries that look at what *changes* are about; at first, by all."""
+        affected = AffectedNodes(changes)
         for unit in self.units:
             if unit.made is None:
                 ask()
                 self._again(unit, None, changes)
-            elif unit.reading.looks_at(changes.properties, changes.classes):
+            elif unit.dependencies.looks_at(changes.properties, changes.classes):
                 ask()
-                roots = _concerned(unit, focus)
+                roots = _concerned(unit, affected)
                 if roots is None or roots:
                     self._again(unit, roots, changes)
 
@@ -139,7 +139,7 @@ class Lifted:
                 yield cell, REST, rest
 
 
-def _concerned(unit: Unit, focus: Focus) -> frozenset[Term] | None:
+def _concerned(unit: Unit, affected: AffectedNodes) -> frozenset[Term] | None:
     """The values of the variable that *unit* is narrowed by which its changes concern.
 
     None for all: too many, or some that no query can name.
@@ -147,7 +147,7 @@ def _concerned(unit: Unit, focus: Focus) -> frozenset[Term] | None:
     if unit.narrow is None:
         return None
     try:
-        nodes = focus.nodes(unit.narrow.sights)
+        nodes = affected.nodes(unit.narrow.pattern_paths)
     except TooMany:
         return None
     named = all(isinstance(node, ox.NamedNode) and NAMEABLE.fullmatch(str(node)) for node in nodes)

@@ -45,7 +45,7 @@ def vocabulary_of(files: tuple[Path, ...]) -> Vocabulary:
     return Vocabulary(files)
 
 
-class Outline(NamedTuple):
+class Signature(NamedTuple):
     """The formats of documents, the properties that they state, and of some with what values."""
 
     formats: frozenset[Format]
@@ -53,7 +53,7 @@ class Outline(NamedTuple):
     pairs: frozenset[tuple[Term, Term]]
 
 
-def outline(documents: Sequence[Document], valued: Collection[Term]) -> Outline:
+def signature(documents: Sequence[Document], valued: Collection[Term]) -> Signature:
     """What *documents* state, with what IRIs the properties have that are *valued*."""
     properties, pairs = set[Term](), set[tuple[Term, Term]]()
     for document in documents:
@@ -66,7 +66,7 @@ def outline(documents: Sequence[Document], valued: Collection[Term]) -> Outline:
             ]
         )
     formats = frozenset(document.format for document in documents)
-    return Outline(formats, frozenset(properties), frozenset(pairs))
+    return Signature(formats, frozenset(properties), frozenset(pairs))
 
 
 def valued(constraints: Iterable[Constraint]) -> frozenset[Term]:
@@ -76,7 +76,7 @@ def valued(constraints: Iterable[Constraint]) -> frozenset[Term]:
     return frozenset({RDF_TYPE, *(step for path in paths for step in path.split("|"))})
 
 
-class Said:
+class TripleIndex:
     """What documents and vocabulary say, looked up by property and value."""
 
     def __init__(self, documents: Sequence[Document], vocabulary: Vocabulary) -> None:

@@ -57,7 +57,7 @@ class Edge:
 
 
 @dataclass(frozen=True, slots=True)
-class Sight:
+class PatternPath:
     """A pattern, and how the target is reached from its subject or else from its object.
 
     Each step is a path, and whether it is taken from object to subject. There is no way where
@@ -70,7 +70,7 @@ class Sight:
 
 
 @lru_cache(maxsize=512)
-def sights(select: str) -> tuple[Sight, ...] | None:
+def pattern_paths(select: str) -> tuple[PatternPath, ...] | None:
     """How each pattern of the query *select* leads to its target; None where that is no matter.
 
     Where the target node is chosen by others than its own triples, each triple concerns all.
@@ -80,7 +80,7 @@ def sights(select: str) -> tuple[Sight, ...] | None:
     return None if root is None else ways(query.group, root)
 
 
-def ways(group: Group, root: str) -> tuple[Sight, ...] | None:
+def ways(group: Group, root: str) -> tuple[PatternPath, ...] | None:
     """How each pattern of *group* leads to its variable *root*; None where that is no matter."""
     reader = _Reader(root)
     try:
@@ -186,7 +186,7 @@ class _Reader:
             )
 
 
-def _sight(edge: Edge, context: Sequence[Edge], root: str) -> Sight:
+def _sight(edge: Edge, context: Sequence[Edge], root: str) -> PatternPath:
     """The shortest way from *edge* to *root* by what *context* has."""
     waiting = deque[tuple[str, tuple[tuple[Path, bool], ...], bool]]()
     for end, from_object in ((edge.subject, False), (edge.object, True)):
@@ -196,7 +196,7 @@ def _sight(edge: Edge, context: Sequence[Edge], root: str) -> Sight:
     while waiting:
         at, steps, from_object = waiting.popleft()
         if at == root:
-            return Sight(edge, from_object, steps)
+            return PatternPath(edge, from_object, steps)
         for other in context:
             if other is edge:
                 continue
@@ -207,4 +207,4 @@ def _sight(edge: Edge, context: Sequence[Edge], root: str) -> Sight:
                 if start == at and is_variable(end) and end not in seen:
                     seen.add(end)
                     waiting.append((end, (*steps, (other.path, back)), from_object))
-    return Sight(edge, from_object=False, steps=None)
+    return PatternPath(edge, from_object=False, steps=None)

@@ -17,7 +17,7 @@ Value = TypeVar("Value")
 Values: TypeAlias = Mapping[Term, list[Term]]
 
 
-def renew(
+def update_index(
     changes: Changes,
     tables: MutableMapping[Term, Table],
     numbers: MutableMapping[Term, dict[Term, float]],

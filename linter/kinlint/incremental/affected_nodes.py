@@ -10,7 +10,7 @@ import pyoxigraph as ox
 
 from kinlint.engine.constraint import PLAIN
 from kinlint.incremental.change import Changes
-from kinlint.incremental.sight import Edge, Path, Sight
+from kinlint.incremental.dependency_paths import Edge, Path, PatternPath
 from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF_TYPE, Triple, iri_value, is_iri
 
@@ -27,7 +27,7 @@ class TooMany(Exception):
     """More target nodes are concerned than are worth to be looked for."""
 
 
-class Focus:
+class AffectedNodes:
     """Follows ways through what a store holds, and what it held before *changes*."""
 
     def __init__(self, changes: Changes) -> None:
@@ -69,13 +69,13 @@ class Focus:
             return any(True for _ in found)
         return any(value in self._changes.above(quad.object) for quad in found)
 
-    def nodes(self, sights: Sequence[Sight]) -> set[Node]:
-        """The target nodes that any of *sights* leads to from what changed.
+    def nodes(self, pattern_paths: Sequence[PatternPath]) -> set[Node]:
+        """The target nodes that any of *pattern_paths* leads to from what changed.
 
         Raises `TooMany`.
         """
         found = set[Node]()
-        for sight in sights:
+        for sight in pattern_paths:
             starts: Collection[Node] = self._starts(sight)
             if not starts:
                 continue
@@ -88,7 +88,7 @@ class Focus:
                 raise TooMany
         return found
 
-    def _starts(self, sight: Sight) -> frozenset[Node]:
+    def _starts(self, sight: PatternPath) -> frozenset[Node]:
         """The nodes at that end of the pattern of *sight* from which the way leads on."""
         edge = sight.edge
         key = edge.path, _fixed(edge.subject), _fixed(edge.object), sight.from_object

@@ -13,16 +13,16 @@ from kinlint.engine.explanation import Step, because
 from kinlint.engine.result import Result
 from kinlint.engine.store import Function, Store
 from kinlint.incremental.change import Changes
-from kinlint.incremental.reading import Reading, reading
+from kinlint.incremental.query_dependencies import Dependencies, dependencies
 from kinlint.terms import Term, Triple
 
 
 @dataclass
-class Looks:
+class Reads:
     """What was asked of a store: of which nodes, and by which queries."""
 
     nodes: set[Term] = field(default_factory=set)
-    queries: set[Reading] = field(default_factory=set)
+    queries: set[Dependencies] = field(default_factory=set)
 
     def meet(self, changes: Changes, nodes: set[Term]) -> bool:
         """Whether *changes*, which are about *nodes*, may answer otherwise."""
@@ -31,10 +31,10 @@ class Looks:
         )
 
 
-class WatchedStore(Store):
+class TrackedStore(Store):
     """A store that notes what it is asked, while somebody wants to know."""
 
-    looks: Looks | None = None
+    looks: Reads | None = None
 
     def rows(
         self,
@@ -44,7 +44,7 @@ class WatchedStore(Store):
     ) -> Iterator[dict[str, Term]]:
         """The solutions of a SELECT."""
         if self.looks is not None:
-            self.looks.queries.add(reading(text))
+            self.looks.queries.add(dependencies(text))
         return super().rows(text, substitutions, functions)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
@@ -65,13 +65,13 @@ class WatchedStore(Store):
             self.looks.nodes.add(subject)
 
 
-class Proofs:
+class Explanations:
     """What the results of a model rest on."""
 
-    def __init__(self, store: WatchedStore, axioms: Sequence[Axiom]) -> None:
+    def __init__(self, store: TrackedStore, axioms: Sequence[Axiom]) -> None:
         self._store = store
         self._axioms = axioms
-        self._known: dict[int, tuple[Result, tuple[Step, ...], Looks]] = {}
+        self._known: dict[int, tuple[Result, tuple[Step, ...], Reads]] = {}
 
     def forget(self, changes: Changes, results: Sequence[Result]) -> None:
         """Forget what *changes* may have changed, and what is not among *results*."""
@@ -87,7 +87,7 @@ class Proofs:
         """What *result* rests on, as `kinlint.engine.explanation.because` says."""
         known = self._known.get(id(result))
         if known is None:
-            looks = self._store.looks = Looks()
+            looks = self._store.looks = Reads()
             try:
                 steps = because(self._store, self._axioms, constraint, result)
             finally:

@@ -1,4 +1,4 @@
-"""Checks again those constraints that look at something that changed, where it concerns them."""
+"""Checks constraints, and again those that look at what changed, where it concerns them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from kinlint.engine.evaluate import result, rows
 from kinlint.engine.pruning import Presence
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank, token
+from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes
-from kinlint.incremental.focus import Focus, TooMany
-from kinlint.incremental.reading import reading
-from kinlint.incremental.sight import sights
+from kinlint.incremental.dependency_paths import pattern_paths
+from kinlint.incremental.query_dependencies import dependencies
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 
 Row = Mapping[str, Term]
@@ -23,8 +23,8 @@ LITTLE = 1e-4
 """Seconds: what takes less is not worth to be taken apart."""
 
 
-class Checks:
-    """What violates some constraints, remembered until something changes that they look at."""
+class TrackedChecking:
+    """Statements of all stages to violations of constraints."""
 
     def __init__(self, store: Store, constraints: Sequence[Constraint]) -> None:
         self.store = store
@@ -34,13 +34,13 @@ class Checks:
         self._results: dict[int, list[Result]] = {}
         self._seconds: dict[int, float] = {}
 
-    def check(self, changes: Changes, ask: Callable[[], None]) -> None:
-        """Check again what looks at what *changes* are about."""
-        presence, focus = self._presence, Focus(changes)
+    def run(self, changes: Changes, ask: Callable[[], None]) -> None:
+        """Check what looks at what *changes* are about; at first, everything."""
+        presence, affected = self._presence, AffectedNodes(changes)
         changed = {(quad.predicate, quad.object) for quad in (*changes.removed, *changes.added)}
         presence.forget((token(predicate), token(value)) for predicate, value in changed)
         for number, constraint in enumerate(self.constraints):
-            if number in self._rows and not reading(constraint.select).looks_at(
+            if number in self._rows and not dependencies(constraint.select).looks_at(
                 changes.properties, changes.classes
             ):
                 continue
@@ -48,7 +48,7 @@ class Checks:
             if not presence.may_violate(constraint):
                 found = list[Row]()
             else:
-                nodes = self._concerned(number, focus)
+                nodes = self._concerned(number, affected)
                 if nodes is not None and not nodes:
                     continue
                 known = None if nodes is None else self._checked(number, nodes)
@@ -62,7 +62,7 @@ class Checks:
         found = list[Row](rows(self.store, constraint))
         self._seconds[number] = time.perf_counter() - started
         if self._seconds[number] >= LITTLE:
-            sights(constraint.select)  # The next time, this is known.
+            pattern_paths(constraint.select)  # The next time, this is known.
         return found
 
     def _note(self, number: int, found: list[Row]) -> None:
@@ -71,15 +71,15 @@ class Checks:
             self._results[number] = [result(constraint, row) for row in found]
         self._rows[number] = found
 
-    def _concerned(self, number: int, focus: Focus) -> frozenset[Term] | None:
+    def _concerned(self, number: int, affected: AffectedNodes) -> frozenset[Term] | None:
         """The target nodes that may violate the constraint anew or no more; None for all."""
         if number not in self._rows or self._seconds.get(number, 0.0) < LITTLE:
             return None
-        seen = sights(self.constraints[number].select)
-        if seen is None:
+        paths = pattern_paths(self.constraints[number].select)
+        if paths is None:
             return None
         try:
-            nodes = focus.nodes(seen)
+            nodes = affected.nodes(paths)
         except TooMany:
             return None
         targets = self.constraints[number].targets
@@ -87,7 +87,7 @@ class Checks:
         return frozenset(
             str(node)
             for node in nodes
-            if not targets or str(node) in known or focus.is_target(node, targets)
+            if not targets or str(node) in known or affected.is_target(node, targets)
         )
 
     def _checked(self, number: int, nodes: frozenset[Term]) -> list[Row] | None:
@@ -117,8 +117,8 @@ class Checks:
     @property
     def results(self) -> Iterator[Result]:
         """All that was found, in the order of the constraints."""
-        for number in range(len(self.constraints)):
-            yield from self._results[number]
+        for _, found in sorted(self._results.items()):
+            yield from found
 
 
 def _commonness(pair: tuple[Term, Term]) -> tuple[bool, bool, int]:

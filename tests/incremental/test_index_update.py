@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from kinlint.engine.store import Store
 from kinlint.facts.scan import Scan
 from kinlint.incremental.change import TYPE, Changes
-from kinlint.incremental.kept_scan import KeptScan
+from kinlint.incremental.tracked_index import TrackedIndex
 from kinlint.terms import RDF_TYPE, XSD
 
 PROPERTIES = ("<p:p>", "<p:q>")
@@ -45,7 +45,7 @@ def test_it_is_as_if_it_were_read_now(held, turns):
     """Whatever is removed and added, one after the other."""
     store = Store()
     store.oxigraph.extend(held)
-    kept = KeptScan(store)
+    kept = TrackedIndex(store)
     read(kept)
     for removed, added in turns:
         changes = Changes(store)

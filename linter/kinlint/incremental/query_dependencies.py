@@ -21,7 +21,7 @@ _ANY_CLASS = re.compile(
 
 
 @dataclass(frozen=True)
-class Reading:
+class Dependencies:
     """The properties and classes that a query names, and whether it matches all of either."""
 
     terms: frozenset[Term]
@@ -42,10 +42,10 @@ class Reading:
 
 
 @lru_cache(maxsize=1024)
-def reading(select: str) -> Reading:
+def dependencies(select: str) -> Dependencies:
     """What the query *select* looks at, at most; of what it does not find, that it is not there."""
     spelled = HEAD.sub(" ", " ".join(tokens(select, {})) if "PREFIX" in select else select)
-    return Reading(
+    return Dependencies(
         frozenset(TERM.findall(spelled)),
         _ANY_CLASS.search(spelled) is not None,
         ANY.search(spelled) is not None,

@@ -11,14 +11,14 @@ from kinlint.engine.store import Store
 from kinlint.facts.scan import Place, Scan, Table
 from kinlint.formats.xml.places import ElementSpans
 from kinlint.incremental.change import Changes
-from kinlint.incremental.renewal import renew
+from kinlint.incremental.index_update import update_index
 from kinlint.terms import Term
 
 Order: TypeAlias = tuple[tuple[Term, ...], ...]
 
 
 @dataclass
-class Looks:
+class Reads:
     """What part of the work looked at.
 
     `nodes` are those of which it read all that is said, `places` tells that it sorted nodes by
@@ -32,7 +32,7 @@ class Looks:
     files: bool = False
 
 
-class KeptScan(Scan):
+class TrackedIndex(Scan):
     """A scan that lasts from one examination to the next.
 
     `looks` has what each part of the work looked at, `below` which other parts it uses.
@@ -40,19 +40,19 @@ class KeptScan(Scan):
 
     def __init__(self, store: Store) -> None:
         super().__init__(store)
-        self.looks: dict[str, Looks] = {}
+        self.looks: dict[str, Reads] = {}
         self.below: dict[str, tuple[str, ...]] = {}
         self._order: Order | None = None
 
     def part(self, name: str, *below: str) -> Scan:
         """What reads the model for a part of the work, which uses those parts *below*."""
         self.below[name] = below
-        looks = self.looks.setdefault(name, Looks())
+        looks = self.looks.setdefault(name, Reads())
         return Part(self, looks)
 
     def forget(self, changes: Changes) -> set[str]:
         """Read again what *changes* are about; the parts of the work that looked at that."""
-        renew(changes, self._tables, self._numbers, self._instances)
+        update_index(changes, self._tables, self._numbers, self._instances)
         for name in ("_first", "_rest", "_home", "documents"):
             self.__dict__.pop(name, None)
         subjects = {str(quad.subject) for quad in (*changes.removed, *changes.added)}
@@ -84,7 +84,7 @@ class KeptScan(Scan):
 class Part(Scan):
     """A scan of one part of the work, which shares all that it reads with the others."""
 
-    def __init__(self, kept: KeptScan, looks: Looks) -> None:
+    def __init__(self, kept: TrackedIndex, looks: Reads) -> None:
         super().__init__(kept.store)
         self._kept = kept
         self._looks = looks

@@ -1,0 +1,59 @@
+"""Computes facts, and again where something changed that they are computed from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from kinlint.engine.store import Store
+from kinlint.facts.compute import Kind, asked, helpful
+from kinlint.facts.workings import Workings
+from kinlint.incremental.change import Changes, quads
+from kinlint.incremental.tracked_index import TrackedIndex
+from kinlint.terms import Term, Triple
+from kinlint.vocabulary import FACTS_GRAPH
+
+
+class TrackedFacts:
+    """Statements of all other stages to computed ones, kind by kind."""
+
+    def __init__(self, store: Store, wanted: frozenset[Term] | None, hints: Iterable[Term]) -> None:
+        self._store = store
+        self._index = TrackedIndex(store)
+        self._workings = Workings(self._index)
+        self._kinds: Sequence[Kind] = (*asked(wanted), *helpful(hints))
+        self._found: dict[int, tuple[Triple, ...]] = {}
+        self._facts: dict[Triple, None] | None = None
+
+    def run(self, changes: Changes, named: Iterable[Triple], ask: Callable[[], None]) -> None:
+        """Compute what *changes* touch, at first everything; *named* is stated besides."""
+        self._forget(changes)
+        for number, kind in enumerate(self._kinds):
+            if number not in self._found:
+                ask()
+                self._found[number] = tuple(kind.found(self._workings))
+        found = [each for _, found in sorted(self._found.items()) for each in found]
+        before, self._facts = self._facts, dict.fromkeys((*found, *named))
+        if before is None:
+            self._store.state(self._facts)
+        else:
+            self._restate(before, self._facts, changes)
+
+    def _forget(self, changes: Changes) -> None:
+        """Forget what was computed from something that *changes* are about."""
+        for name in self._index.forget(changes):
+            self._workings.__dict__.pop(name, None)
+            for number, kind in enumerate(self._kinds):
+                if name in kind.parts:
+                    self._found.pop(number, None)
+
+    @staticmethod
+    def _restate(before: dict[Triple, None], after: dict[Triple, None], changes: Changes) -> None:
+        """State *after* in place of *before*; two spellings of a number are one fact."""
+        gone, come = before.keys() - after.keys(), after.keys() - before.keys()
+        kept = set(quads(come, FACTS_GRAPH))
+        removed = set(quads(gone, FACTS_GRAPH)) - kept
+        if removed:
+            pairs = {each[:2] for each in gone}
+            still = (each for each in after if each[:2] in pairs)
+            removed.difference_update(quads(still, FACTS_GRAPH))
+        changes.make(removed, kept)

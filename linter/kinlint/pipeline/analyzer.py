@@ -1,0 +1,133 @@
+"""Analyses models: texts to a report, through all stages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+
+from kinlint.catalogue.applicability import applies, possible
+from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
+from kinlint.engine.required_terms import made
+from kinlint.engine.store import Store
+from kinlint.errors import SourceError
+from kinlint.findings.finding_builder import Account, Proofs
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
+from kinlint.missing_files import STATED
+from kinlint.phases import Phases
+from kinlint.pipeline.conclusion import concluded, drawn
+from kinlint.pipeline.read_models import gathered
+from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.stage_inputs import Demand, Inputs
+from kinlint.pipeline.stages import Run, through
+from kinlint.report import Report
+from kinlint.terms import Term
+from kinlint.text import SourceText
+
+NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
+
+
+class Cancelled(Exception):
+    """The examination was given up because somebody asked for that."""
+
+
+@dataclass(frozen=True)
+class Examination:
+    """A report, and what it was made from: for those who mend what it tells of."""
+
+    report: Report
+    documents: Sequence[Document]
+    """All that was read, companions too."""
+    store: Store
+    """What the documents say, with all that the stages made of it."""
+    account: Account
+    """The results that the findings were made from."""
+    options: ReadOptions
+    """How the documents were read."""
+
+
+class Analyzer:
+    """Analyses models once: each analysis starts with nothing kept."""
+
+    def __init__(self, settings: Settings, rulebook: Rulebook) -> None:
+        self._settings = settings
+        self._rulebook = rulebook
+
+    def examine(  # noqa: PLR0913
+        self,
+        sources: Sequence[SourceText],
+        errors: Iterable[SourceError] = (),
+        phases: Phases | None = None,
+        *,
+        repairing: bool = False,
+        overlay: Mapping[Path, SourceText] = NOTHING,
+        cancelled: Callable[[], bool] | None = None,
+    ) -> Examination:
+        """Lint *sources* as one model. *errors* are of files that could not even be decoded.
+
+        Nothing is reported of companions, not even that they cannot be read. Another source that
+        cannot be read is reported in `Report.errors`; the rest is linted. The time that each phase
+        takes is added to *phases*. The store holds what the rules look at, and if *repairing*, what
+        their repairs do. *overlay* has texts of files that others include, by their real
+        paths, which count in place of what the files hold. Raises `Cancelled` soon after
+        *cancelled* answers True, and is as good as before then.
+        """
+
+        def ask() -> None:
+            if cancelled is not None and cancelled():
+                raise Cancelled
+
+        spent = phases or Phases()
+        before = sum(spent.seconds.values())
+        failed = list(errors)
+        ask()
+        with spent.phase("reading"):
+            options = replace(ReadOptions.of(self._settings), overlay=overlay)
+
+            def reading(source: SourceText) -> Document:
+                ask()
+                return self._read(source, options)
+
+            documents, joined = gathered(sources, failed, self._settings, reading)
+        inquiry = self._inquiry(documents, repairing=repairing)
+        inputs = Inputs(joined, documents, options.packages_of)
+        run, because = self._run(inputs, inquiry, spent, ask)
+        with spent.phase("locating"):
+            results = applies(run.results, joined, inquiry.owners)
+            account = Account(results, joined, run.store, self._rulebook, because)
+            report = concluded(account, documents, joined, inquiry, failed)
+        structures = drawn(run.store, joined, report) if self._settings.drawn else ()
+        seconds = sum(spent.seconds.values()) - before
+        report = replace(report, structures=structures, seconds=seconds)
+        return Examination(report, joined, run.store, account, options)
+
+    def _read(self, source: SourceText, options: ReadOptions) -> Document:
+        """Read *source*."""
+        return read(source, options)
+
+    def _inquiry(self, documents: Sequence[Document], *, repairing: bool) -> Inquiry:
+        """Select what is asked of *documents*."""
+        return Inquiry.of(documents, self._settings, self._rulebook, repairing=repairing)
+
+    def _run(
+        self, inputs: Inputs, inquiry: Inquiry, spent: Phases, ask: Callable[[], None]
+    ) -> tuple[Run, Proofs | None]:
+        """Run the stages; return them, and what explains their results if that is kept."""
+        run = SingleRun(self._rulebook.vocabulary)
+        store = through("loading", run, inputs, spent=spent, ask=ask)
+        with spent.phase("lifting"):
+            found = possible(inquiry.constraints, inputs.documents, store, self._coming)
+            demand = Demand.from_inquiry(inquiry, found, inputs.documents, self._settings)
+        through("checking", run, inputs, demand, spent, ask, first="lifting")
+        return run, None
+
+    @cached_property
+    def _coming(self) -> frozenset[Term]:
+        """The terms that other stages than loading may yet state."""
+        return STATED | made(self._rulebook.axioms)

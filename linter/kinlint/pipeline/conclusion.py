@@ -1,0 +1,92 @@
+"""Concludes: from violations, through findings and suppressions, to a report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.document import Document
+from kinlint.engine.store import Store
+from kinlint.errors import SourceError
+from kinlint.findings.finding_builder import Account
+from kinlint.findings.grouping import grouped
+from kinlint.model import Finding
+from kinlint.report import Report
+from kinlint.structure import Structure
+from kinlint.suppression import suppress
+from kinlint.terms import RDF_TYPE
+from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
+
+KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
+IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "ContextUse"))
+"""What the source layer says of every file, whatever it speaks of."""
+
+
+def concluded(
+    account: Account,
+    documents: Sequence[Document],
+    joined: Sequence[Document],
+    inquiry: Inquiry,
+    failed: Sequence[SourceError],
+) -> Report:
+    """What *account* says of *documents*, which *joined* has with their companions."""
+    policies = inquiry.policies
+    judged = policies.judged(_meant(account.brief(), documents, joined))
+    silenced = suppress.apply(judged, documents, policies, complete=not failed)
+    told = grouped(silenced, account.detailed, _reused(joined))
+    told.sort(key=lambda finding: finding.sort_key)
+    unapplied = (each for each in documents if not speaks(each, inquiry.rulebook))
+    return Report(
+        findings=tuple(finding for finding in told if finding.suppressed is None),
+        suppressed=tuple(finding for finding in told if finding.suppressed is not None),
+        files=tuple(document.source.name for document in documents),
+        unapplied=tuple(document.source.name for document in unapplied),
+        errors=tuple(failed),
+        rules=tuple(inquiry.asked),
+        triples=sum(len(document.statements) for document in documents),
+        applied=len(inquiry.asked) if documents else 0,
+    )
+
+
+def drawn(store: Store, documents: Sequence[Document], report: Report) -> tuple[Structure, ...]:
+    """The robots in *store*, with what *report* has found in each."""
+    from kinlint.kinematics.extraction import structures  # noqa: PLC0415  few outputs draw
+
+    told = sorted((*report.findings, *report.suppressed), key=lambda each: each.sort_key)
+    return structures(store, documents, told)
+
+
+def _meant(
+    found: Iterable[Finding], documents: Sequence[Document], joined: Sequence[Document]
+) -> Iterable[Finding]:
+    """Those of *found* that do not lie in companions, which *joined* has beside *documents*."""
+    if len(joined) == len(documents):
+        return found
+    companions = set(_names(joined[len(documents) :])) - set(_names(documents))
+    return [each for each in found if each.location.source.name not in companions]
+
+
+def _reused(documents: Iterable[Document]) -> set[str]:
+    """The texts that may stand in a robot several times: macros, and what is included."""
+    return {
+        source.name
+        for document in documents
+        for source in document.sources
+        if document.format.expands_to or source is not document.source
+    }
+
+
+def _names(documents: Iterable[Document]) -> Iterator[str]:
+    return (source.name for document in documents for source in document.sources)
+
+
+def speaks(document: Document, rulebook: Rulebook) -> bool:
+    """Whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
+    return document.format.is_tree or any(
+        o.startswith(KNOWN) or o in rulebook.terms
+        if p == RDF_TYPE
+        else p.startswith(KNOWN[:2]) or p in rulebook.terms
+        for _, p, o in document.statements
+        if o not in IDLE
+    )

@@ -1,0 +1,136 @@
+"""Analyses one model again and again, each time only as far as something changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
+
+from kinlint.catalogue.applicability import possible
+from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
+from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.constraint import Constraint
+from kinlint.file_format import Format
+from kinlint.findings.finding_builder import Proofs
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.rereading import Rereader
+from kinlint.incremental.inference import followable
+from kinlint.incremental.triple_index import (
+    Signature,
+    TripleIndex,
+    signature,
+    valued,
+    vocabulary_of,
+)
+from kinlint.phases import Phases
+from kinlint.pipeline.analyzer import Analyzer
+from kinlint.pipeline.stage_inputs import Demand, Inputs
+from kinlint.pipeline.stages import Run, through
+from kinlint.pipeline.tracked_run import TrackedRun
+from kinlint.terms import Term
+from kinlint.text import SourceText
+
+Key: TypeAlias = tuple[tuple[tuple[Term, Format], ...], int, bool, tuple[int, ...]]
+"""The graphs and formats of documents, how many are no companions, whether to repair, and the
+constraints that may be violated, by identity: those of one rulebook.
+"""
+
+KEPT = 3
+"""So many models are kept: as it is, as it is while a file cannot be read, and one more."""
+
+
+class Kept(NamedTuple):
+    """The stages of one model, with what was asked of them."""
+
+    run: TrackedRun
+    demand: Demand
+
+
+class IncrementalAnalyzer(Analyzer):
+    """Analyses one model whose texts change little by little.
+
+    What it answers is what `Analyzer` answers, but for the seconds: its first analysis starts with
+    nothing kept, and each further one makes anew what changed. It serves one thread at a time. The
+    store and the account of an analysis are good until the next one.
+    """
+
+    def __init__(self, settings: Settings, rulebook: Rulebook) -> None:
+        super().__init__(settings, rulebook)
+        self._readers: dict[str, Rereader] = {}
+        self._kept: dict[Key, Kept] = {}
+        self._inquiries: dict[tuple[tuple[tuple[str, Format], ...], bool], Inquiry] = {}
+        self._asked: Inquiry | None = None
+        self._valued = frozenset[Term]()
+        self._signatures: dict[Signature, list[Constraint]] = {}
+
+    def _read(self, source: SourceText, options: ReadOptions) -> Document:
+        """Read *source*, or what changed of it."""
+        if not self._can_follow:
+            return super()._read(source, options)
+        return self._readers.setdefault(source.name, Rereader()).read(source, options)
+
+    def _run(
+        self, inputs: Inputs, inquiry: Inquiry, spent: Phases, ask: Callable[[], None]
+    ) -> tuple[Run, Proofs | None]:
+        """Run the stages that were kept of such documents, or else new ones, and keep them."""
+        joined = inputs.documents
+        graphs = tuple((document.graph, document.format) for document in joined)
+        if not self._can_follow or len(dict(graphs)) < len(joined):
+            return super()._run(inputs, inquiry, spent, ask)
+        with spent.phase("lifting"):
+            found = self._possible(inquiry, joined)
+        key = graphs, len(inputs.own), bool(inquiry.repairs), tuple(map(id, found))
+        kept = self._kept.pop(key, None)
+        if kept is None:
+            demand = Demand.from_inquiry(inquiry, found, joined, self._settings)
+            kept = Kept(TrackedRun(self._rulebook.vocabulary, self._rulebook.axioms), demand)
+        try:
+            through("checking", kept.run, inputs, kept.demand, spent, ask)
+        finally:
+            self._keep(key, kept)
+        return kept.run, kept.run.because
+
+    def _inquiry(self, documents: Sequence[Document], *, repairing: bool) -> Inquiry:
+        """What is asked of *documents*, which names and formats decide."""
+        named = tuple((document.source.name, document.format) for document in documents)
+        if (named, repairing) not in self._inquiries:
+            self._inquiries.clear()
+            self._inquiries[named, repairing] = Inquiry.of(
+                documents, self._settings, self._rulebook, repairing=repairing
+            )
+        return self._inquiries[named, repairing]
+
+    def _possible(self, inquiry: Inquiry, documents: Sequence[Document]) -> list[Constraint]:
+        """What of *inquiry* may be violated, which is the same for documents of one signature."""
+        if self._asked is not inquiry:
+            self._asked, self._signatures = inquiry, {}
+            self._valued = valued(inquiry.constraints)
+        key = signature(documents, self._valued)
+        found = self._signatures.pop(key, None)
+        if found is None:
+            said = TripleIndex(documents, vocabulary_of(self._rulebook.vocabulary))
+            found = possible(inquiry.constraints, documents, said, self._coming)
+        if SUBCLASS not in key.properties:
+            self._signatures[key] = found
+        for stale in list(self._signatures)[:-KEPT]:
+            del self._signatures[stale]
+        return found
+
+    def _keep(self, key: Key, kept: Kept) -> None:
+        self._kept[key] = kept
+        for stale in list(self._kept)[:-KEPT]:
+            del self._kept[stale]
+
+    @cached_property
+    def _can_follow(self) -> bool:
+        """Whether all that judges can be told what changed."""
+        settings, rulebook = self._settings, self._rulebook
+        return (
+            settings.engine == "oxigraph"
+            and not settings.drawn
+            and all(each.deferred is None for each in rulebook.constraints)
+            and followable(rulebook.axioms)
+        )

@@ -1,0 +1,86 @@
+"""The inputs of the stages: documents, and what is asked about them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from kinlint.catalogue.applicability import axioms_for, demand
+from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rulebook import Rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
+from kinlint.engine.axioms import Axiom
+from kinlint.engine.constraint import Constraint
+from kinlint.engine.required_terms import behind
+from kinlint.files.packages import Packages
+from kinlint.missing_files import references
+from kinlint.terms import Term, Triple
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """The documents of one run of the stages."""
+
+    documents: Sequence[Document]
+    """All documents, each of a graph of its own."""
+    own: Sequence[Document] = ()
+    """Those that missing files are looked for in: all but companions."""
+    packages_of: Callable[[str], Packages] | None = None
+    """Returns the packages that a file, by its name, can name; None to look for no files."""
+
+    def missing(self, demand: Demand) -> Iterator[Triple]:
+        """Yield statements about files that documents refer to and that are not there."""
+        if self.packages_of is not None:
+            yield from references(self.own, self.packages_of, demand.terms)
+
+
+@dataclass(frozen=True)
+class Demand:
+    """The input of the stages beside documents; the default asks for all that can be lifted."""
+
+    terms: frozenset[Term] | None = None
+    """The properties and classes that are looked at; None for any."""
+    lifted: frozenset[Term] | None = None
+    """The properties and classes that lifted statements are kept for; None for any."""
+    axioms: Sequence[Axiom] = ()
+    """The axioms to close the graph under."""
+    hints: frozenset[Term] = frozenset()
+    """The terms that repairs look at."""
+    constraints: Sequence[Constraint] = ()
+    """The constraints to check."""
+    engine: str = "oxigraph"
+    """The engine that checks them."""
+    shapes: Sequence[Path] = ()
+    """The files of the constraints, for an engine that reads them itself."""
+
+    @classmethod
+    def from_inquiry(
+        cls,
+        inquiry: Inquiry,
+        constraints: Sequence[Constraint],
+        documents: Sequence[Document],
+        settings: Settings,
+    ) -> Demand:
+        """Return what *constraints* and repairs of *inquiry* ask of *documents*, and pictures."""
+        axioms = inquiry.rulebook.axioms
+        terms = demand(constraints, inquiry.repairs)
+        if terms is not None and settings.drawn:
+            from kinlint.kinematics.demand import ASKED  # noqa: PLC0415  few outputs draw
+
+            terms |= ASKED
+        return cls(
+            terms=terms,
+            lifted=None if terms is None else behind(axioms, terms),
+            axioms=axioms_for(documents, axioms, terms),
+            hints=frozenset(term for each in inquiry.repairs for term in each.terms),
+            constraints=constraints,
+            engine=settings.engine,
+            shapes=inquiry.rulebook.shapes,
+        )
+
+    @classmethod
+    def for_everything(cls, rulebook: Rulebook) -> Demand:
+        """Return the demand for all that can be lifted, inferred and computed."""
+        return cls(axioms=rulebook.axioms)
