@@ -13,7 +13,8 @@ from typing import NamedTuple
 import real_models
 from consumers import Motion, Reading, reading
 from data import locate_data
-from real_robots import BESIDE, FORMATS, book
+from real_robots import BESIDE, FORMATS
+from support.linting import book
 
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.edits import Edit, applied

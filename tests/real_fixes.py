@@ -15,7 +15,8 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 
 from fix_trials import TOGETHER, Outcome, Trial, faults, shares, tried
-from real_robots import FORMATS, book
+from real_robots import FORMATS
+from support.linting import book
 
 from kinlint.model import Applicability
 

@@ -7,8 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 
 import pytest
-from consumers import CONSUMERS, Motion, check_urdf, reading
-from data import locate_data
+from consumers import Motion, check_urdf, reading
 from fix_trials import TOGETHER, Outcome, faults, shares, spliced, tried
 from real_fixes import page
 
@@ -116,10 +115,3 @@ def test_consumers_tell_robots_from_others(form: str, tmp_path) -> None:
     assert broken is False
     assert readings[0]["urdfdom"] is True
     assert readings[2]["urdfdom"] is False
-
-
-def test_sdf_is_read_by_libsdformat() -> None:
-    """Its consumer is a C++ library."""
-    locate_data("robots", "sdf")
-    if "libsdformat" not in CONSUMERS["sdf"]:
-        pytest.skip("PyPI has no libsdformat; SDF is read as XML only")

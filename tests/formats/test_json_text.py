@@ -117,7 +117,9 @@ def test_errors_say_what_and_where(text: str, place: tuple[int, int], cause: str
 
 
 def test_nesting_up_to_the_limit_is_read() -> None:
-    parse(source("[" * MAX_DEPTH + "]" * MAX_DEPTH))
+    element = parse(source("[" * MAX_DEPTH + "]" * MAX_DEPTH))
+
+    assert element.span.end == 2 * MAX_DEPTH
 
 
 def test_a_pair_of_surrogates_is_one_character() -> None:

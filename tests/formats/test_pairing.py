@@ -2,7 +2,6 @@
 
 import pytest
 
-from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.srdf.pairing import JOINED_TO, join, partners
@@ -102,5 +101,6 @@ def test_what_is_incomplete_is_not_joined(name, text):
 
 def test_other_documents_stay_as_they_are():
     """Nothing is said of them."""
-    (document,) = join([read(urdf("a.urdf"), ReadOptions())], {})
-    assert isinstance(document, Document)
+    given = read(urdf("a.urdf"), ReadOptions())
+    (document,) = join([given], {})
+    assert document is given
