@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from reading import details, document, losses
 
-from kinlint.formats.nquads import read as read_nquads
+from kinlint.formats.nquads.reader import read as read_nquads
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.turtle.reader import read as read_turtle
 from kinlint.terms import iri, iri_value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -12,6 +13,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode, read
 from kinlint.model import Finding
 from kinlint.report import Report
@@ -31,9 +33,13 @@ def book() -> Rulebook:
     return rulebook.load()
 
 
-def source(text: Text, name: str = ARM) -> SourceText:
-    """Return *text* as the file called *name*; bytes are decoded."""
-    return decode(name, text) if isinstance(text, bytes) else SourceText(name, text)
+def source(text: Text, name: str = ARM, form: str | None = None) -> SourceText:
+    """Return *text* as the file called *name*; bytes are decoded.
+
+    *form* names the format that it is taken for, whatever its name and its text tell.
+    """
+    made = decode(name, text) if isinstance(text, bytes) else SourceText(name, text)
+    return made if form is None else replace(made, format=BY_NAME[form])
 
 
 def sources(files: Files, name: str = ARM) -> list[SourceText]:
@@ -45,9 +51,9 @@ def sources(files: Files, name: str = ARM) -> list[SourceText]:
     return list(files)
 
 
-def document(text: Text, name: str = ARM, **options: Any) -> Document:
-    """Return what *text* says, read as the file called *name*, with `ReadOptions` of *options*."""
-    return read(source(text, name), ReadOptions(**options))
+def document(text: Text, name: str = ARM, form: str | None = None, **options: Any) -> Document:
+    """Return what `source` of *text* states, read with `ReadOptions` of *options*."""
+    return read(source(text, name, form), ReadOptions(**options))
 
 
 def lint(

@@ -3,10 +3,9 @@
 from dataclasses import replace
 
 import pytest
+from support.linting import document
 from suppressing import DROPPED, UNIT, applied, finding, told
 
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.xml.reader import read
 from kinlint.text import SourceText, Span
 
 ARM = """\
@@ -25,7 +24,7 @@ ARM = """\
 
 
 def arm(text=ARM):
-    return read(SourceText("arm.urdf", text), ReadOptions(), "urdf")
+    return document(text, form="urdf")
 
 
 def at(rule, words, text=ARM):

@@ -36,7 +36,7 @@ def silenced(rules_cache):
         findings = [one for one in found.report.findings if one.rule.code == code]
         assert findings
         edits = [edit for one in findings for edit in generator.suppression([one]).text_edits]
-        assert all(edit.location.source is sources[0] for edit in edits)
+        assert all(edit.location.source.name == name for edit in edits)
         return applied(text, [Edit(edit.location.span, edit.text) for edit in edits])
 
     return silence

@@ -5,17 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from support import linting
+
 from kinlint.document import Document
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import decode
-from kinlint.formats.sdf.reader import read
 from kinlint.terms import Term, iri, literal_value
 from kinlint.vocabulary import SRC
 
 
 def document(text: str, name: str = "robot.sdf") -> Document:
     """*text* read as SDF."""
-    return read(decode(name, text.encode()), ReadOptions())
+    return linting.document(text, name, "sdf")
 
 
 def model(body: str, version: str = "1.9", attributes: str = "") -> Document:
@@ -25,7 +24,7 @@ def model(body: str, version: str = "1.9", attributes: str = "") -> Document:
 
 def file(path: Path) -> Document:
     """The file at *path*."""
-    return read(decode(str(path), path.read_bytes()), ReadOptions())
+    return linting.document(path.read_bytes(), str(path), "sdf")
 
 
 def said(read_: Document, element: str, name: str) -> list[Term]:

@@ -249,21 +249,21 @@ def test_yaml(tmp_path: Path) -> None:
 )
 def test_what_only_others_use_is_no_robot(tmp_path: Path, text: str) -> None:
     found = document(project(tmp_path, main=text))
-    assert found.format == "xacro"
+    assert found.format.name == "xacro"
     assert not any("/urdf#" in predicate for _, predicate, _ in found.statements)
 
 
 def test_an_srdf(tmp_path: Path) -> None:
     main = robot('<xacro:property name="p" value="arm"/>', '<group name="${p}"/>')
     found = document(project(tmp_path, main=main))
-    assert found.format == "srdf"
+    assert found.format.name == "srdf"
     assert places(found, "name", "arm")[-1] == "main.xacro:3:14 ${p}"
 
 
 def test_an_sdf(tmp_path: Path) -> None:
     main = f'<sdf version="1.9" {XMLNS}>\n<model name="m${{1}}"><link name="l"/></model></sdf>'
     found = document(project(tmp_path, main=main))
-    assert found.format == "sdf"
+    assert found.format.name == "sdf"
     assert places(found, "name", "m1") == ["main.xacro:2:14 m${1}"]
 
 

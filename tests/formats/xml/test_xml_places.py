@@ -8,15 +8,14 @@ from pathlib import Path
 
 import pytest
 from data import locate_data
+from support.linting import source
 
 from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.registry import decode
 from kinlint.formats.xml.reader import read
 from kinlint.terms import Term, iri_value, is_blank, literal_datatype, literal_value
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, SRC
 
-OPTIONS = ReadOptions()
 MARKUP = re.compile(r"<!--.*?-->|<!\[CDATA\[(.*?)\]\]>|<(\w+)[^>]*>.*?</\2>|<[^>]*/>", re.DOTALL)
 SAME = {"inf": "INF", "+inf": "INF", "-inf": "-INF", "nan": "NaN", "-nan": "NaN"}
 
@@ -28,7 +27,7 @@ def models(kind: str) -> list[Path]:
 @pytest.mark.parametrize("form", ["urdf", "srdf", "sdf"])
 def test_every_triple_of_the_robots_is_where_its_span_says(form: str) -> None:
     for path in models(form):
-        model = read(decode(str(path), path.read_bytes()), OPTIONS, form)
+        model = read(source(path.read_bytes(), str(path), form), ReadOptions())
         for triple in model.statements:
             assert_said(model, *triple)
 
@@ -42,7 +41,7 @@ def assert_said(model: Document, subject: Term, prop: Term, value: Term) -> None
     elif name.startswith((ATTRIBUTE, f"{SRC}text")):
         assert said(there, value), (model.source.position(span.start), there, value)
     elif value in model.map.nodes and not name.startswith(SRC):
-        assert name in (f"{KINLINT}{model.format}#{there}", f"{EXTENSION}{there}")
+        assert name in (f"{KINLINT}{model.format.name}#{there}", f"{EXTENSION}{there}")
         assert model.source[model.map.nodes[value].whole].startswith(f"<{there}")
 
 
@@ -71,7 +70,7 @@ def said(there: str, value: Term) -> bool:
 @pytest.mark.parametrize("form", ["urdf", "srdf", "sdf"])
 def test_every_element_of_the_robots_is_whole(form: str) -> None:
     for path in models(form):
-        model = read(decode(str(path), path.read_bytes()), OPTIONS, form)
+        model = read(source(path.read_bytes(), str(path), form), ReadOptions())
         for node, spans in model.map.nodes.items():
             if is_blank(node) or node == model.graph:
                 continue

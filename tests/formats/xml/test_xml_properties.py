@@ -8,12 +8,10 @@ from xml.sax.saxutils import escape
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reading_xml import graph, model
+from support.linting import document
 
 from kinlint.errors import SourceError
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.xml.reader import read
 from kinlint.terms import is_blank
-from kinlint.text import SourceText
 
 NAMES = st.sampled_from(["link", "joint", "visual", "pose", "mass", "x", "é", "gz:a", "a-1"])
 PLAIN = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="\ufffe\uffff$")
@@ -107,7 +105,7 @@ PIECES = st.sampled_from(
 @given(st.lists(PIECES | st.text(max_size=3), max_size=30).map("".join))
 def test_any_text_is_read_or_refused_with_its_place(text: str) -> None:
     try:
-        arm = read(SourceText("arm.urdf", text), ReadOptions(), "urdf")
+        arm = document(text, form="urdf")
     except SourceError as refused:
         error = refused
     else:

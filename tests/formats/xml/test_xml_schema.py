@@ -111,7 +111,8 @@ def test_reading_a_robot_imports_no_other_front_end(tmp_path: Path) -> None:
         "import sys; from kinlint.formats.registry import read, decode;"
         "from kinlint.formats.options import ReadOptions;"
         f"read(decode('arm.urdf', open({str(path)!r}, 'rb').read()), ReadOptions());"
-        "wrong = {'pyld', 'rdflib', 'pyshacl', 'kinlint.formats.jsonld', 'kinlint.formats.xacro'};"
+        "others = {f'kinlint.formats.{each}.reader' for each in ('jsonld', 'xacro', 'sdf')};"
+        "wrong = {'pyld', 'rdflib', 'pyshacl', *others};"
         "sys.exit(len(wrong & set(sys.modules)))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,11 +1,8 @@
 """Which space behind numbers urdfdom takes, as `check_urdf` of urdfdom 6 says it."""
 
 import pytest
+from support import linting
 
-from kinlint.formats import registry
-from kinlint.formats.options import ReadOptions
-from kinlint.formats.xml.reader import read
-from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
 
 TEXT = (
@@ -16,7 +13,7 @@ TEXT = (
 
 def unread(text, form="urdf"):
     """The texts whose space is stated, each with its quotes."""
-    document = read(SourceText("arm.xml", text), ReadOptions(), form)
+    document = linting.document(text, "arm.xml", form)
     stated = [s for s, _, o in document.statements if o == f"<{SRC}UnreadSpace>"]
     return [text[slice(*document.map.nodes[node].best)] for node in stated]
 
@@ -77,7 +74,7 @@ def test_xacro_writes_blanks_for_tabs_and_line_ends():
     """As any reader of XML takes them; space behind a single number stays what it is."""
     xmlns = 'name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"'
     text = TEXT.format("0\t0\n1", "1 ").replace('name="arm"', xmlns)
-    document = registry.read(SourceText("arm.xacro", text), ReadOptions())
+    document = linting.document(text, "arm.xacro")
     stated = [s for s, _, o in document.statements if o == f"<{SRC}UnreadSpace>"]
 
     assert [text[slice(*document.map.nodes[node].best)] for node in stated] == ["1 "]
