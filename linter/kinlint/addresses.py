@@ -12,7 +12,7 @@ or not: which steps of a path are names follows only from the kinds that always 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Container, Iterable, Iterator
 from functools import lru_cache
 from urllib.parse import quote, unquote
 
@@ -133,6 +133,26 @@ def enclosing(node: Term) -> Iterator[Term]:
     while len(address) > start:
         yield f"{address}>"
         address = address[: max(address.rfind("/"), start)]
+
+
+def is_element(node: Term) -> bool:
+    """Whether *node* is the address of an element other than the root of its document."""
+    return "#/" in node
+
+
+def way_out(element: Term, elements: Container[Term]) -> Iterator[tuple[str, str, str]]:
+    """Yield tag, name and order of *element* and those of *elements* that it stands in.
+
+    The innermost comes first, the root is left out; what an element does not have is empty.
+    """
+    inner = element
+    for outer in (*(each for each in enclosing(element) if each in elements), root_of(element)):
+        if outer != inner:
+            step = inner[len(outer.rstrip(">")) + 1 : -1]
+            path = unordered(step)
+            tag, _, name = path.partition("/")
+            yield tag, unquote(name), "" if name else step[len(path) + 1 :]
+            inner = outer
 
 
 def is_within(node: Term, element: Term) -> bool:

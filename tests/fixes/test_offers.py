@@ -40,7 +40,7 @@ def test_a_fix_is_offered_as_edits_a_title_and_an_update(rules):
     (fix,) = finding.fixes
 
     assert (fix.title, fix.applicability, fix.why, refused) == (
-        "Swap '2.6' and '-1'",
+        "Swap 2.6 and -1",
         Applicability.SAFE,
         "",
         [],

@@ -39,7 +39,7 @@ def test_a_result_has_a_message_a_place_taxa_and_links() -> None:
     result = run(BOTH)["results"][0]
     assert result["message"] == {
         "text": "Inertia 'rob:link2-inertia' is seen by frame 'rob:link1-root' of another body. "
-        "See ['models/dynamics.jsonld:5'](1), ['models/skeleton.jsonld:2'](2).",
+        "See [models/dynamics.jsonld:5](1), [models/skeleton.jsonld:2](2).",
         "id": "message2",
         "arguments": [
             "rob:link2-inertia",
@@ -185,7 +185,8 @@ def test_a_template_without_placeholders_is_about_its_entity() -> None:
     (result,) = results(log(made))
     strings = rules(log(made))[0]["messageStrings"]
     assert list(strings.values()) == [{"text": "It has {{no}} unit. Entity: '{0}'."}]
-    assert result["message"]["text"] == f"It has {{no}} unit. Entity: '{finding.iri}'."
+    assert result["message"]["text"] == "It has {no} unit."
+    assert result["message"]["arguments"] == [finding.iri]
 
 
 def test_only_ten_related_locations_are_linked() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from kinlint.cache.removal import clear
 from kinlint.cli.argument_parser import Parser, filled
@@ -28,7 +29,7 @@ def parser() -> Parser:
 def run(arguments: Sequence[str]) -> int:
     """Remove the cache; the exit code. Raises `UsageError` if something cannot be removed."""
     options = parser().read(arguments)
-    directory = cache_directory(os.environ, options.cache_dir)
+    directory = Path(options.cache_dir or cache_directory(os.environ))
     try:
         cleared = clear(directory)
     except OSError as error:

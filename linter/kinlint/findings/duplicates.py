@@ -11,4 +11,5 @@ def identity(finding: Finding) -> tuple[object, ...]:
     where = (finding.location.source.name, finding.location.span)
     # One line of text may make several nodes.
     about = None if is_address(finding.iri) else finding.focus
-    return finding.rule.code, where, finding.message, about
+    said = finding.template, finding.meant, finding.message
+    return finding.rule.code, where, said, about

@@ -21,10 +21,13 @@ from kinlint.engine.store import Store
 from kinlint.findings.duplicates import identity
 from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
-from kinlint.model import PLACEHOLDER, Finding, Premise, Related, Rule, Severity
+from kinlint.findings.wording import Wording
+from kinlint.message_template import counted, filled
+from kinlint.model import Finding, Premise, Related, Rule, Severity
 from kinlint.term_format import Display
 from kinlint.terms import (
     RDF_TYPE,
+    XSD,
     Term,
     Triple,
     iri,
@@ -32,6 +35,8 @@ from kinlint.terms import (
     is_blank,
     is_iri,
     is_literal,
+    literal,
+    literal_value,
 )
 from kinlint.text import Location
 from kinlint.vocabulary import FACT
@@ -88,50 +93,57 @@ class Account:
         return told[1] if told is not None else ()
 
     def filled(self, template: str, finding: Finding) -> str:
-        """*template* with what *finding* has for its placeholders, as its file abbreviates."""
+        """*template* with what *finding* has for its placeholders, in the words of its file."""
         told = (each for one in (finding, *finding.members) for each in self.results(one))
         terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
-        display = self._locator.display(finding.location)
-        return PLACEHOLDER.sub(lambda match: _word(terms.get(match[1]), display), template)
+        wording = Wording(self._locator, finding.location, finding.focus)
+        return filled(template, wording.words(template, terms))
 
     def detailed(self, finding: Finding) -> Finding:
         """*finding*, if it is one of these, with what else it speaks of and what it rests on."""
         if (told := self._told.get(identity(finding))) is None:
             return finding
         result, location = told[1][0], finding.location
-        display = self._locator.display(location)
+        wording = Wording(self._locator, location, finding.focus)
         return replace(
             finding,
-            related=tuple(_related(result, location, self._locator, display)),
-            because=tuple(_because(result, self._locator, self._proofs, display)),
+            related=tuple(_related(result, location, self._locator, wording)),
+            because=tuple(_because(result, self._locator, self._proofs, wording.display)),
         )
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     rule = rulebook.by_iri[result.constraint.owner]
     location = locator.of(result, rulebook.axioms)
-    display = locator.display(location)
+    wording = Wording(locator, location, result.focus)
+    display = wording.display
     template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
     terms = dict(_terms(result))
-    names = list(dict.fromkeys(PLACEHOLDER.findall(template)))
-    shown = {name: _word(terms.get(name), display) for name in names}
-    if rule.group_by and COUNT in shown:
-        shown[COUNT] = "1"
+    if rule.group_by:
+        terms[COUNT] = literal("1", f"{XSD}integer")
+    words = wording.words(template, terms)
+    count = 0 if COUNT in words else _number(terms.get(COUNT))
     about = locator.about(result.focus)
     return Finding(
         rule=rule,
         severity=_severity(result.constraint, rule),
-        message=PLACEHOLDER.sub(lambda match: shown[match[1]], template),
+        message=counted(filled(template, words), count),
         location=location,
         iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
         focus=result.focus,
         path=result.path,
         value=result.value,
         template=template,
-        arguments=tuple(shown.values()),
-        meant=tuple(_meant(terms.get(name), word) for name, word in shown.items()),
+        arguments=tuple(words.values()),
+        meant=tuple(_meant(terms.get(name), display) for name in words),
         group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
     )
+
+
+def _number(term: Term | None) -> int:
+    """The whole number that *term* is, else 0."""
+    value = literal_value(term) if term is not None and is_literal(term) else ""
+    return int(value) if value.isdecimal() else 0
 
 
 def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
@@ -140,17 +152,15 @@ def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
     yield from (("this", result.focus), ("path", result.path), ("value", result.value))
 
 
-def _word(term: Term | None, display: Display) -> str:
-    return display.term(term) if term else ""
-
-
-def _meant(term: Term | None, word: str) -> str:
-    """What *word*, written for *term*, stands for; the name of a file of elements is left out."""
-    if term is None or not is_iri(term):
-        return word
+def _meant(term: Term | None, display: Display) -> str:
+    """What *term* stands for, whatever it is called; the name of a file of elements is left out."""
+    if term is None:
+        return ""
+    if not is_iri(term):
+        return display.term(term)
     if not is_address(term):
         return iri_value(term)
-    return without_file(iri_value(term)) if "#" in term else word
+    return without_file(iri_value(term)) if "#" in term else display.term(term)
 
 
 def _severity(constraint: Constraint, rule: Rule) -> Severity:
@@ -168,7 +178,7 @@ def _said(result: Result, rule: Rule) -> str:
 
 
 def _related(
-    result: Result, location: Location, locator: Locator, display: Display
+    result: Result, location: Location, locator: Locator, wording: Wording
 ) -> Iterator[Related]:
     """The other things that a result names, where they are written and described."""
     named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
@@ -180,10 +190,10 @@ def _related(
         if said is None and is_literal(term) and term in ways:
             said = locator.origin((result.focus, ways[term], term))
         if said is not None and said[0] != location and said[1] != RDF_TYPE:
-            yield Related(said[0], f"'{display.term(said[1])}' is given here")
+            yield Related(said[0], f"'{wording.display.term(said[1])}' is given here")
         described = None if is_literal(term) or term == result.focus else locator.node(term)
         if described is not None and described != location:
-            yield Related(described, f"'{display.term(locator.about(term))}' is described here")
+            yield Related(described, f"{wording.word(locator.about(term))} is described here")
 
 
 def _because(

@@ -6,7 +6,8 @@ from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 
 from kinlint.addresses import is_address, split
-from kinlint.model import PLACEHOLDER, Finding, Related
+from kinlint.message_template import VARIABLE, counted, filled
+from kinlint.model import Finding, Related
 
 COUNT = "count"
 """The placeholder in the message of such a rule that says how many places there are."""
@@ -55,18 +56,22 @@ def _model(finding: Finding) -> str:
 def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:
     members = sorted(group, key=lambda finding: (-finding.severity, finding.sort_key))
     first, others = replace(detailed(members[0]), members=tuple(members)), members[1:]
+    count = 1 + len(others)
     if not first.rule.group_by:
-        times = f"So it is in '{1 + len(others)}' uses of this text."
-        return replace(first, message=f"{first.message} {times}", template="")
+        return replace(
+            first, message=f"{first.message} This text is used {count} times.", template=""
+        )
     known = {first.location, *(related.location for related in first.related)}
     places = dict.fromkeys(other.location for other in others if other.location not in known)
-    names = dict.fromkeys(PLACEHOLDER.findall(first.template))
+    names = dict.fromkeys(match[3] for match in VARIABLE.finditer(first.template))
     shown = dict(zip(names, first.arguments, strict=False))
     if COUNT in shown:
-        shown[COUNT] = str(1 + len(others))
+        message = filled(first.template, shown := shown | {COUNT: str(count)})
+    else:
+        message = counted(first.message, count)
     return replace(
         first,
-        message=PLACEHOLDER.sub(lambda match: shown.get(match[1], ""), first.template),
+        message=message,
         arguments=tuple(shown.values()),
         related=(*first.related, *(Related(place, "") for place in places)),
     )

@@ -240,9 +240,13 @@ class Locator:
         """The documents by the identity of each text that they are made of."""
         return {id(text): each for each in reversed(self.documents) for text in each.sources}
 
+    def document(self, location: Location) -> Document | None:
+        """The document that the text of *location* is a part of."""
+        return self._by_source.get(id(location.source))
+
     def display(self, location: Location) -> Display:
         """How the file of *location* abbreviates."""
-        document = self._by_source.get(id(location.source))
+        document = self.document(location)
         if document is None:
             return Display()
         if document.graph not in self._displays:

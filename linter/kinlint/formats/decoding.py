@@ -39,7 +39,7 @@ def decode(name: str, data: bytes) -> SourceText:
     zero = content.find(b"\0")
     if zero >= 0:
         guess = _guess(content)
-        cause = f"the file seems to be {guess}" if guess else "a NUL byte: this is no text"
+        cause = f"the file seems to be {guess}" if guess else "a NUL byte: this is not a text file"
         raise SourceError(name, cause, *_place(content, zero))
     try:
         return recognised(SourceText(name, content.decode("utf-8"), marked))

@@ -20,11 +20,12 @@ from kinlint.errors import SourceError
 from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.model import PLACEHOLDER, Example, Finding, Rule
+from kinlint.model import Example, Finding, Rule
 from kinlint.rule_testing.bench import Bench, idle
 from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
+UNQUOTED = re.compile(r"(?<!')\{[?$]this\}|\{[?$]this\}(?!')")
 STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
 FORMATS = {each.name: each for each in records.FORMATS if each.editor is not None}
 """The formats in which examples are written, by name."""
@@ -218,13 +219,12 @@ def _place(finding: Finding) -> str:
 
 
 def messages(rule: Rule) -> Iterator[str]:
-    """Messages end in a period and put what they fill in into single quotes."""
+    """Messages end in a period and put the name of the focus node into single quotes."""
     for message in rule.messages:
         if not message.endswith("."):
             yield f"message does not end in a period: {message}"
-        for match in PLACEHOLDER.finditer(message):
-            if message[match.start() - 1 : match.end() + 1] != f"'{match[0]}'":
-                yield f"message has {match[0]} outside single quotes: {message}"
+        if UNQUOTED.search(message):
+            yield f"message has {{$this}} outside single quotes: {message}"
 
 
 def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:

@@ -152,7 +152,7 @@ def test_an_unnamed_element_and_a_name_never_share_an_address() -> None:
                 "tag": "mechanicalReduction",
                 "written": "one",
                 "expected": "number",
-                "reason": "one is no number",
+                "reason": "one is not a number",
             },
         ),
         (
@@ -164,7 +164,7 @@ def test_an_unnamed_element_and_a_name_never_share_an_address() -> None:
                 "tag": "axis",
                 "written": "nan 0 0",
                 "expected": "3 numbers",
-                "reason": "nan is no number",
+                "reason": "nan is not a number",
             },
         ),
         (

@@ -12,11 +12,11 @@ from kinlint.errors import SourceError
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("<r name='a'><!-- a -- b --- c ----><l/></r>", [("--", "-- within a comment")]),
-        ("<r name='a'><!-- a ---></r>", [("-", "-- within a comment")]),
+        ("<r name='a'><!-- a -- b --- c ----><l/></r>", [("--", "-- inside a comment")]),
+        ("<r name='a'><!-- a ---></r>", [("-", "-- inside a comment")]),
         (
             "<?xml version='0.0'?><r name='a'/>",
-            [("<?xml version='0.0'?>", "a version that XML does not have")],
+            [("<?xml version='0.0'?>", "an unknown XML version")],
         ),
         (
             "<?xml verison='1.0'?><r name='a'/>",
@@ -28,7 +28,7 @@ from kinlint.errors import SourceError
         ),
         (
             "<!-- x --><?xml version='1.0'?>\n<r name='a'/>",
-            [("<?xml version='1.0'?>", "an XML declaration behind other content")],
+            [("<?xml version='1.0'?>", "an XML declaration after other content")],
         ),
         (
             "<?xml version='1.0'?>\n<?xml version='1.0'?><r name='a'/>",
@@ -36,16 +36,16 @@ from kinlint.errors import SourceError
         ),
         ("<r name='a'/>\n\0\n", [("\0", "the character U+0000")]),
         ("<r name='a'>\x01\x02</r>", [("\x01\x02", "the character U+0001")]),
-        ("<r name='a'/>\n</r>\nrest", [("</r>", "something after the end of <r>")]),
-        ("<r name='a'/><r name='b'/>", [("<r name='b'/>", "something after the end of <r>")]),
-        ("<r name='a'>a & b</r>", [("&", "& that is not written &amp;")]),
+        ("<r name='a'/>\n</r>\nrest", [("</r>", "content after the end of <r>")]),
+        ("<r name='a'/><r name='b'/>", [("<r name='b'/>", "content after the end of <r>")]),
+        ("<r name='a'>a & b</r>", [("&", "unescaped &")]),
         ("<r name='a'>&nbsp;</r>", [("&nbsp;", "the undefined entity &nbsp;")]),
-        ("<r name='a'>&#0;</r>", [("&#0;", "& that is not written &amp;")]),
-        ("<r name='a'>&#x110000;</r>", [("&#x110000;", "& that is not written &amp;")]),
+        ("<r name='a'>&#0;</r>", [("&#0;", "unescaped &")]),
+        ("<r name='a'>&#x110000;</r>", [("&#x110000;", "unescaped &")]),
         ("<r name='a'>]]></r>", [(">", "]]> outside of a CDATA section")]),
         (
             "<r name='a' x='<&>'/>",
-            [("<", "< that is not written &lt;"), ("&", "& that is not written &amp;")],
+            [("<", "unescaped <"), ("&", "unescaped &")],
         ),
         ("<r name='a'x='1'y='é'/>", [("x", "no space before x"), ("y", "no space before y")]),
     ],
@@ -95,10 +95,10 @@ def test_of_an_attribute_given_twice_the_first_counts() -> None:
 @pytest.mark.parametrize(
     ("text", "place", "reason"),
     [
-        ("", "", "no element"),
-        ("  \n", " ", "no element"),
-        ("<!-- nothing -->", "<", "no element"),
-        ("<robot><link name='b'></robot>", "</robot>", "</robot> where <link> is to be closed"),
+        ("", "", "the file has no element"),
+        ("  \n", " ", "the file has no element"),
+        ("<!-- nothing -->", "<", "the file has no element"),
+        ("<robot><link name='b'></robot>", "</robot>", "</robot> closes <link>"),
         ("<robot name='a'>\n<link name='b'/>", "robot", "<robot> is never closed"),
         ("<robot name='a'><!-- ", "<", "what begins here never ends"),
         ("<robot name='a'><link name=b/></robot>", "b", "not well-formed (invalid token)"),

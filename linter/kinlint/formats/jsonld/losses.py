@@ -156,7 +156,7 @@ class LossWatch:
     def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
         """The literal at *span* is none; of impossible datatypes is spoken elsewhere."""
         if "@language" in item and item.get("@type") is None:
-            reason = f"'{item['@language']}' is no language tag"
+            reason = f"'{item['@language']}' is not a language tag"
             details = said(written=str(item["@value"]), reason=reason)
             self.losses.append(Loss("LostValue", span, node, details))
         elif too_large(item):

@@ -70,7 +70,9 @@ class Resolver:
         if found is None:
             return self._unknown(iri, context)
         if not isinstance(found, Mapping):
-            raise _error(f"the imported {iri} is no single context", "invalid remote context", iri)
+            raise _error(
+                f"the imported {iri} is not a single context", "invalid remote context", iri
+            )
         if "@import" in found:
             raise _error(f"the imported {iri} imports a context", "invalid context entry", iri)
         return Resolved({**found, **_without_import(context)})
@@ -102,7 +104,7 @@ class Resolver:
         if document is None:
             return None
         if not isinstance(document, Mapping):
-            raise _error(f"{iri} is no JSON object", "invalid remote context", iri)
+            raise _error(f"{iri} is not a JSON object", "invalid remote context", iri)
         context = document.get("@context", {})
         return _NULL if context is None else _located(context, iri)
 

@@ -116,7 +116,7 @@ class _Inclusion:
         if text is None:
             text = memory[key] = decode(shown(path), contents(path, path, LARGEST))
         if text.format != SDF:
-            raise Unreadable(f"{text.name} is no SDF")
+            raise Unreadable(f"{text.name} is not SDF")
         return text
 
 

@@ -21,12 +21,15 @@ WORDS = (
     (r"Not enough blocks", "the macro is called without a block that it needs"),
     (r'Unused block "(.*)"', "the macro takes no block like '{0}'"),
     (r'Undefined block "(.*)"', "there is no block '{0}' here"),
-    (r"Undefined property to forward: (.*)", "there is no property '{0}' to hand on"),
+    (r"Undefined property to forward: (.*)", "there is no property '{0}' to forward"),
     (r"(\S+): missing attribute '(.*)'", "element '{0}' lacks the attribute '{1}'"),
     (r"(\S+): empty name", "element '{0}' has an empty name"),
     (r"Invalid use of macro name 'call'", "no macro may be called 'call'"),
     (r"macro names must not contain '\.' .*: (.*)", "the name of macro '{0}' has a dot"),
-    (r"Property names must be valid python identifiers: ?(.*)", "'{0}' is no name for a property"),
+    (
+        r"Property names must be valid python identifiers: ?(.*)",
+        "'{0}' is not a valid property name",
+    ),
     (
         r"Property names must not start with double underscore: ?(.*)",
         "the name of property '{0}' begins with two underscores",

@@ -54,7 +54,7 @@ class Pieces:
         if source is None:
             source = memory[key] = decode(self._name(path), contents(path, self.path))
         if not source.text.lstrip().startswith("<"):
-            raise Unreadable(f"'{source.name}' is no XML")
+            raise Unreadable(f"'{source.name}' is not XML")
         if id(source) not in self._begins:
             self._add(source)
         return source

@@ -42,7 +42,7 @@ class Substitution:
             return self._eval(rest)
         expected = {"cwd": 0, "dirname": 0, "arg": 1, "find": 1, "env": 1}.get(command)
         if expected is None and (command != "optenv" or not words):
-            raise ValueError(f"'$({inside})' is no substitution that xacro knows")
+            raise ValueError(f"'$({inside})' is not a substitution that xacro knows")
         if expected is not None and len(words) != expected:
             raise ValueError(
                 f"'$({inside})' takes {expected or 'no'} argument{'s' * (not expected)}"

@@ -54,8 +54,8 @@ def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Bounds)
         mark = getattr(error, "problem_mark", None)
         at = f":{mark.line + 1}:{mark.column + 1}" if mark else ""
         what = getattr(error, "problem", None) or "no YAML"
-        raise Unreadable(f"'{name}{at}' is no YAML: {what}") from None
+        raise Unreadable(f"'{name}{at}' is not valid YAML: {what}") from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise Unreadable(f"'{name}' is no YAML that xacro reads: {error}") from None
+        raise Unreadable(f"'{name}' is not YAML that xacro reads: {error}") from None
     bounds.result(value)
     return dotted(value)

@@ -145,7 +145,7 @@ def _ampersands(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Ed
         named, decimal, hexadecimal, unknown = match.groups()
         if named or _is_character(decimal, 10) or _is_character(hexadecimal, 16):
             continue
-        reason = f"the undefined entity {match[0]}" if unknown else "& that is not written &amp;"
+        reason = f"the undefined entity {match[0]}" if unknown else "unescaped &"
         start = match.start()
         yield _Edit(Span(start, start + 1), spare["&"], reason, None, Span(*match.span()))
 
@@ -159,7 +159,7 @@ def _is_character(digits: str | None, base: int) -> bool:
 
 def _comment(text: str, span: Span) -> Iterator[_Edit]:
     """Changes to what a comment says; only the first is told."""
-    reason = "-- within a comment"
+    reason = "-- inside a comment"
     for match in HYPHENS.finditer(text, *span) if span.end > span.start else ():
         place = Span(*match.span())
         yield _Edit(place, "~" * (place.end - place.start), reason)
@@ -180,10 +180,10 @@ def _declaration(text: str, span: Span) -> Iterator[_Edit]:
     if 0 < span.start <= _leading(text):
         yield _Edit(span, blank, "an XML declaration that is not at the very beginning")
     elif span.start > 0:
-        yield _Edit(span, blank, "an XML declaration behind other content")
+        yield _Edit(span, blank, "an XML declaration after other content")
     elif not SOUND.fullmatch(text, *span):
         versioned = OTHERWISE_SOUND.fullmatch(text, *span)
-        kind = "a version that XML does not have" if versioned else "a malformed XML declaration"
+        kind = "an unknown XML version" if versioned else "a malformed XML declaration"
         yield _Edit(span, blank, kind)
 
 
@@ -204,6 +204,6 @@ def _attributes(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Ed
         at = text.find("<", *value)
         while at >= 0:
             place = Span(at, at + 1)
-            edits.append(_Edit(place, spare["<"], "< that is not written &lt;"))
+            edits.append(_Edit(place, spare["<"], "unescaped <"))
             at = text.find("<", at + 1, value.end)
         yield from sorted(edits)

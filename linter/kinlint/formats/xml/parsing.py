@@ -72,7 +72,7 @@ def parse(source: SourceText, fresh: Callable[[], Elements]) -> Parsed:
         at = len(source.text) - len(rest)
         line = rest.splitlines()[0] if rest else ""
         root = source.text[slice(*_tag(source, parsed, 0))]
-        flaw = Flaw(Span(at, at + len(line.rstrip())), f"something after the end of <{root}>")
+        flaw = Flaw(Span(at, at + len(line.rstrip())), f"content after the end of <{root}>")
         parsed = _parsed(source, text.cut(at, flaw), fresh())
     return parsed
 
@@ -111,12 +111,12 @@ def _fatal(source: SourceText, parsed: Parsed, code: int, at: int) -> Flaw:
         at = source.text.rfind("</", 0, at + 2)
         end = source.text.find(">", at) + 1
         opened = source.text[slice(*_tag(source, parsed, number))]
-        return Flaw(Span(at, end), f"{source.text[at:end]} where <{opened}> is to be closed")
+        return Flaw(Span(at, end), f"{source.text[at:end]} closes <{opened}>")
     if code == NO_ELEMENT and number >= 0:
         span = _tag(source, parsed, number)
         return Flaw(span, f"<{source.text[slice(*span)]}> is never closed")
     if code == NO_ELEMENT:
-        return Flaw(Span(0, min(1, len(source.text))), "no element")
+        return Flaw(Span(0, min(1, len(source.text))), "the file has no element")
     span = Span(at, min(at + 1, len(source.text)))
     if code == UNENDED:
         return Flaw(span, "what begins here never ends")

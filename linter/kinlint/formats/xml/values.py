@@ -85,7 +85,7 @@ class Numbers(Reading):
             return f"decimal comma in {wrong}"
         if NUMBER.fullmatch(wrong):
             return f"{wrong} is too large for a double"
-        return f"{wrong} is no number"
+        return f"{wrong} is not a number"
 
     def _number(self, part: str) -> Term | None:
         if NUMBER.fullmatch(part) and isfinite(float(part)):

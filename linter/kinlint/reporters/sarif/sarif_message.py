@@ -8,10 +8,9 @@ appearance. Brackets are escaped, since `[text](1)` is a link to a related locat
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from functools import partial
 from typing import NamedTuple
 
+from kinlint.message_template import bare, filled
 from kinlint.model import PLACEHOLDER, Finding
 
 RELATED_LOCATIONS = 10
@@ -21,28 +20,27 @@ _BRACKET = re.compile(r"(\\*)([\[\]])")
 
 
 class Message(NamedTuple):
-    """`template` filled with `arguments` is `text`."""
+    """What people read, and a template that with its `arguments` says the same."""
 
+    text: str
     template: str
     arguments: tuple[str, ...]
-
-    @property
-    def text(self) -> str:
-        """The message as people read it."""
-        return _filled(self.template, self.arguments)
 
 
 def message_of(finding: Finding) -> Message:
     """The message of *finding*, with links to its related locations, numbered from one."""
     template, arguments = _worded(finding)
-    links = []
+    text = f"{escaped(finding.message.removesuffix('.'))}."
+    places, links = [], []
     for number, related in enumerate(finding.related[:RELATED_LOCATIONS], 1):
-        place = f"{related.location.source.name}:{related.location.start.line}"
+        place = escaped(f"{related.location.source.name}:{related.location.start.line}")
+        places.append(f"[{place}]({number})")
         links.append(f"['{{{len(arguments)}}}']({number})")
-        arguments = (*arguments, escaped(place))
+        arguments = (*arguments, place)
     if links:
+        text += f" See {', '.join(places)}."
         template += f" See {', '.join(links)}."
-    return Message(template, arguments)
+    return Message(text, template, arguments)
 
 
 def message_template(template: str) -> str:
@@ -71,7 +69,7 @@ def escaped(text: str) -> str:
 
 
 def _worded(finding: Finding) -> tuple[str, tuple[str, ...]]:
-    """The template and its arguments; if they do not make the message, one that does.
+    """The template and its arguments; if there are none, one that any message fits.
 
     So it is with a message that an engine filled in: as a template it would serve once.
     """
@@ -80,24 +78,16 @@ def _worded(finding: Finding) -> tuple[str, tuple[str, ...]]:
     if not names and template == message and template in finding.rule.messages:
         return message_template(template), (escaped(finding.entity),)
     if names and len(names) == len(finding.arguments):
-        values = dict(zip(names, finding.arguments, strict=True))
-        if _PLACEHOLDER.sub(partial(_in_place, values), template) == message:
-            return message_template(template), tuple(map(escaped, finding.arguments))
+        words = dict(zip(names, finding.arguments, strict=True))
+        if _plain(message).startswith(_plain(filled(template, words)).removesuffix(".")):
+            return message_template(template), tuple(escaped(bare(each)) for each in words.values())
     return "'{0}' Entity: '{1}'.", (escaped(message), escaped(finding.entity))
 
 
-def _in_place(values: Mapping[str, str], match: re.Match[str]) -> str:
-    """The value of a placeholder, between the quotes that the template has round it."""
-    opening, closing = match[0].startswith("'"), match[0].endswith("'")
-    return "'" * opening + values[match[1]] + "'" * closing
+def _plain(text: str) -> str:
+    """*text* without quotes and capitals, which depend on what is filled in."""
+    return text.replace("'", "").lower()
 
 
 def _literal(text: str) -> str:
     return escaped(text).replace("{", "{{").replace("}", "}}")
-
-
-def _filled(template: str, arguments: tuple[str, ...]) -> str:
-    def part(match: re.Match[str]) -> str:
-        return match[0][0] if match[1] is None else arguments[int(match[1])]
-
-    return re.sub(r"\{\{|\}\}|\{(\d+)\}", part, template)

@@ -1,0 +1,159 @@
+"""Fills message templates with the words of the author: names as written, elements by their tag.
+
+A node that was made of an element of XML is called by that element, `<limit> of joint 'elbow'`,
+and never by the address that only the graph has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeGuard
+
+from kinlint.addresses import document_of, is_element, local_name, unordered, way_out
+from kinlint.document import Document
+from kinlint.findings.locator import Locator
+from kinlint.message_template import VARIABLE
+from kinlint.term_format import NUMBERS, Display
+from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_datatype, literal_value
+from kinlint.text import Location
+from kinlint.vocabulary import SRC
+
+KINDS = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light", "macro"})
+"""Elements that are spoken of by kind and name: joint 'elbow'."""
+
+TEXT = f"<{SRC}text"
+"""How the property of the text of an element begins, and those of the words in it."""
+
+NUMERIC = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+"""A number as attributes hold it."""
+
+SYNONYMS = {"body": "link", "root": "link", "shape": "collision", "part": "link"}
+"""Words of templates that say the kind of what is named after them."""
+
+TOLD = frozenset({"visual", "collision", "axis2"})
+"""Elements without a name that tell apart what is within them."""
+
+DIGITS = 6
+"""Significant digits of a number with too many to read."""
+
+
+@dataclass(frozen=True)
+class Wording:
+    """How the finding at `location` about `focus` speaks of terms."""
+
+    locator: Locator
+    location: Location
+    focus: Term
+
+    @cached_property
+    def display(self) -> Display:
+        """The abbreviations of the file."""
+        return self.locator.display(self.location)
+
+    def words(self, template: str, terms: Mapping[str, Term | None]) -> dict[str, str]:
+        """What stands for the variables of *template*: names in quotes, numbers without.
+
+        A kind that the template says before the variable is left out: joint '{?joint}'.
+        """
+        before: dict[str, str] = {}
+        for match in VARIABLE.finditer(template):
+            before.setdefault(match[3], (match[1] or "").lower())
+        found = {name: terms.get(name) for name in before}
+        first = {name: self.word(term) if term else "''" for name, term in found.items()}
+        words = dict(first)
+        for name, term in found.items():
+            kind, _, rest = first[name].partition(" '")
+            if rest and before[name] and kind.endswith(SYNONYMS.get(before[name], before[name])):
+                words[name] = f"'{rest}"
+            elif term and any(first[name] == first[each] and term != found[each] for each in words):
+                words[name] = self._exact(term)
+        return words
+
+    def _exact(self, term: Term) -> str:
+        """*term* so that no other one reads the same: all digits, the whole IRI."""
+        if is_number(term):
+            return self.display.term(term)
+        if is_iri(term) and self._element(term) is None:
+            return f"'{iri_value(term)}'"
+        return self.word(term)
+
+    def word(self, term: Term) -> str:
+        """*term* in the words of its file: `'rob:elbow'`, `2.5`, `<limit> of joint 'elbow'`."""
+        if is_number(term):
+            return brief(self.display.term(term))
+        if self._in_xml and is_literal(term) and NUMERIC.fullmatch(literal_value(term)):
+            return literal_value(term)
+        element = self._element(term)
+        if element is None:
+            return f"'{self._written_as(term) or self.display.term(term)}'"
+        document, node = element
+        phrase = " of ".join(_phrases(document, node))
+        if document.graph == self._home:
+            return phrase
+        return f"{phrase} in '{document.source.name.replace(chr(92), '/').rpartition('/')[2]}'"
+
+    def _written_as(self, property_: Term) -> str:
+        """The attribute or element of the file that gives a lifted *property_* of the focus."""
+        if self._in_xml and is_iri(property_):
+            for _, triple in self.locator.provenance.property(self.focus, property_).written:
+                element, way, _ = triple
+                text = way.startswith(TEXT)
+                return unordered(local_name(element)) if text else self.display.term(way)
+        return ""
+
+    @cached_property
+    def _in_xml(self) -> bool:
+        """Whether the finding is about an element, whose attributes are texts to begin with."""
+        return self._element(self.focus) is not None
+
+    @cached_property
+    def _home(self) -> Term:
+        """The graph of the document that the finding is about."""
+        graph = document_of(self.focus)
+        if graph in self.locator.store.documents:
+            return graph
+        document = self.locator.document(self.location)
+        return document.graph if document is not None else graph
+
+    def _element(self, term: Term) -> tuple[Document, Term] | None:
+        """The element that *term* is or was made of, the innermost of several; its document."""
+        if not is_iri(term):
+            return None
+        document = self.locator.store.documents.get(document_of(term))
+        if document is None:
+            return None
+        origins = (term, *self.locator.origins(term))
+        nodes = [node for node in origins if is_element(node) and node in document.map.nodes]
+        return (document, max(nodes, key=lambda node: node.count("/"))) if nodes else None
+
+
+def is_number(term: Term | None) -> TypeGuard[Term]:
+    """Whether *term* is a literal with a numeric datatype."""
+    return term is not None and is_literal(term) and literal_datatype(term) in NUMBERS
+
+
+def brief(number: str) -> str:
+    """*number* with so many digits as one reads; all of them where they are few."""
+    try:
+        value = float(number)
+    except ValueError:
+        return number
+    digits = sum(char.isdigit() for char in number.lower().partition("e")[0].lstrip("-0."))
+    return number if digits <= DIGITS + 3 else f"{value:.{DIGITS}g}"
+
+
+def _phrases(document: Document, node: Term) -> Iterator[str]:
+    """*node* and the elements that it stands in, up to the first that a name tells apart."""
+    steps = list(way_out(node, document.map.nodes))
+    for at, (tag, name, order) in enumerate(steps):
+        if name and tag in KINDS:
+            models = [each for kind, each, _ in steps[at + 1 : -1] if kind == "model"]
+            yield f"{tag} '{'::'.join((*reversed(models), name))}'"
+            return
+        if name:
+            yield f"{tag} '{name}'"
+        elif not at or order or tag in TOLD:
+            yield f"<{tag}> {order}".rstrip()
