@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from kinlint.cli.main import main
-from kinlint.file_groups import models
+from kinlint.formats.dependencies.file_groups import models
 from kinlint.parallel import processes
 from kinlint.text import SourceText
 

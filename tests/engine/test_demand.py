@@ -22,10 +22,10 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
+from kinlint.formats.dependencies.companions import joined
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
-from kinlint.formats.srdf.pairing import join, partners
 from kinlint.missing_files import references
 from kinlint.model import Rule
 from kinlint.rule_testing import promises
@@ -127,7 +127,7 @@ def examples(rule: Rule) -> Iterator[Sequence[Document]]:
     for example in rule.examples:
         if example.format in FORMATS:
             for texts in promises._texts(example):
-                yield join([read(each, OPTIONS) for each in texts], partners(texts))
+                yield joined([read(each, OPTIONS) for each in texts])
 
 
 def state(

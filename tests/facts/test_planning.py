@@ -6,9 +6,9 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
 from kinlint.facts.reference import nearest
+from kinlint.formats.dependencies.companions import joined
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.srdf.pairing import join, partners
 from kinlint.text import SourceText
 from kinlint.vocabulary import FACT
 
@@ -38,7 +38,7 @@ def computed(body):
     sources = [
         SourceText(f"a.{form}", text) for form, text in zip(("srdf", "urdf"), texts, strict=True)
     ]
-    documents = join([read(each, ReadOptions()) for each in sources], partners(sources))
+    documents = joined([read(each, ReadOptions()) for each in sources])
     store = Store()
     store.load(documents)
     lift(store)

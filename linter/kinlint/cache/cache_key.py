@@ -15,7 +15,7 @@ from kinlint import __version__, resources
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.contexts.context_library import Contexts, Extra
-from kinlint.formats.recognition import recognised
+from kinlint.formats.dependencies.mentions import includes_nothing
 from kinlint.text import SourceText
 
 FOLLOWS = ("text", "format")
@@ -60,7 +60,7 @@ class CacheKeys:
         *complete* tells that no file was left unread.
         """
         each = [[plain(one), self._file(self.settings.of(one.name))] for one in sources]
-        others = [] if all(map(alone, sources)) else self._special()
+        others = [] if all(map(includes_nothing, sources)) else self._special()
         return _digest([self._base, complete, each, others])
 
     def _special(self) -> list[list[str]]:
@@ -73,13 +73,6 @@ class CacheKeys:
         if id(settings) not in self._known:
             self._known[id(settings)] = _digest(plain(settings))
         return self._known[id(settings)]
-
-
-def alone(source: SourceText) -> bool:
-    """Tell whether *source* surely includes no other file."""
-    form = recognised(source).format
-    plain = form is not None and form.describes_robots and not form.expands_to
-    return plain and "include" not in source.text
 
 
 def plain(value: Any) -> Any:

@@ -151,7 +151,8 @@ def _check(output: Path | None, found: Found) -> None:
 def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     """Return the report to draw. Raises `SourceError` for what cannot be read or has no robot."""
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
-    from kinlint.project.reading import beside, read  # noqa: PLC0415
+    from kinlint.formats.dependencies.companions import beside  # noqa: PLC0415
+    from kinlint.project.reading import read  # noqa: PLC0415
 
     sources, errors = read(found.inputs, settings)
     for error in (*found.errors, *errors):

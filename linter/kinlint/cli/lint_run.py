@@ -57,7 +57,8 @@ class LintRun:
     def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
-            from kinlint.project.reading import beside, read  # noqa: PLC0415
+            from kinlint.formats.dependencies.companions import beside  # noqa: PLC0415
+            from kinlint.project.reading import read  # noqa: PLC0415
 
         with self.phases.phase("decoding"):
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)

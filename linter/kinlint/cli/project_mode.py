@@ -54,7 +54,7 @@ def concerning(
     """Return the *sources* that may affect findings in one that is not among *asides*."""
     if all(source.name in asides for source in sources):
         return []
-    from kinlint.file_groups import models  # noqa: PLC0415
+    from kinlint.formats.dependencies.file_groups import models  # noqa: PLC0415
     from kinlint.parallel.partition import divisible  # noqa: PLC0415  loads every reader
 
     if not divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
+from kinlint.formats.dependencies.companions import joined
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.srdf.pairing import join, partners
 from kinlint.text import SourceText
 
 
@@ -18,5 +18,4 @@ def documents(sources: Sequence[SourceText], settings: Settings) -> list[Documen
     Raises `SourceError` for the first that cannot be read.
     """
     options = ReadOptions.of(settings)
-    found = [read(source, options) for source in sources]
-    return join(found, partners(sources, settings.partner))
+    return joined([read(source, options) for source in sources], settings.partner)

@@ -10,11 +10,11 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.file_groups import models
 from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, tried
 from kinlint.fixes.wording import update
+from kinlint.formats.dependencies.file_groups import models
 from kinlint.lint import examine
 from kinlint.model import Applicability, Finding, Fix
 from kinlint.phases import Phases

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeAlias
 
-from kinlint.cache.cache_key import alone
 from kinlint.configuration.settings import Settings
-from kinlint.file_groups import models
+from kinlint.formats.dependencies.file_groups import models
+from kinlint.formats.dependencies.mentions import includes_nothing
 from kinlint.text import SourceText
 
 Model: TypeAlias = Sequence[SourceText]
@@ -42,7 +42,9 @@ def shares(found: Sequence[Model], least: int, settings: Settings) -> list[list[
 
     A model that may include other files is a share of its own, so that what it depends on is known.
     """
-    joint = [n for n, each in enumerate(found) if not settings.drawn and all(map(alone, each))]
+    joint = [
+        n for n, each in enumerate(found) if not settings.drawn and all(map(includes_nothing, each))
+    ]
     apart = set(range(len(found))).difference(joint)
     count = min(len(joint), max(least - len(apart), -(-len(joint) // MOST)))
     made: list[list[int]] = [[] for _ in range(count)]

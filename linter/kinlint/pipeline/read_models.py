@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
+from kinlint.formats.dependencies.companions import joined
 from kinlint.text import SourceText
 
 
@@ -23,18 +24,8 @@ def gathered(
     texts = list(sources)
     documents = list(_documents([each for each in texts if not each.companion], reading, failed))
     beside = _documents([each for each in texts if each.companion], reading, [])
-    joined = _joined([*documents, *beside], settings)
-    return joined[: len(documents)], joined
-
-
-def _joined(documents: Sequence[Document], settings: Settings) -> list[Document]:
-    """*documents*, in which each SRDF says which URDF it is about."""
-    from kinlint.formats.srdf.pairing import join, may_be_srdf, partners  # noqa: PLC0415
-
-    texts = [document.source for document in documents]
-    if not any(map(may_be_srdf, texts)):
-        return list(documents)
-    return join(documents, partners(texts, settings.partner))
+    every = joined([*documents, *beside], settings.partner)
+    return every[: len(documents)], every
 
 
 def _documents(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import stat
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
@@ -13,7 +13,6 @@ from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
-from kinlint.formats.srdf.pairing import may_be_srdf
 from kinlint.project.discovery import Input
 from kinlint.project.recognition import is_model
 from kinlint.text import SourceText
@@ -47,21 +46,6 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
             continue
         sources.append(source)
     return sources, errors
-
-
-def beside(
-    sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText] = NOTHING
-) -> Sequence[SourceText]:
-    """What *sources* were written for and that nobody gave: the URDF of an SRDF.
-
-    *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
-    where a configuration names a URDF that cannot be read.
-    """
-    if not any(map(may_be_srdf, sources)):
-        return ()
-    from kinlint.project.companions import companions  # noqa: PLC0415  most runs have no SRDF
-
-    return companions(sources, settings, overlay)
 
 
 def _bounded(one: Input, read: bytes) -> bytes:

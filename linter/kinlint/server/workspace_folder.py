@@ -8,12 +8,13 @@ from pathlib import Path
 
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.file_groups import Ties, models, ties
 from kinlint.files.pathname import shown
+from kinlint.formats.dependencies.companions import beside
+from kinlint.formats.dependencies.file_groups import Ties, models, ties
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
-from kinlint.project.reading import beside, own_contexts
+from kinlint.project.reading import own_contexts
 from kinlint.project.recognition import is_model
 from kinlint.server.document_store import DocumentStore
 from kinlint.server.frozen_state import FrozenState

@@ -8,18 +8,18 @@ from pathlib import Path
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.files.bounded_read import Unreadable, contents
+from kinlint.files.bounded_read import Unreadable
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.formats.decoding import decode
+from kinlint.formats.dependencies.included_text import included_text
+from kinlint.formats.dependencies.model_uri import Missing, locate
 from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.sdf.addition import place, stated
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Problem
 from kinlint.formats.sdf.graft import grafted
-from kinlint.formats.sdf.inclusion import Missing, locate
 from kinlint.formats.sdf.resolution import resolved
 from kinlint.formats.sdf.tree import Element, tree
 from kinlint.formats.source_layer import SourceLayer, src
@@ -110,11 +110,8 @@ class _Inclusion:
         return "too many files include each other" if too_many else ""
 
     def _text(self, path: Path) -> SourceText:
-        """The SDF text of the file at *path*, the same object for the whole run."""
-        key, memory = (SDF, path), self.options.memory
-        text: SourceText | None = self.options.laid_over(path) or memory.get(key)
-        if text is None:
-            text = memory[key] = decode(shown(path), contents(path, path, LARGEST))
+        """The SDF text of the file at *path*."""
+        text = included_text(path, path, shown(path), self.options, LARGEST)
         if text.format != SDF:
             raise Unreadable(f"{text.name} is not SDF")
         return text

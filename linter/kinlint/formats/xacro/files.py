@@ -6,10 +6,10 @@ import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from kinlint.files.bounded_read import Unreadable, contents
+from kinlint.files.bounded_read import SIZE, Unreadable, contents
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.formats.decoding import decode
+from kinlint.formats.dependencies.included_text import included_text, keep
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
 
@@ -33,7 +33,7 @@ class Pieces:
 
     def __post_init__(self) -> None:
         self._add(self.main)
-        self.options.memory.setdefault(("xacro", self.path), self.main)
+        keep(self.path, self.main, self.options)
 
     @property
     def listed(self) -> tuple[tuple[int, SourceText], ...]:
@@ -48,11 +48,7 @@ class Pieces:
         """The XML text of the file at *path*; raises Unreadable, or what decoding it does."""
         if path == self.path:
             return self.main
-        key = "xacro", path
-        memory = self.options.memory
-        source: SourceText | None = self.options.laid_over(path) or memory.get(key)
-        if source is None:
-            source = memory[key] = decode(self._name(path), contents(path, self.path))
+        source = included_text(path, self.path, self._name(path), self.options, SIZE)
         if not source.text.lstrip().startswith("<"):
             raise Unreadable(f"'{source.name}' is not XML")
         if id(source) not in self._begins:

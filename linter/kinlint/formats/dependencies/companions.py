@@ -1,20 +1,27 @@
-"""Which URDF an SRDF speaks of: the description of the robot whose links and joints it names.
+"""Finds the URDF that an SRDF speaks of: the robot whose links and joints it names.
 
-Told from the texts, without parsing them: files are joined before they are read.
+That is told from the texts, without parsing them: among the files of a run, or else in the
+folders beside the SRDF.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import takewhile
+from pathlib import Path
+from types import MappingProxyType
 
 from kinlint.addresses import root_of
+from kinlint.configuration.settings import Settings
 from kinlint.document import Document
+from kinlint.errors import ConfigError, SourceError
 from kinlint.file_format import Format
 from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import missing, real, shown
+from kinlint.formats.decoding import decode
+from kinlint.formats.dependencies.mentions import Mentions
 from kinlint.formats.recognition import recognised
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
@@ -31,17 +38,13 @@ LOSSES = frozenset(
 )
 """What says that a robot may have more than was read of it."""
 UNREAD = frozenset({iri(f"{SRC}unread")})
+NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
+FOLDERS = (".", "..", "urdf", "../urdf", "robots", "../robots")
+"""Where to look for a URDF, from the directory of an SRDF, the most likely first."""
+PATTERNS = ("*.urdf", "*.urdf.xacro")
 ENDING = SRDF.suffixes[0]
 MOST = 0.5
 """How much of what an SRDF names a URDF has to know to be taken for the one that is meant."""
-
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-_ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_NAMED = re.compile(r"<(?:link|joint|passive_joint)\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_REFERENCE = re.compile(
-    r"\s(?:base_link|tip_link|parent_link|child_link|link1|link2|joint_name)"
-    r"\s*=\s*(?:\"([^\"]*)\"|'([^']*)')"
-)
 
 
 @dataclass(frozen=True)
@@ -52,24 +55,22 @@ class Description:
     kind: Format
 
     @cached_property
-    def _text(self) -> str:
-        return _COMMENT.sub("", self.source.text)
+    def mentions(self) -> Mentions:
+        """The names in its text."""
+        return Mentions(self.source)
 
-    @cached_property
+    @property
     def robot(self) -> str:
         """The name of the robot."""
-        found = _ROBOT.search(self._text)
-        return (found[1] or found[2] or "") if found else ""
+        return self.mentions.robot
 
     @cached_property
     def names(self) -> frozenset[str]:
         """The links and joints that it has or, an SRDF, that it speaks of."""
-        patterns = (_NAMED, _REFERENCE) if self.kind == SRDF else (_NAMED,)
-        return frozenset(
-            one or other for pattern in patterns for one, other in pattern.findall(self._text)
-        )
+        parts = self.mentions.parts
+        return parts | self.mentions.references if self.kind == SRDF else parts
 
-    @cached_property
+    @property
     def generated(self) -> bool:
         """Whether its names are made up when it is expanded."""
         return self.source.format is not None and self.source.format.expands_to is not None
@@ -77,7 +78,7 @@ class Description:
     @property
     def varies(self) -> bool:
         """Whether arguments that nobody knows decide what is in it."""
-        return self.generated and "<xacro:arg" in self._text
+        return self.generated and self.mentions.has_arguments
 
     @property
     def unexpanded(self) -> bool:
@@ -147,11 +148,17 @@ def _path(description: Description) -> str:
     return absolute(description.source.name).as_posix()
 
 
-def join(documents: Sequence[Document], partner: Mapping[str, str]) -> list[Document]:
-    """*documents*, in which each SRDF says which URDF its *partner* is, by the names of both.
+def joined(
+    documents: Sequence[Document], told: Callable[[str], str | None] = lambda _: None
+) -> list[Document]:
+    """Return *documents*, in which each SRDF says which URDF it is about; see `partners`.
 
     None does of which a part could not be read: what is missing there is nobody's fault here.
     """
+    texts = [document.source for document in documents]
+    if not any(map(may_be_srdf, texts)):
+        return list(documents)
+    partner = partners(texts, told)
     asked = {*partner, *partner.values()}
     whole = {
         each.source.name: each
@@ -179,3 +186,67 @@ def _joined(srdf: Document, urdf: Document) -> Document:
     found = resolved(names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes))
     leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *found))
     return replace(srdf, statements=(*srdf.statements, *leading))
+
+
+def beside(
+    sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText] = NOTHING
+) -> Sequence[SourceText]:
+    """Return the texts of the URDF files that SRDF files among *sources* are about, if not given.
+
+    *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
+    where a configuration names a URDF that cannot be read.
+    """
+    if not any(map(may_be_srdf, sources)):
+        return ()
+    told = settings.partner
+    known = partners(sources, told)
+    given = {absolute(source.name) for source in sources}
+    found: dict[Path, SourceText] = {}
+    for srdf in filter(None, map(describe, sources)):
+        name = srdf.source.name
+        if srdf.kind != SRDF or name in known:
+            continue
+        if (path := told(name)) is not None:
+            found[Path(path)] = _told(Path(path), overlay)
+        elif name[:1] != "<":
+            near = (one for one in _urdfs_near(absolute(name)) if one not in given)
+            found.update(_fitting(srdf, near, overlay))
+    return list(found.values())
+
+
+def _urdfs_near(srdf: Path) -> Iterator[Path]:
+    """The URDF files that may describe the robot of the file at *srdf*, the nearest first."""
+    for folder in dict.fromkeys(absolute(srdf.parent / folder) for folder in FOLDERS):
+        for pattern in PATTERNS:
+            yield from sorted(one for one in folder.glob(pattern) if one.is_file())
+
+
+def _fitting(
+    srdf: Description, candidates: Iterable[Path], overlay: Mapping[Path, SourceText]
+) -> dict[Path, SourceText]:
+    """The first of *candidates* that *srdf* may be about, with its text."""
+    for path in candidates:
+        try:
+            urdf = describe(_companion(path, overlay))
+        except (OSError, SourceError):
+            continue
+        if urdf is not None and not urdf.varies and srdf.may_mean(urdf):
+            return {path: urdf.source}
+    return {}
+
+
+def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
+    if overlay and (open_ := overlay.get(real(path))):
+        return replace(open_, companion=True)
+    if not path.is_file():
+        raise SourceError(shown(path), "not a regular file")
+    return replace(decode(shown(path), path.read_bytes()), companion=True)
+
+
+def _told(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
+    try:
+        return _companion(path, overlay)
+    except (OSError, SourceError) as error:
+        cause = getattr(error, "strerror", None) or str(error)
+        problem = cause if path.exists() else missing(path)
+        raise ConfigError(f"srdf: {shown(path)}: {problem}") from None

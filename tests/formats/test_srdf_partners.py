@@ -2,9 +2,10 @@
 
 import pytest
 
+from kinlint.files.pathglob import absolute
+from kinlint.formats.dependencies.companions import JOINED_TO, joined, partners
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.srdf.pairing import JOINED_TO, join, partners
 from kinlint.text import SourceText
 
 URDF = """
@@ -73,9 +74,9 @@ def test_what_is_not_expanded_is_no_partner():
     assert partners([srdf("a.srdf", prefix="${p}"), urdf("a.urdf")]) == {}
 
 
-def joined(*sources):
+def joins(*sources):
     documents = [read(source, ReadOptions()) for source in sources]
-    made = join(documents, {"a.srdf": "a.urdf"})
+    made = joined(documents, {"a.srdf": absolute("a.urdf").as_posix()}.get)
     return [triple for each in made for triple in each.statements if triple[1] == JOINED_TO]
 
 
@@ -83,7 +84,7 @@ def test_the_roots_are_joined():
     """The statement stands in the document of the SRDF."""
     document = "urn:kinlint:document:"
     expected = (f"<{document}a.srdf#>", JOINED_TO, f"<{document}a.urdf#>")
-    assert joined(srdf("a.srdf"), urdf("a.urdf")) == [expected]
+    assert joins(srdf("a.srdf"), urdf("a.urdf")) == [expected]
 
 
 @pytest.mark.parametrize(
@@ -96,11 +97,10 @@ def test_the_roots_are_joined():
 def test_what_is_incomplete_is_not_joined(name, text):
     """What is missing in a file of which a part was not read is nobody's fault."""
     texts = {"a.srdf": srdf("a.srdf"), "a.urdf": urdf("a.urdf"), name: SourceText(name, text)}
-    assert joined(*texts.values()) == []
+    assert joins(*texts.values()) == []
 
 
 def test_other_documents_stay_as_they_are():
     """Nothing is said of them."""
-    given = read(urdf("a.urdf"), ReadOptions())
-    (document,) = join([given], {})
-    assert document is given
+    document = read(urdf("a.urdf"), ReadOptions())
+    assert joined([document])[0] is document

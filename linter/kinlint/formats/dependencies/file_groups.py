@@ -1,22 +1,15 @@
-"""Tells which files of a run say nothing of each other."""
+"""Parts the files of a run into groups that say nothing of each other."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import PurePath
 from typing import NamedTuple
-from urllib.parse import unquote
 
 from kinlint.file_format import Format
+from kinlint.formats.dependencies.mentions import Mentions, is_pattern
 from kinlint.formats.recognition import recognised
 from kinlint.text import SourceText
-
-_NAME = re.compile(r"<(?:robot|model)\b[^>]*?\sname\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-_INCLUDE = re.compile(r"""<(?:[\w-]+:)?include\b[^>]*?\sfilename\s*=\s*["']([^"']*)""")
-_NESTED = re.compile(r"<include\b[^>]*>(.*?)</include>", re.DOTALL)
-_URI = re.compile(r"<uri\b[^>]*>([^<]*)<")
 
 
 class Ties(NamedTuple):
@@ -32,9 +25,8 @@ def ties(source: SourceText) -> Ties:
     form = recognised(source).format
     if form is None or not form.describes_robots:
         return Ties(form)
-    text = _COMMENT.sub("", source.text)
-    robots = frozenset((one or other).casefold() for one, other in _NAME.findall(text))
-    return Ties(form, robots, tuple(_included(text)))
+    found = Mentions(source)
+    return Ties(form, frozenset(name.casefold() for name in found.robots), found.included)
 
 
 def models(
@@ -69,24 +61,12 @@ def models(
     for index, each in enumerate(tied):
         for meant in each.included:
             groups.join(index, users.setdefault(meant, index))
-            for other in mixed if _worked_out(meant) else files.get(meant, ()):
+            for other in mixed if is_pattern(meant) else files.get(meant, ()):
                 groups.join(index, other)
     found: dict[int, list[SourceText]] = {}
     for index, source in enumerate(sources):
         found.setdefault(groups.first(index), []).append(source)
     yield from found.values()
-
-
-def _included(text: str) -> Iterator[str]:
-    """The last parts of the paths of what *text* includes."""
-    uris = (uri for nested in _NESTED.findall(text) for uri in _URI.findall(nested))
-    for path in (*_INCLUDE.findall(text), *uris):
-        yield unquote(path.strip().rstrip("/")).rpartition("/")[2]
-
-
-def _worked_out(name: str) -> bool:
-    """Whether *name* may be any, since it is not written out."""
-    return not {"$", "}", ")", "*", "?"}.isdisjoint(name)
 
 
 class _Groups:
