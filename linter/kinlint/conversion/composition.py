@@ -13,16 +13,19 @@ from kinlint.conversion.published import contexts_of
 from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
+from kinlint.formats.records import ELEMENTS
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Inputs
 from kinlint.pipeline.stages import through
 from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
-from kinlint.vocabulary import ATTRIBUTE, KINLINT
+from kinlint.vocabulary import ATTRIBUTE
 
 EXAMPLE = "https://example.org/"
 """Namespace of names for which none is given."""
 
 PREFIX = "robot"
+CONTAINS = tuple(f"<{each}" for each in ELEMENTS)
+"""How properties begin that lead from an element to one within it."""
 NAME = iri(f"{ATTRIBUTE}name")
 
 
@@ -67,7 +70,7 @@ def robot(document: Document) -> str:
     for s, p, o in document.statements:
         if p == NAME and is_literal(o):
             called[s] = literal_value(o)
-        elif p.startswith(f"<{KINLINT}{document.format.name}#") or p == iri(f"{KINLINT}urdf#robot"):
+        elif p.startswith(CONTAINS):
             below.setdefault(s, []).append(o)
     for root in below.get(document.graph, ()):
         held = [called[each] for each in below.get(root, ()) if each in called]
