@@ -51,6 +51,11 @@ RECORDS = """
 - `ir:EulerAngles`, called as the pose: it is turned by `ir:roll` `ir:pitch` `ir:yaw` about fixed
   axes, in the `ir:angle-unit`.
 - `ir:Quaternion`, called as the pose: it is turned by `ir:qx` `ir:qy` `ir:qz` `ir:qw`.
+- `ir:Inertia`, called as the body: `ir:mass` in kilograms, read from `ir:mass-from`; about the
+  centre of mass `ir:ixx` `ir:iyy` `ir:izz` `ir:ixy` `ir:ixz` `ir:iyz` in kg m², `ir:moments-from`.
+- `ir:DriveLimits`, called as the joint: where `ir:limit` bounds its drive, `ir:effort`,
+  `ir:velocity` and `ir:acceleration`, each read from `ir:effort-from` and so on, in newtons and
+  metres if `ir:linear`, else in newton metres and radians.
 """
 
 
