@@ -13,6 +13,7 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
     "clean": ("kinlint.cli.clean_command", "remove what earlier runs kept"),
     "config": ("kinlint.cli.config_command", "tell what may stand in a configuration"),
     "convert": ("kinlint.cli.convert_command", "write a URDF, xacro or SDF as composable JSON-LD"),
+    "format-rules": ("kinlint.cli.format_rules_command", "format rule files"),
     "generate-shell-completion": (
         "kinlint.cli.completion.command",
         "have a shell complete what is typed",

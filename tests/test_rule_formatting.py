@@ -1,0 +1,137 @@
+"""`kinlint format-rules`: one layout of rule files, and nothing but the layout."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+from rdflib import RDFS, Graph, Literal, Namespace
+from rdflib.compare import isomorphic
+
+from kinlint.resources import data
+from kinlint.rule_formatting.formatter import QUERIES, formatted
+from kinlint.rule_formatting.sparql_layout import laid_out
+
+SH = Namespace("http://www.w3.org/ns/shacl#")
+FOLDED = {RDFS.comment, *(SH[name.partition(":")[2]] for name in QUERIES)}
+RULES = sorted(data("rules").glob("*/*.ttl"))
+
+UGLY = '''
+    # A rule of ours.
+    @prefix sh: <http://www.w3.org/ns/shacl#> .
+    @prefix owl: <http://www.w3.org/2002/07/owl#> .
+    @prefix kl: <https://w3id.org/kinlint/ns#> .
+    @prefix rdfs:  <http://www.w3.org/2000/01/rdf-schema#> .
+    @prefix rule: <https://w3id.org/kinlint/rules/> .
+    rule:zero a kl:Rule , sh:NodeShape;
+      rdfs:comment """Long ago somebody wrote a comment that went on and on, well beyond the hundredth
+          column, and nobody minded.""" ;
+
+
+      # Whom it is about.
+      sh:targetClass kl:One , kl:Two ;
+      sh:sparql [ sh:message "It is zero." ; sh:select """
+        SELECT $this WHERE { # all of them
+        $this kl:value ?value ; kl:first ?first ; kl:second ?second .
+          FILTER (?value = 0 || ?first = 0 || ?second = 0 && ?value < ?first || ?first < ?second - 1)
+        }""" ] , [ sh:message "Two." ; sh:select "SELECT $this {}" ] ;
+      kl:example [ kl:bad """
+        <robot>   [||]
+    </robot>"""^^kl:urdf ; kl:beside "a.stl" , "b.stl" ] .
+    '''  # noqa: E501
+
+NEAT = '''
+    # A rule of ours.
+    @prefix kl:   <https://w3id.org/kinlint/ns#> .
+    @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+    @prefix rule: <https://w3id.org/kinlint/rules/> .
+    @prefix sh:   <http://www.w3.org/ns/shacl#> .
+
+    rule:zero a kl:Rule, sh:NodeShape ;
+        rdfs:comment """
+            Long ago somebody wrote a comment that went on and on, well beyond the hundredth column, and
+            nobody minded.
+            """ ;
+
+        # Whom it is about.
+        sh:targetClass kl:One, kl:Two ;
+        sh:sparql [
+            sh:message "It is zero." ;
+            sh:select """
+                SELECT $this WHERE { # all of them
+                    $this kl:value ?value ; kl:first ?first ; kl:second ?second .
+                    FILTER (?value = 0 || ?first = 0 || ?second = 0 && ?value < ?first ||
+                        ?first < ?second - 1)
+                }
+                """ ], [
+            sh:message "Two." ;
+            sh:select "SELECT $this {}" ] ;
+        kl:example [
+            kl:bad """
+        <robot>   [||]
+    </robot>"""^^kl:urdf ;
+            kl:beside "a.stl", "b.stl" ] .
+    '''  # noqa: E501
+
+
+def meaning(text: str) -> Graph:
+    """The graph of *text*; SPARQL and prose without their white space."""
+    graph = Graph()
+    for s, p, o in Graph().parse(data=text, format="turtle", publicID="file:///rule.ttl"):
+        graph.add((s, p, Literal("".join(o.split())) if p in FOLDED else o))
+    return graph
+
+
+def test_a_rule_file_is_laid_out() -> None:
+    """Prefixes that are used, sorted; one indentation; comments where they stood."""
+    assert formatted(dedent(UGLY)) == dedent(NEAT).lstrip("\n")
+
+
+@pytest.mark.parametrize("file", RULES, ids=lambda file: file.stem)
+def test_only_the_layout_changes(file: Path) -> None:
+    """The graph is the same, examples to the byte; what is formatted stays as it is."""
+    text = file.read_text("utf-8")
+    neat = formatted(text)
+
+    assert isomorphic(meaning(neat), meaning(text))
+    assert formatted(neat) == neat
+
+
+@pytest.mark.parametrize(
+    ("query", "lines"),
+    [
+        ("SELECT ?a { ?a ?b ?c }", ["SELECT ?a { ?a ?b ?c }"]),
+        (
+            "SELECT ?a\n?b WHERE {\n?a ?b\n?c }",
+            ["SELECT ?a", "    ?b WHERE {", "        ?a ?b", "        ?c }"],
+        ),
+        (
+            "ASK {\n{ ?a ?b 1 }\nUNION\n{ ?a ?b 2 } }",
+            ["ASK {", "    { ?a ?b 1 }", "    UNION", "    { ?a ?b 2 } }"],
+        ),
+        (
+            "ASK {\n?a ?long ?value ; ?other ?value ; ?third ?value }",
+            ["ASK {", "    ?a ?long ?value ; ?other ?value ;", "        ?third ?value }"],
+        ),
+        (
+            "ASK {\nFILTER (\nEXISTS {\n?a ?b ?c\n}\n)\n}",
+            [
+                "ASK {",
+                "    FILTER (",
+                "        EXISTS {",
+                "            ?a ?b ?c",
+                "        }",
+                "    )",
+                "}",
+            ],
+        ),
+        (
+            "ASK {\n\n\n?a ?b ?c .\n\n\n?d ?e ?f }",
+            ["ASK {", "", "    ?a ?b ?c .", "", "    ?d ?e ?f }"],
+        ),
+    ],
+)
+def test_sparql_is_indented_by_its_brackets(query: str, lines: list[str]) -> None:
+    """Lines that are too long are broken at the best place; others stay as the author has them."""
+    assert list(laid_out(query, 40)) == lines
