@@ -15,8 +15,6 @@ from hypothesis import HealthCheck, settings
 
 from kinlint.catalogue import rulebook
 
-COMPILED = "KINLINT_TESTS_CATALOGUE"
-
 # How long an example takes says nothing on a machine with other work. CI draws the same examples
 # each time; `--hypothesis-profile thorough` draws ten times as many, for a change that is risky.
 settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -26,14 +24,15 @@ settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 
 def pytest_configure(config):
+    """Keep the compiled catalogue from run to run, for all processes of a run."""
     if rulebook.SHIPPED.is_dir():
         return
-    if COMPILED not in os.environ:
-        made = os.environ[COMPILED] = tempfile.mkdtemp(prefix="kinlint-catalogue-")
-        config.add_cleanup(lambda: shutil.rmtree(made, ignore_errors=True))
-        config.add_cleanup(lambda: os.environ.pop(COMPILED))
-    here = Path(os.environ[COMPILED])
-    if not hasattr(config, "workerinput"):
+    if hasattr(config, "cache"):
+        here = config.cache.mkdir("kinlint-catalogue")
+    else:
+        here = Path(tempfile.mkdtemp(prefix="kinlint-catalogue-"))
+        config.add_cleanup(lambda: shutil.rmtree(here, ignore_errors=True))
+    if not hasattr(config, "workerinput") or not hasattr(config, "cache"):
         rulebook.load(cache=here)
     rulebook.SHIPPED = here
 
@@ -52,14 +51,12 @@ def rules_cache(tmp_path_factory, monkeypatch):
 
     What is compiled of other rules is kept there too, and may push the catalogue out.
     """
-    cache = Path(os.environ.get(COMPILED, tmp_path_factory.getbasetemp()), "cache")
+    cache = tmp_path_factory.getbasetemp() / "cache"
     cache.mkdir(exist_ok=True)
     # No directory can be made there: reports are not kept, so that each run is a run.
     (cache / "reports").touch()
-    if COMPILED in os.environ:
-        for file in rulebook.SHIPPED.glob("catalogue-*.json"):
-            with suppress(FileExistsError):
-                (cache / file.name).hardlink_to(file)
-            os.utime(file)
+    for file in rulebook.SHIPPED.glob("catalogue-*.json"):
+        with suppress(FileExistsError):
+            (cache / file.name).hardlink_to(file)
     monkeypatch.setenv("KINLINT_CACHE_DIR", str(cache))
     return cache

@@ -6,12 +6,15 @@ from pathlib import Path
 import pytest
 from support.linting import findings
 
-from kinlint.catalogue import rulebook
+from kinlint.catalogue import compilation, rulebook
+from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 
 pytestmark = pytest.mark.xdist_group("rulebook")
 
+SHIPPED = rulebook.SHIPPED
+"""Where the compiled catalogue is that all tests share."""
 RULE = Path(__file__).parents[1] / "rules/units/missing-unit.ttl"
 
 SHAPE = """
@@ -42,7 +45,100 @@ def test_a_kept_catalogue_equals_a_compiled_one(tmp_path):
     revived = rulebook.load(cache=tmp_path)
 
     assert len(list(tmp_path.iterdir())) == 1
+    assert (compiled.recalled, revived.recalled) == (False, True)
     assert revived == compiled == rulebook.load()
+
+
+@pytest.fixture
+def compiled(monkeypatch):
+    """Which files were compiled, by name, in groups of those that were compiled together."""
+    groups = []
+    monkeypatch.setattr(rulebook, "SHIPPED", SHIPPED)
+
+    def compile_graph(graph):
+        groups.append([Path(file.name).name for file in graph.files[1:]])
+        return compile_one(graph)
+
+    compile_one = compilation.compile_graph
+    monkeypatch.setattr(compilation, "compile_graph", compile_graph)
+    return groups
+
+
+def test_only_what_changed_is_compiled(tmp_path, compiled):
+    """Of the rules that a cache has, those of another set of rules are taken."""
+    file = renamed(tmp_path, "ACME001", "unit-left-out")
+    assert not rulebook.load([file], cache=tmp_path / "cache").recalled
+    file.write_text(file.read_text().replace("ACME001", "ACME002"))
+    book = rulebook.load([file], cache=tmp_path / "cache")
+
+    assert compiled == [[file.name]] * 2
+    assert book == rulebook.load([file])
+    assert rulebook.load([file], cache=tmp_path / "cache").recalled
+    assert "ACME002" in book.by_code
+
+
+REFERRING = """
+@prefix ex: <https://example.org/shapes#> .
+@prefix sh: <http://www.w3.org/ns/shacl#> .
+@prefix rule: <https://w3id.org/kinlint/rules/> .
+"""
+OTHER_SHAPE = "ex:Long a sh:NodeShape ; sh:property [ sh:path ex:length ; sh:minInclusive 1 ] ."
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "together"),
+    [
+        ("ex:S sh:targetClass ex:Leg ; sh:node ex:Long .", OTHER_SHAPE, {"a.ttl", "b.ttl"}),
+        ("ex:S sh:targetClass ex:Leg ; sh:not ( ex:Long ) .", OTHER_SHAPE, {"a.ttl", "b.ttl"}),
+        (
+            "ex:S sh:targetClass ex:Leg ; ex:least 1 .",
+            "ex:C sh:parameter [ sh:path ex:least ] .",
+            {"a.ttl", "b.ttl"},
+        ),
+        ("ex:S sh:targetClass ex:Leg .", "ex:S sh:nodeKind sh:IRI .", {"a.ttl", "b.ttl"}),
+        (
+            "ex:S a ex:Kind , sh:NodeShape .",
+            "ex:Kind <http://www.w3.org/2000/01/rdf-schema#subClassOf> ex:Other .",
+            {"a.ttl", "b.ttl"},
+        ),
+        ("ex:S sh:targetClass ex:Leg .", "ex:T sh:targetClass ex:Leg .", {"a.ttl"}),
+        ("rule:missing-unit sh:deactivated true .", "", {"a.ttl", "missing-unit.ttl"}),
+    ],
+)
+def test_files_that_refer_to_each_other_are_compiled_together(
+    tmp_path, compiled, first, second, together
+):
+    """And mean what they mean together, whatever the cache has of each."""
+    files = [tmp_path / "a.ttl", tmp_path / "b.ttl"]
+    for file, text in zip(files, (first, second), strict=True):
+        file.write_text(REFERRING + text)
+    rulebook.load(shapes=files[1:], cache=tmp_path / "cache")
+    compiled.clear()
+    book = rulebook.load(shapes=files, cache=tmp_path / "cache")
+
+    assert together in [set(group) for group in compiled]
+    assert set(book.constraints) == set(compile_shapes(book.shapes))
+
+
+def test_axioms_are_compiled_where_a_file_has_some(tmp_path, monkeypatch):
+    """Rules that say nothing of the kind leave those of the ontology as they are."""
+    rulebook.load(cache=tmp_path / "cache")
+    asked = []
+    monkeypatch.setattr(compilation, "compile_axioms", lambda files: asked.append(files) or ())
+    file = renamed(tmp_path, "ACME001", "unit-left-out")
+    rulebook.load([file], cache=tmp_path / "cache")
+    assert asked == []
+
+    file.write_text(file.read_text() + RULE_WITH_AXIOM)
+    rulebook.load([file], cache=tmp_path / "cache")
+    assert [files[-1] for files in asked] == [file]
+
+
+def test_what_another_version_kept_is_passed_over(tmp_path):
+    """Whatever it has in it."""
+    (tmp_path / "catalogue-0.json").write_text('{"rules": []}')
+
+    assert "UNI001" in rulebook.load(cache=tmp_path).by_code
 
 
 def test_a_damaged_cache_is_compiled_anew(tmp_path):

@@ -8,7 +8,8 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field
+from functools import cache as memoised
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -18,7 +19,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
 from kinlint.model import Applicability, Example, Repair, Rule, Severity, SeverityFor
-from kinlint.terms import RDF_TYPE, Term, is_iri
+from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 from kinlint.vocabulary import FACT, SRC
 
 PREFIXES = "prefixes.ttl"
@@ -29,6 +30,8 @@ STORED = ("catalogue-*.json", "catalogue-*.tmp")
 """How compiled catalogues in a cache are called, and those that are being written."""
 KEPT = 8
 """How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
+ASKED = 2
+"""How many of them, the newest, are asked for what they have of another set of rules."""
 OWN = (f"<{SRC}", f"<{FACT}")
 """How what kinlint itself says of a model begins."""
 
@@ -48,6 +51,8 @@ class Rulebook:
     vocabulary: tuple[Path, ...]
     shapes: tuple[Path, ...]
     digest: str = ""
+    recalled: bool = field(default=False, compare=False)
+    """Whether nothing had to be compiled."""
 
     @cached_property
     def terms(self) -> frozenset[Term]:
@@ -80,36 +85,50 @@ def load(
     What these files say besides is vocabulary too: axioms are compiled with those of the
     ontology, and everything else is there for queries. Nothing that they import is read.
 
-    *cache* is a directory for compiled catalogues; None compiles anew. Raises `RuleInvalid`.
+    *cache* is a directory for compiled catalogues; None keeps none. Files that one of them has
+    compiled already are not compiled again. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
-    files, extra, vocabulary, inputs = _parts(rules, shapes)
+    files, extra, ontology, others, inputs = _parts(rules, shapes)
     digest = _digest(inputs)
     name = f"catalogue-{digest}.json"
-    stored = cache / name if cache is not None else None
-    compiled = _read(SHIPPED / name) or (_read(stored) if stored is not None else None)
-    if compiled is None:
-        compiled = _compile(files, extra, vocabulary, ours / PREFIXES)
-        if stored is not None:
-            _write(stored, compiled)
+    places = [SHIPPED, *([cache] if cache is not None else [])]
+    compiled = next(filter(None, (_read(place / name) for place in places)), None)
     homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
+    recalled = compiled is not None
+    if compiled is None:
+        compiled = _compile((*files, *extra), (ontology, others), ours / PREFIXES, places)
+    units = (*compiled["units"], compiled["shapes"])
+    found = [_rule(values, homes) for unit in units for values in unit["rules"]]
+    if not recalled:
+        _distinct(found)
+        if cache is not None:
+            _write(cache / name, compiled)
+    constraints = (values for unit in compiled["units"] for values in unit["constraints"])
     return Rulebook(
-        rules=tuple(_rule(values, homes) for values in compiled["rules"]),
-        constraints=tuple(Constraint.from_json(values) for values in compiled["constraints"]),
-        axioms=tuple(Axiom.from_json(values) for values in compiled["axioms"]),
-        vocabulary=vocabulary,
+        rules=tuple(sorted(found, key=lambda rule: rule.code)),
+        constraints=tuple(map(Constraint.from_json, constraints)),
+        axioms=tuple(map(Axiom.from_json, compiled["axioms"]["axioms"])),
+        vocabulary=(*ontology, *others),
         shapes=(ours / PREFIXES, *files, *extra),
         digest=digest,
+        recalled=recalled,
     )
 
 
 class _Parts(NamedTuple):
-    """The files of a catalogue: rules, plain shapes, vocabulary, and all that decide what it is."""
+    """The files of a catalogue."""
 
     files: tuple[Path, ...]
+    """Rules."""
     extra: tuple[Path, ...]
-    vocabulary: tuple[Path, ...]
+    """Plain shapes."""
+    ontology: tuple[Path, ...]
+    """Vocabulary of kinlint's own."""
+    others: tuple[Path, ...]
+    """Further vocabulary: the files that are not kinlint's own."""
     inputs: tuple[Path, ...]
+    """All that decide what the catalogue is."""
 
 
 def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
@@ -119,8 +138,9 @@ def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
     files = (*_others(shipped, given), *given)
     extra = tuple(_existing(shapes))
     ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
-    vocabulary = (*ontology, *_others(given, shipped), *extra)
-    return _Parts(files, extra, vocabulary, (ours / PREFIXES, *ontology, *files, *extra))
+    others = (*_others(given, shipped), *extra)
+    inputs = (ours / PREFIXES, *ontology, *files, *extra)
+    return _Parts(files, extra, ontology, others, inputs)
 
 
 def built_in() -> tuple[str, int]:
@@ -130,24 +150,30 @@ def built_in() -> tuple[str, int]:
 
 
 def _compile(
-    files: Sequence[Path], extra: Sequence[Path], vocabulary: Sequence[Path], prefixes: Path
+    files: Sequence[Path],
+    vocabulary: tuple[Sequence[Path], Sequence[Path]],
+    prefixes: Path,
+    places: Iterable[Path],
 ) -> dict[str, Any]:
-    from kinlint.catalogue.rule_file import read_rules  # noqa: PLC0415
-    from kinlint.engine.compiler.compile import compile_shapes  # noqa: PLC0415
-    from kinlint.engine.ontology import compile_axioms  # noqa: PLC0415
+    """Return *files* and *vocabulary* compiled, as far as the catalogues in *places* lack them."""
+    from kinlint.catalogue.compilation import Units  # noqa: PLC0415
 
-    rules = [rule for file in (*files, *extra) for rule in read_rules(file)]
-    _distinct(rules)
-    constraints = compile_shapes([prefixes, *files, *extra])
-    owners = {rule.iri for rule in rules}
-    strangers = sorted({each.owner for each in constraints} - owners)
-    rules += [_shape_rule(number, owner, constraints) for number, owner in enumerate(strangers, 1)]
+    stored = [each for place in places for each in _newest(place)[:ASKED]]
+    kept = (each for each in map(_read, stored) if each and "units" in each)
+    known = (unit for each in kept for unit in (*each["units"], each["axioms"]))
+    units = Units(known, _code(), prefixes)
+    made = units.compiled(files)
+    constraints = [Constraint.from_json(each) for unit in made for each in unit["constraints"]]
+    owners = {rule["iri"] for unit in made for rule in unit["rules"]}
+    found = {each.owner: number for number, each in reversed([*enumerate(constraints)])}
+    strangers = sorted(
+        found.keys() - owners, key=lambda owner: (found[owner] if is_blank(owner) else -1, owner)
+    )
+    shapes = [_shape_rule(number, owner, constraints) for number, owner in enumerate(strangers, 1)]
     return {
-        "rules": [
-            asdict(replace(rule, path="")) for rule in sorted(rules, key=lambda rule: rule.code)
-        ],
-        "constraints": [constraint.to_json() for constraint in constraints],
-        "axioms": [axiom.to_json() for axiom in compile_axioms(list(vocabulary))],
+        "units": made,
+        "shapes": {"rules": [asdict(each) for each in shapes]},
+        "axioms": units.axioms(*vocabulary),
     }
 
 
@@ -238,11 +264,22 @@ def _existing(given: Iterable[Path]) -> Iterator[Path]:
 
 
 def _digest(inputs: Iterable[Path]) -> str:
-    """What decides the compiled catalogue: the files compiled, and the code that compiles them."""
+    """Return what decides the compiled catalogue: the files, and the code that compiles them."""
+    digest = hashlib.sha256(_code().encode())
+    for file in inputs:
+        digest.update(f"\0{file.name}\0".encode())
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:24]
+
+
+@memoised
+def _code() -> str:
+    """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
-    code = sorted([*package.glob("catalogue/*.py"), *package.glob("engine/**/*.py")])
+    folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
+    files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
-    for file in (*code, *inputs):
+    for file in sorted([*files, package / "model.py", package / "terms.py"]):
         digest.update(f"\0{file.name}\0".encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:24]
@@ -264,8 +301,13 @@ def _write(stored: Path, compiled: dict[str, Any]) -> None:
         stored.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
         with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            json.dump(compiled, stream)
+            stream.write(json.dumps(compiled, separators=(",", ":")))
         Path(temporary).replace(stored)
-        kept = sorted(stored.parent.glob(STORED[0]), key=lambda each: each.stat().st_mtime)
-        for stale in kept[:-KEPT]:
+        for stale in _newest(stored.parent)[KEPT:]:
             stale.unlink()
+
+
+def _newest(place: Path) -> list[Path]:
+    """Return the compiled catalogues in *place*, the newest first."""
+    found = place.glob(STORED[0])
+    return sorted(found, key=lambda each: each.stat().st_mtime, reverse=True)

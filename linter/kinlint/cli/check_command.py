@@ -80,7 +80,9 @@ def checked(options: Namespace, settled: Callable[[Settings], None] | None = Non
     check_destinations(outputs, read)
     phases = Phases()
     with phases.phase("rules"):
-        book = rulebook.load(settings.rules, settings.shapes, settings.cache)
+        book = rulebook.load(
+            settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
+        )
     Policies(settings, book.rules).check()
     if options.show_settings:
         more = {"output-format": outputs.main, "fail-on": fail_on}
@@ -158,12 +160,11 @@ def _warn(found: Found) -> None:
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
-    cache = None if options.no_cache else options.cache_dir or cache_directory(os.environ)
     return layers.settings(
         found.inputs,
         rules=tuple(absolute(path) for path in options.rules or ()),
         shapes=tuple(absolute(path) for path in options.shapes or ()),
-        cache=None if cache is None else Path(cache),
+        cache=None if options.no_cache else cache_directory(os.environ, options.cache_dir),
         ignore_suppressions=options.ignore_suppressions,
         verbose=options.verbose,
     )

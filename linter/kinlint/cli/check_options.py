@@ -75,7 +75,7 @@ def _rules(made: Parser) -> None:
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")
     add("--shapes", metavar="FILE", **TEXTS, help="add the SHACL shapes in FILE")
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
-    add("--no-cache", "-n", **FLAG, help="keep nothing, and recall nothing")
+    add("--no-cache", "-n", **FLAG, help="keep no reports, and recall none")
     add("--cache-dir", type=filled, metavar="DIR", help="where reports and rules are kept")
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 from kinlint.cache.removal import clear
 from kinlint.cli.argument_parser import Parser, filled
@@ -29,7 +28,7 @@ def parser() -> Parser:
 def run(arguments: Sequence[str]) -> int:
     """Remove the cache; the exit code. Raises `UsageError` if something cannot be removed."""
     options = parser().read(arguments)
-    directory = Path(options.cache_dir or cache_directory(os.environ))
+    directory = cache_directory(os.environ, options.cache_dir)
     try:
         cleared = clear(directory)
     except OSError as error:

@@ -75,7 +75,6 @@ def parser() -> Parser:
     add("--xacro-arg", metavar="NAME:=VALUE", **linting.TEXTS, help="an argument for xacro files")
     add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
     add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
-    add("--no-cache", "-n", **linting.FLAG, help="compile the rules anew")
     add(
         "--color",
         type=one_of(("auto", "always", "never")),
@@ -130,11 +129,9 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     name = options.stdin_filename
     stdin = shown(absolute(name), name) if name else "<stdin>"
     found = Search(layers.excluding, stdin=stdin).find(paths)
-    cache = None if options.no_cache else options.cache_dir or cache_directory(os.environ)
     settings = layers.settings(
         found.inputs,
         rules=tuple(absolute(path) for path in options.rules or ()),
-        cache=None if cache is None else Path(cache),
     )
     return found, replace(settings, drawn=True)
 
@@ -157,7 +154,9 @@ def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     sources, errors = read(found.inputs, settings)
     for error in (*found.errors, *errors):
         raise error
-    book = rulebook.load(settings.rules, settings.shapes, settings.cache)
+    book = rulebook.load(
+        settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
+    )
     Policies(settings, book.rules).check()
     if options.no_findings:
         book = replace(book, rules=(), constraints=())

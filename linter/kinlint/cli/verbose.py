@@ -24,7 +24,7 @@ def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterat
     yield f"configuration: {', '.join(files) or 'none, so the defaults hold'}"
     yield f"contexts: release {release} ({RELEASE_DATES.get(release, 'of unknown date')})"
     yield f"engine: {', '.join(map(_version, ENGINES[settings.engine]))}"
-    cache = f"kept in {settings.cache}" if settings.cache else "compiled anew"
+    cache = "recalled" if book.recalled else "compiled"
     counts = counted(len(book.rules), "rule"), counted(len(book.constraints), "constraint")
     yield f"catalogue: {counts[0]} with {counts[1]}, {cache}"
     if settings.engine == "oxigraph":

@@ -148,7 +148,7 @@ class Watcher:
         return frozenset(str(absolute(path)) for path in self.options.paths)
 
     def _cache(self) -> str:
-        return str(absolute(self.options.cache_dir or cache_directory(os.environ)))
+        return str(absolute(cache_directory(os.environ, self.options.cache_dir)))
 
     def _elsewhere(self) -> list[object]:
         """The states of what governs the files and may lie outside of what is watched."""

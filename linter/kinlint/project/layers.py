@@ -181,8 +181,10 @@ def _disagreement(key: str, one: Config, other: Config) -> str:
     )
 
 
-def cache_directory(environment: Mapping[str, str]) -> Path:
-    """Where this system keeps caches, or KINLINT_CACHE_DIR."""
+def cache_directory(environment: Mapping[str, str], given: str | None = None) -> Path:
+    """Return the directory *given*, else KINLINT_CACHE_DIR, else where this system keeps caches."""
+    if given:
+        return Path(given)
     if said := environment.get("KINLINT_CACHE_DIR"):
         return Path(said)
     if sys.platform == "win32":

@@ -30,7 +30,7 @@ PREPARED = {
 
 def nonstandard(rule: Rule) -> Iterator[str]:
     """Yield what rdflib has against the queries and updates of *rule*, a sentence each."""
-    file = parse(Path(rule.path), 1)
+    file = parse(Path(rule.path), rule.name)
     graph = ShapesGraph((parse(data("shapes") / "prefixes.ttl"), file))
     asked = {
         (prepare, _header(prefixes() if name == sh("update") else declared(graph, node)), text)

@@ -8,7 +8,7 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.graph import Source, read
+from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.narrow import implied, narrowed
 from kinlint.engine.compiler.probe import try_out
@@ -32,7 +32,11 @@ def compile_shapes(files: Sequence[Source]) -> tuple[Constraint, ...]:
     file with the target. Raises `RuleInvalid` for files that are no Turtle, shapes that are
     ill-formed and queries that SHACL forbids.
     """
-    graph = read(files)
+    return compile_graph(read(files))
+
+
+def compile_graph(graph: ShapesGraph) -> tuple[Constraint, ...]:
+    """Return the constraints of all shapes with targets in *graph*, as `compile_shapes` does."""
     found: list[Constraint] = []
     for shape in target_shapes(graph):
         if not shape.deactivated:

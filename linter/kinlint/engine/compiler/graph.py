@@ -25,8 +25,8 @@ _BLANK = re.compile(r"_:[0-9a-zA-Z]\S*")
 class ShapesFile:
     """One parsed file: its triples in the order of the text, its prefixes, and the text.
 
-    Blank nodes are named `_:<position of the file>.<order of appearance>`, so that the same
-    files always give the same names.
+    Blank nodes are named `_:<label of the file>.<order of appearance>`, so that a file gives them
+    the same names by itself and among others.
     """
 
     name: str
@@ -115,21 +115,33 @@ class ShapesGraph:
 
 def read(files: Sequence[Source]) -> ShapesGraph:
     """The graph of Turtle *files*; `RuleInvalid` names the file and line of what is no Turtle."""
-    return ShapesGraph(tuple(parse(source, at) for at, source in enumerate(files)))
+    named = zip(files, labels(files), strict=True)
+    return ShapesGraph(tuple(parse(source, label) for source, label in named))
 
 
-def parse(source: Source, at: int = 0) -> ShapesFile:
-    """Return the Turtle file *source*, the one at the position *at* of several.
+def labels(files: Sequence[Source]) -> list[str]:
+    """Return what tells the blank nodes of *files* apart: their stems, numbered where equal."""
+    found: list[str] = []
+    for source in files:
+        stem = Path(source if isinstance(source, Path) else source[0]).stem
+        label = re.sub(r"[^A-Za-z0-9]+", "-", stem).strip("-") or "file"
+        same = sum(each.split(".")[0] == label for each in found)
+        found.append(f"{label}.{same}" if same else label)
+    return found
+
+
+def parse(source: Source, label: str = "b") -> ShapesFile:
+    """Return the Turtle file *source*; names of its blank nodes begin with *label*.
 
     `RuleInvalid` names the line and cause if it is none.
     """
     name = str(source if isinstance(source, Path) else source[0])
-    labels: dict[str, str] = {}
+    names: dict[str, str] = {}
 
     def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
         written = str(term)
         if isinstance(term, ox.BlankNode):
-            return labels.setdefault(written, f"_:b{at}.{len(labels)}")
+            return names.setdefault(written, f"_:{label}.{len(names)}")
         return written
 
     try:
