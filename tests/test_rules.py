@@ -16,6 +16,7 @@ from kinlint.rule_testing import promises
 BOOK = book()
 
 USERS = """
+@prefix fact: <https://w3id.org/kinlint/fact#> .
 @prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
 @prefix kl:   <https://w3id.org/kinlint/ns#> .
 @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
@@ -101,12 +102,16 @@ def test_a_rule_of_a_user_that_is_right_passes(written):
         ("'{$this}' has", "'{$this}' has '{?none}',", "a variable of the message is empty"),
         ("sh:severity", 'kl:groupBy "none" ; sh:severity', "groups by ?none"),
         ("[|", "", "marks nothing"),
+        ("{ FILTER", "{ $this fact:least-momnt 1 FILTER", "line 20: nothing computes fact:least-"),
+        ("{ FILTER", "{ $this fact:least-momnt 1 FILTER", "did you mean 'least-moment'?"),
+        ("{ FILTER", "{ $this fact:free-name 1 FILTER", "computed for repairs only"),
+        ("sh:targetClass kc:Joint", "sh:targetSubjectsOf fact:slip", "line 16: nothing computes"),
         ('"%20"', '"%21"', "is marked and not found"),
         ("#left-elbow", "#left%20elbow", "good example 1 is flagged at 3:"),
         ("^^kl:jsonld", "", "example 1 is in none of the formats jsonld"),
         ('"Joint" }', '"Joint"', "example 1 cannot be read: example.jsonld:"),
         ("rdfs:label", "rdfs:seeAlso", "A rule has one rdfs:label"),
-        ("{ FILTER", "{ { } LATERAL { } FILTER", "line 19: not SPARQL 1.1 near '"),
+        ("{ FILTER", "{ { } LATERAL { } FILTER", "line 20: not SPARQL 1.1 near '"),
         ("{ FILTER", "{ $this a ?type FILTER", "shows why the query needs ?this rdf:type ?type"),
         ("{ FILTER", "{ FILTER (isIRI($this)) FILTER", "needs FILTER ( isIRI ( ?this ) )"),
         ("SELECT $this WHERE {", "SELECT $this WHERE { OPTIONAL { $this a kc:Joint }", "kc:Joint"),
@@ -122,11 +127,11 @@ def test_what_a_rule_promises_and_does_not_keep_is_said(written, right, wrong, s
     [
         ('    kl:code "ID900" ;\n', "", "rule space-in-identifier has no kl:code"),
         ("rule:space-in", "rule:spaces-in", "so its file must be spaces-in-identifier.ttl"),
-        ('"%20"))', '"%20")', ".ttl:19: '}' stands where ) is due"),
-        ("CONTAINS(", "CONTAIN(", ".ttl:19: not SPARQL 1.1 near '"),
-        ("FILTER", "$this foo:bar 1 . FILTER", ".ttl:19: the prefix 'foo:' is not declared"),
-        ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:13: A dot is expected"),
-        ("targetClass kc:", "targetClass zz:", ".ttl:15: The prefix zz: has not been declared"),
+        ('"%20"))', '"%20")', ".ttl:20: '}' stands where ) is due"),
+        ("CONTAINS(", "CONTAIN(", ".ttl:20: not SPARQL 1.1 near '"),
+        ("FILTER", "$this foo:bar 1 . FILTER", ".ttl:20: the prefix 'foo:' is not declared"),
+        ('kl:since "0.1.0" ;', 'kl:since "0.1.0"', ".ttl:14: A dot is expected"),
+        ("targetClass kc:", "targetClass zz:", ".ttl:16: The prefix zz: has not been declared"),
     ],
 )
 def test_what_is_no_rule_is_refused(written, right, wrong, said):

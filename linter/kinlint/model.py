@@ -204,6 +204,8 @@ class Rule:
     """Its repairs, the preferred first."""
     also: tuple[Severity, ...] = ()
     """Severities of single constraints that differ from `severity`."""
+    facts: tuple[tuple[str, str], ...] = ()
+    """Names of the facts that it asks for, each with the module that computes it."""
 
     def counts_as(self, targets: Collection[str] = (), form: str = "") -> Severity | None:
         """Return the severity in a file of format *form* for *targets*; None if the rule is off.

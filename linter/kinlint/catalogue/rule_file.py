@@ -7,7 +7,8 @@ from dataclasses import astuple
 from pathlib import Path
 from textwrap import dedent
 
-from kinlint.catalogue.repair_file import read_repairs
+from kinlint.catalogue.asked_facts import modules
+from kinlint.catalogue.repair_file import prefixes, read_repairs
 from kinlint.engine.compiler.graph import ShapesFile, ShapesGraph, parse
 from kinlint.engine.compiler.names import RULE_CLASS, TYPE, sh
 from kinlint.errors import RuleInvalid
@@ -91,6 +92,7 @@ class _RuleReader:
             optional=self.value(kl("optional")) in TRUE,
             also=tuple(sorted(self.also(), reverse=True)),
             repairs=read_repairs(self.graph, self.subject),
+            facts=modules(self.graph.files[0], prefixes()),
         )
 
     def severity(self, said: str) -> Severity:

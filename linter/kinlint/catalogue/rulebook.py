@@ -225,6 +225,7 @@ def _rule(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
             for each in values["severity_for"]
         ),
         "also": tuple(map(Severity, values["also"])),
+        "facts": tuple(map(tuple, values["facts"])),
         "repairs": tuple(map(_repair, values["repairs"])),
         "path": homes.get(values["name"], ""),
     }
@@ -277,9 +278,10 @@ def _code() -> str:
     """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
     folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
+    extra = (package / name for name in ("model.py", "terms.py", "facts/compute.py"))
     files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
-    for file in sorted([*files, package / "model.py", package / "terms.py"]):
+    for file in sorted([*files, *extra]):
         digest.update(f"\0{file.name}\0".encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:24]

@@ -28,14 +28,18 @@ from kinlint.terms import Term, Triple
 
 
 class Kind(NamedTuple):
-    """Facts of one kind: their properties, what finds them, and the parts of scans that it takes.
+    """Facts of one kind."""
 
-    What a part of `Workings` is made of takes part with it.
-    """
-
+    module: str
+    """The module of this package that computes them."""
     names: tuple[str, ...]
+    """The properties, and classes, by which they are asked for."""
     found: Callable[[Workings], Iterator[Triple]]
+    """What computes them."""
     parts: tuple[str, ...]
+    """The parts of scans that this takes; what a part of `Workings` is made of comes with it."""
+    details: tuple[str, ...] = ()
+    """Further properties of their nodes."""
 
 
 QUANTITIES = ("x", "y", "z", "alpha", "beta", "gamma", "mass", "value", "lower", "upper", "offset")
@@ -52,6 +56,9 @@ PLANNING = ("comprises", "moves", "between", "joints")
 RELATED = ("Agreement", "of", "first", "second", "closed-by", "traced-to", "compared")
 WATER = ("water-mass", "water-ixx", "water-iyy", "water-izz")
 STEPS = ("step", "index", "operator", "in-cycle")
+NODES = ("member", "derived-from", "size")
+ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
+CHANGES = ("entry", "amended")
 
 
 def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Triple]:
@@ -93,73 +100,126 @@ def _related(workings: Workings) -> Iterator[Triple]:
     yield from cycles(workings.relations, workings.attitudes)
 
 
-def _alone(found: Callable[[Scan], Iterator[Triple]], *names: str) -> Kind:
+def computed_by(name: str, *, for_repairs: bool = False) -> str | None:
+    """Return the module that computes the facts called *name*; None if none does.
+
+    Some are there *for_repairs* only.
+    """
+    kinds = (*KINDS, *HINTS) if for_repairs else KINDS
+    return next((each.module for each in kinds if name in (*each.names, *each.details)), None)
+
+
+def computed(*, for_repairs: bool = False) -> frozenset[str]:
+    """Return the names of all facts that rules may ask for, or if *for_repairs*, repairs."""
+    kinds = (*KINDS, *HINTS) if for_repairs else KINDS
+    return frozenset(name for each in kinds for name in (*each.names, *each.details))
+
+
+def _alone(
+    module: str,
+    found: Callable[[Scan], Iterator[Triple]],
+    *names: str,
+    details: tuple[str, ...] = (),
+) -> Kind:
     """Facts that are found by nothing but what a scan reads."""
-    return Kind(names, lambda workings: found(workings.scan.part(names[0])), names[:1])
+    part = names[:1]
+    return Kind(module, names, lambda workings: found(workings.scan.part(*part)), part, details)
 
 
 KINDS = (
     Kind(
+        "quantity",
         QUANTITIES,
         lambda own: stated(own.vectors, own.angles, own.masses, own.values),
         ("vectors", "angles", "masses", "values"),
     ),
-    Kind(RESIDUALS, lambda own: own.rotations.facts(), ("rotations",)),
-    Kind(RESIDUALS, lambda own: own.bases.facts(), ("bases",)),
-    Kind(MOMENTS, lambda own: own.inertias.facts(), ("inertias",)),
-    Kind(TREES, lambda own: own.trees.facts(), ("trees",)),
-    Kind(WELDS, lambda own: own.assemblies.facts(), ("assemblies",)),
+    Kind("rotation", RESIDUALS, lambda own: own.rotations.facts(), ("rotations",)),
+    Kind("basis", RESIDUALS, lambda own: own.bases.facts(), ("bases",)),
+    Kind("inertia", MOMENTS, lambda own: own.inertias.facts(), ("inertias",)),
+    Kind("tree", TREES, lambda own: own.trees.facts(), ("trees",)),
+    Kind("assembly", WELDS, lambda own: own.assemblies.facts(), ("assemblies",)),
     Kind(
+        "proportion",
         PROPORTIONS,
         lambda own: proportions(own.inertias, own.assemblies, own.geometries),
         ("assemblies", "geometries"),
     ),
     Kind(
+        "proportion",
         ("astray",),
         lambda own: astray(own.assemblies, own.geometries, own.scan.part("astray")),
         ("assemblies", "geometries", "astray"),
     ),
     Kind(
+        "transfer",
         ("transfer",),
         lambda own: transfers(own.inertias, own.assemblies, own.scan.part("transfer")),
         ("assemblies", "transfer"),
     ),
-    Kind(("decimal-slip",), lambda own: own.amendments.decimal_slips(), ("amendments",)),
-    Kind(("sign-slip",), lambda own: own.amendments.sign_slips(), ("amendments",)),
-    Kind(("solid",), lambda own: own.amendments.solids(), ("amendments",)),
-    Kind(("shift",), lambda own: own.amendments.shifts(), ("amendments",)),
-    Kind(WATER, lambda own: own.amendments.filled(), ("amendments",)),
     Kind(
+        "amendment",
+        ("decimal-slip",),
+        lambda own: own.amendments.decimal_slips(),
+        ("amendments",),
+        CHANGES,
+    ),
+    Kind(
+        "amendment",
+        ("sign-slip",),
+        lambda own: own.amendments.sign_slips(),
+        ("amendments",),
+        CHANGES,
+    ),
+    Kind("amendment", ("solid",), lambda own: own.amendments.solids(), ("amendments",), CHANGES),
+    Kind("amendment", ("shift",), lambda own: own.amendments.shifts(), ("amendments",), CHANGES),
+    Kind("amendment", WATER, lambda own: own.amendments.filled(), ("amendments",)),
+    Kind(
+        "likeness",
         ("shared-with", "shapes"),
         lambda own: repeated(own.inertias, own.assemblies, own.geometries),
         ("assemblies", "geometries"),
     ),
-    _alone(lambda scan: Idleness(scan).facts(), "idle", "working"),
-    Kind(("twin",), lambda own: own.twins.facts(), ("twins",)),
-    Kind(("unlike-siblings",), lambda own: own.twins.odd_ones(), ("twins",)),
-    Kind(("drift", "quantity"), lambda own: own.drifts.facts(), ("drifts",)),
-    Kind(PLANNING, lambda own: own.planning.facts(), ("planning",)),
-    _alone(dependencies, "leads-back-to"),
+    _alone("idleness", lambda scan: Idleness(scan).facts(), "idle", "working"),
+    Kind("likeness", ("twin",), lambda own: own.twins.facts(), ("twins",)),
+    Kind("likeness", ("unlike-siblings",), lambda own: own.twins.odd_ones(), ("twins",)),
     Kind(
+        "drift",
+        ("drift", "quantity"),
+        lambda own: own.drifts.facts(),
+        ("drifts",),
+        ("here", "there", "from"),
+    ),
+    Kind("planning", PLANNING, lambda own: own.planning.facts(), ("planning",)),
+    _alone("circle", dependencies, "leads-back-to"),
+    Kind(
+        "reference",
         ("resembles",),
         lambda own: References(own.scan.part("referred-to")).facts(),
         ("referred-to",),
     ),
-    Kind(RELATED, _related, ("agreements",)),
-    _alone(components, "component", "undecided"),
-    Kind(STEPS, lambda own: steps(own.scan.part("steps")), ("steps",)),
-    Kind(STEPS, lambda own: circles(own.scan.part("data-cycles")), ("data-cycles",)),
-    _alone(lambda scan: Supply(scan).facts(), "supplied-by"),
-    _alone(entailed_types, "entailed-type"),
-    _alone(contradictions, "excluded-type", "contradicted"),
-    _alone(resemblances, "resembles"),
+    Kind("agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
+    _alone("component", components, "component", "undecided", details=NODES),
+    Kind("order", STEPS, lambda own: steps(own.scan.part("steps")), ("steps",), NODES),
+    Kind(
+        "order", STEPS, lambda own: circles(own.scan.part("data-cycles")), ("data-cycles",), NODES
+    ),
+    _alone("supply", lambda scan: Supply(scan).facts(), "supplied-by"),
+    _alone("entailed", entailed_types, "entailed-type"),
+    _alone("contradiction", contradictions, "excluded-type", "contradicted"),
+    _alone("resemblance", resemblances, "resembles"),
 )
 """All kinds of facts that rules may ask for."""
 
 HINTS = (
-    Kind(("slip-for",), lambda own: own.identifiers.resemblances(), ("identifiers",)),
-    Kind(("free-name",), lambda own: own.identifiers.free_names(), ("identifiers",)),
-    _alone(reordered, "reordered"),
-    Kind(("recomputed",), lambda own: Recomputations(own.agreements).facts(), ("agreements",)),
+    Kind("identifier", ("slip-for",), lambda own: own.identifiers.resemblances(), ("identifiers",)),
+    Kind("identifier", ("free-name",), lambda own: own.identifiers.free_names(), ("identifiers",)),
+    _alone("order", reordered, "reordered", details=("cell", "due")),
+    Kind(
+        "recomputation",
+        ("recomputed",),
+        lambda own: Recomputations(own.agreements).facts(),
+        ("agreements",),
+        (*CHANGES, *ERRORS, "turned", "place"),
+    ),
 )
 """All kinds of facts that only repairs ask for."""

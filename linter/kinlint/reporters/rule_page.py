@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -37,13 +37,16 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
     for repair in rule.repairs:
         told = textwrap.fill(f"Fix: {heading(repair).replace('`', '')}", TEXT_WIDTH)
         yield f"\n{told}\n\n{textwrap.indent(repair.update, '    ')}\n"
-    yield "\nTo ignore it:\n\n"
-    for way in _ignoring(rule):
-        yield f"  - {way.replace('`', '')}\n"
-    if rule.links:
-        yield "\nSee also:\n\n"
-    for link in rule.links:
-        yield f"  - {link}\n"
+    yield from _listed("To ignore it", _ignoring(rule))
+    yield from _listed("Facts that it asks for", _asked(rule))
+    yield from _listed("See also", rule.links)
+
+
+def _listed(title: str, items: Iterable[str]) -> Iterator[str]:
+    lines = [f"  - {each.replace('`', '')}\n" for each in items]
+    if lines:
+        yield f"\n{title}:\n\n"
+    yield from lines
 
 
 def _drawn(rule: Rule, style: Style) -> str:
@@ -57,7 +60,9 @@ def _drawn(rule: Rule, style: Style) -> str:
 
 def markdown(rule: Rule) -> str:
     """The page as Markdown, with a heading."""
-    return f"# {rule.code} {rule.name}\n\n**{rule.title}**\n\n{help_markdown(rule)}"
+    asked = "\n".join(["\nFacts that it asks for:\n", *(f"- {each}" for each in _asked(rule)), ""])
+    title = f"# {rule.code} {rule.name}\n\n**{rule.title}**\n\n"
+    return f"{title}{help_markdown(rule)}{asked if rule.facts else ''}"
 
 
 def help_markdown(rule: Rule) -> str:
@@ -93,6 +98,11 @@ def _explained(rule: Rule) -> Iterator[str]:
     for repair in rule.repairs:
         yield f"Fix: {heading(repair)}"
         yield f"```sparql\n{repair.update}\n```"
+
+
+def _asked(rule: Rule) -> Iterator[str]:
+    """Yield the facts that *rule* asks for, with the modules that compute them."""
+    return (f"`fact:{name}`, computed by `{module}`" for name, module in rule.facts)
 
 
 def _links(rule: Rule) -> Iterator[str]:
@@ -133,6 +143,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "since": rule.since,
         "url": rule.iri,
         "links": list(rule.links),
+        "facts": [{"name": name, "module": module} for name, module in rule.facts],
         "messages": list(rule.messages),
         "examples": [_example_object(example) for example in rule.examples],
         "fixes": [repair_object(repair) for repair in rule.repairs],

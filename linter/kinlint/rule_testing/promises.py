@@ -78,7 +78,17 @@ def _unfilled(rule: Rule) -> Iterator[str]:
         yield f"line {number} is not filled in: {line}"
 
 
+def _uncomputed(rule: Rule) -> Iterator[str]:
+    """Yield the facts that *rule* asks for and nothing computes."""
+    from kinlint.catalogue.asked_facts import uncomputed  # noqa: PLC0415  it loads all that computes
+    from kinlint.catalogue.repair_file import prefixes  # noqa: PLC0415
+    from kinlint.engine.compiler.graph import parse  # noqa: PLC0415
+
+    yield from uncomputed(parse(Path(rule.path)), prefixes())
+
+
 def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    yield from _uncomputed(rule)
     yield from form(rule)
     yield from messages(rule)
     yield from grouping(rule, rulebook)

@@ -1,0 +1,51 @@
+"""Facts are those that are declared, so that a rule which asks for others can be told."""
+
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from computed import closed
+
+from kinlint.engine.lifting import lift
+from kinlint.facts.compute import HINTS, KINDS, computed, computed_by
+from kinlint.facts.scan import Scan
+from kinlint.facts.workings import Workings
+from kinlint.terms import RDF_TYPE
+from kinlint.vocabulary import FACT
+
+SAMPLES = Path(__file__).parents[2] / "samples"
+MODELS = (
+    "urdf/six-axis.urdf",
+    "sdf/six-axis.sdf",
+    "broken/frame-graph-cycle.jsonld",
+    "broken/inconsistent-representations.jsonld",
+    "broken/dataflow-cycle.jsonld",
+)
+
+
+@pytest.fixture(scope="module", params=MODELS)
+def workings(request):
+    """What computes the facts of a model."""
+    file = SAMPLES / request.param
+    store = closed({file.name: file.read_text()})
+    lift(store)
+    return Workings(Scan(store))
+
+
+def test_a_kind_computes_what_it_declares(workings):
+    """Properties and classes of facts, and no others."""
+    for kind in (*KINDS, *HINTS):
+        terms = {o if p == RDF_TYPE else p for _, p, o in kind.found(workings)}
+        names = {
+            each.removeprefix(f"<{FACT}")[:-1] for each in terms if each.startswith(f"<{FACT}")
+        }
+        assert names <= {*kind.names, *kind.details}, kind.module
+
+
+def test_a_fact_has_a_module():
+    """The one that computes it."""
+    for name in computed(for_repairs=True):
+        assert import_module(f"kinlint.facts.{computed_by(name, for_repairs=True)}")
+    assert computed_by("least-moment") == "inertia"
+    assert computed_by("free-name") is None
+    assert computed_by("free-name", for_repairs=True) == "identifier"
