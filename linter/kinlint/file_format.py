@@ -58,6 +58,8 @@ class Format:
     """Whether what a file states depends on files that it names."""
     searched: bool = field(default=True, compare=False, repr=False)
     """Whether directories are searched for its files; others have to be named, or match a glob."""
+    convertible: bool = field(default=False, compare=False, repr=False)
+    """Whether `kinlint convert` writes it."""
     appendable: bool = field(default=False, compare=False, repr=False)
     """Whether statements may be added at the end of a file without a look at the rest."""
 

@@ -14,12 +14,14 @@ from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
+from kinlint.formats import records
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers
 
 STDOUT = "-"
-FORMATS = ("jsonld", "turtle", "ntriples")
-SUFFIXES = {".ttl": "turtle", ".nt": "ntriples"}
+WRITTEN = tuple(each for each in records.FORMATS if each.convertible)
+FORMATS = tuple(each.name for each in WRITTEN)
+SUFFIXES = {suffix: each.name for each in WRITTEN for suffix in each.suffixes}
 _NAMESPACE = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:[^\s<>\"{}|\\^`]*[#/:]")
 
 DESCRIPTION = """\

@@ -13,6 +13,7 @@ from kinlint.cli.argument_parser import Parser, filled, one_of
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.formats.records import GRAPHS
 from kinlint.suggestion import did_you_mean
 
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
@@ -37,7 +38,7 @@ def parser() -> Parser:
         "--format",
         type=one_of(tuple(EXAMPLES)),
         metavar="|".join(EXAMPLES),
-        default="jsonld",
+        default=GRAPHS[0].name,
         help="what the examples are written in",
     )
     return made

@@ -12,5 +12,6 @@ JSONLD = Format(
     reader="kinlint.formats.jsonld.reader",
     editor="kinlint.formats.jsonld.editing.editor",
     fence="json",
+    convertible=True,
 )
 FORMATS = (JSONLD,)

@@ -10,6 +10,7 @@ NTRIPLES = Format(
     suffixes=(".nt",),
     shape=Shape.GRAPH,
     reader="kinlint.formats.nquads.reader",
+    convertible=True,
     searched=False,
     appendable=True,
 )

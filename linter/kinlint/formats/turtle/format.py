@@ -12,6 +12,7 @@ TURTLE = Format(
     reader="kinlint.formats.turtle.reader",
     editor="kinlint.formats.turtle.editing",
     fence="turtle",
+    convertible=True,
     searched=False,
     appendable=True,
 )
