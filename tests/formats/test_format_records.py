@@ -34,6 +34,7 @@ EXCEPTIONS = {
     "missing_files.py": "the elements of URDF and SDF that name files",
     "navigation": "names inside of SDF and xacro, whose scopes and macros only they have",
     "reporters/reporter_registry.py": "the output format `turtle`",
+    "rule_formatting": "rule files, which are Turtle",
     "vocabulary.py": "the namespaces themselves",
 }
 """The modules and packages outside `formats` that name a format, and why."""
