@@ -52,8 +52,9 @@ def test_terms_as_people_read_them(term: str, shown: str) -> None:
 def test_elements_go_by_their_names_where_no_other_has_them(path: str, shown: str) -> None:
     """Else by their kinds too."""
     nodes = ("/joint/elbow", "/joint/tool", "/link/tool", "/link/base", "/link/base;2")
+    kinds = ("model", "link", "joint")
     address = "urn:kinlint:document:arm.urdf#{}".format
-    display = Display(nodes=[iri(address(node)) for node in nodes])
+    display = Display(nodes=[iri(address(node)) for node in nodes], kinds=kinds)
     assert display.term(iri(address(path))) == shown
 
 

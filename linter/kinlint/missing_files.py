@@ -8,15 +8,10 @@ from kinlint.document import Document
 from kinlint.files.file_exists import AbsentDirectory, Fault, Missing, References, UnknownPackage
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
-from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_literal, literal, literal_value
-from kinlint.vocabulary import ATTRIBUTE, SDF, SRC, URDF
+from kinlint.formats.xml.references import file_names
+from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, literal, literal_value
+from kinlint.vocabulary import SRC
 
-FILENAME, TEXT = iri(f"{ATTRIBUTE}filename"), iri(f"{SRC}text")
-NAMED_BY = {
-    **{iri(f"{URDF}{tag}"): FILENAME for tag in ("mesh", "texture")},
-    iri(f"{SDF}mesh"): iri(f"{SDF}uri"),
-}
-"""The elements that refer to a file, by their property, and what of them names it."""
 CLASSES = {
     Missing: iri(f"{SRC}MissingFile"),
     UnknownPackage: iri(f"{SRC}UnresolvedPackage"),
@@ -44,23 +39,10 @@ def references(
         near = absolute(document.source.name).parent
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
-        for element, _, written in named_files(document):
+        for element, _, written in file_names(document):
             fault = known.fault(literal_value(written), near)
             if fault is not None:
                 yield from _stated(element, fault)
-
-
-def named_files(document: Document) -> Iterator[Triple]:
-    """The statements of *document* whose value names the file of a mesh or a texture."""
-    expected: dict[Term, Term] = {}
-    for subject, predicate, value in document.statements:
-        if predicate in NAMED_BY:
-            expected[value] = NAMED_BY[predicate]
-        elif expected.get(subject) == predicate:
-            if is_literal(value):
-                yield subject, predicate, value
-            else:
-                expected[value] = TEXT
 
 
 def _stated(element: Term, fault: Fault) -> Iterator[Triple]:

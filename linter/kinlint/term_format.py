@@ -45,8 +45,6 @@ XML = (ATTRIBUTE, *ELEMENTS, EXTENSION, REFERENCE)
 COMPONENT = re.compile(r"-[1-9][0-9]*$")
 """The end of the property that has one number of an attribute of several."""
 
-NAMED = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light"})
-"""Elements that are spoken of by their name alone, where no other one has it."""
 
 LONGEST, TAIL = 160, 40
 """How much of a term a message repeats, and how much of that is its end."""
@@ -59,11 +57,13 @@ class Display:
     """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes.
 
     `nodes` are those of the file: elements of different kinds that share a name are told apart.
+    `kinds` are the tags of elements that are spoken of by name alone, where no other one has it.
     """
 
     prefixes: Mapping[str, str] = field(default_factory=dict)
     own: tuple[str, ...] = ()
     nodes: Collection[Term] = field(default=(), repr=False)
+    kinds: Collection[str] = field(default=(), repr=False)
 
     def term(self, term: Term) -> str:
         """*term* without the quotes, brackets and datatypes of N-Triples, in one line."""
@@ -97,9 +97,9 @@ class Display:
 
     def _path(self, path: str) -> str:
         """The names on the way to an element, or to what was made of it, with kinds if need be."""
-        owner = unordered(owner_path(path, NAMED))
-        shared = short_path(owner, NAMED) in self._shared
-        return path.removeprefix("/") if shared else short_path(path, NAMED)
+        owner = unordered(owner_path(path, self.kinds))
+        shared = short_path(owner, self.kinds) in self._shared
+        return path.removeprefix("/") if shared else short_path(path, self.kinds)
 
     @cached_property
     def _shared(self) -> frozenset[str]:
@@ -107,8 +107,8 @@ class Display:
         paths = (
             split(iri_value(node))[1].removeprefix("/") for node in self.nodes if is_address(node)
         )
-        named = (path for path in paths if path and owner_path(path, NAMED) == path)
-        counts = Counter(short_path(unordered(path), NAMED) for path in named)
+        named = (path for path in paths if path and owner_path(path, self.kinds) == path)
+        counts = Counter(short_path(unordered(path), self.kinds) for path in named)
         return frozenset(name for name, count in counts.items() if count > 1)
 
     def triple(self, triple: Triple) -> str:

@@ -16,6 +16,7 @@ from kinlint.engine.provenance import Provenance, Trace
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.blank_node_names import AnonymousNodes
+from kinlint.formats.xml.schema import kinds
 from kinlint.term_format import Display
 from kinlint.terms import (
     RDF_TYPE,
@@ -248,11 +249,19 @@ class Locator:
         """How the file of *location* abbreviates."""
         document = self.document(location)
         if document is None:
-            return Display()
+            return Display(kinds=self.kinds)
         if document.graph not in self._displays:
             own = tuple(literal_value(o) for _, _, o in document.saying(OWN))
-            self._displays[document.graph] = Display(document.prefixes, own, document.map.nodes)
+            self._displays[document.graph] = Display(
+                document.prefixes, own, document.map.nodes, self.kinds
+            )
         return self._displays[document.graph]
+
+    @cached_property
+    def kinds(self) -> frozenset[str]:
+        """The tags of elements that are spoken of by name alone."""
+        forms = {each.format.lifted_as: each.format for each in self.documents}
+        return frozenset().union(*map(kinds, forms.values()))
 
     @cached_property
     def _displays(self) -> dict[Term, Display]:

@@ -102,7 +102,7 @@ class Extraction:
     def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
         if is_address(whole):
             said = self.scan.table(attribute("name")).of(element_of(whole))
-            return literal_value(said[0]) if said else element_name(whole)
+            return literal_value(said[0]) if said else element_name(whole, self.locator.kinds)
         return names.get(whole) or self.names.of((whole,))[whole]
 
     @cached_property

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from urllib.parse import unquote
 
 from kinlint.addresses import is_address, split, steps, unordered
 from kinlint.findings.locator import Locator
-from kinlint.term_format import NAMED, Display
+from kinlint.term_format import Display
 from kinlint.terms import Term, iri_value, is_blank
 
 WORLD, MODEL = "world", "model"
@@ -33,7 +33,7 @@ class Names:
         if is_blank(node):
             return NAMELESS
         if is_address(node):
-            return element_name(node)
+            return element_name(node, self.locator.kinds)
         location = self.locator.node(node)
         if location is None:
             return self._unplaced(node)
@@ -46,12 +46,12 @@ class Names:
         return next((name for name in names if name != node[1:-1]), node[1:-1])
 
 
-def element_name(node: Term) -> str:
+def element_name(node: Term, kinds: Collection[str]) -> str:
     """The name in the address of what was made of an element, with the models that it is in.
 
     But for the outermost, as SDF writes it: `tool::hand`.
     """
-    path = [*steps(split(iri_value(node))[1], NAMED)]
+    path = [*steps(split(iri_value(node))[1], kinds)]
     named = [at for at, (_, name) in enumerate(path) if name]
     last = named[-1] if named else 0
     if path[last][0] == WORLD:

@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from kinlint.document import Document
 from kinlint.formats.xml.references import names_in
+from kinlint.formats.xml.schema import schema
 from kinlint.navigation.occurrence import Occurrence, Role
 from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import iri
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
-
-NAME = iri(f"{ATTRIBUTE}name")
 
 
 def named_elements(document: Document) -> Iterator[Occurrence]:
@@ -30,8 +29,9 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
     for (subject, predicate, value), target in calls.items():
         if (place := said.place(subject, predicate, value)) is not None:
             yield Occurrence(place, target, Role.REFERENCE)
+    naming = iri(ATTRIBUTE + schema(document.format.lifted_as).names)
     for subject, predicate, value in document.statements:
-        if predicate != NAME or (subject, predicate, value) in calls:
+        if predicate != naming or (subject, predicate, value) in calls:
             continue
         if (place := said.place(subject, predicate, value)) is not None:
             yield Occurrence(place, subject, Role.DESCRIPTION)

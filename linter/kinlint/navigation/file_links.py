@@ -11,7 +11,7 @@ from kinlint.document import Document
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.formats.options import ReadOptions
-from kinlint.missing_files import named_files
+from kinlint.formats.xml.references import file_names
 from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import iri, literal_value
 from kinlint.text import Location, SourceText
@@ -83,7 +83,7 @@ def _files(
     document: Document, said: StatementIndex, near: Path, packages: Packages
 ) -> Iterator[Link]:
     """The meshes and textures that are there."""
-    for element, predicate, value in named_files(document):
+    for element, predicate, value in file_names(document):
         place, written = said.place(element, predicate, value), literal_value(value)
         path = packages.resolve(written, near)
         if path is None and ADDRESS not in written and "$" not in written:

@@ -71,7 +71,7 @@ class Navigator:
     def outline(self, name: str) -> Sequence[Symbol]:
         """The symbols of the text called *name*, as the robots in it hang together."""
         found = structures(self._model.store, self._documents)
-        descriptions = Descriptions(self._model, Display())
+        descriptions = Descriptions(self._model, Display(kinds=self._locator.kinds))
         return outline(
             name,
             found,

@@ -13,18 +13,17 @@ from kinlint.formats.xml.places import Places
 from kinlint.terms import XSD, Term, literal
 from kinlint.text import SourceText, Span
 
-NAMED = ("link", "joint", "frame")
-"""What a robot has most of, known by name within it."""
-
 MOST_SCOPES = 50
 
 
-def describe(layer: SourceLayer, scopes: Iterable[str], root: Term, places: Places) -> None:
+def describe(
+    layer: SourceLayer, scopes: Iterable[tuple[str, Iterable[str]]], root: Term, places: Places
+) -> None:
     """States the root and the namespaces of what is named in *scopes*, the first ones at least."""
     place = places.tag(0).name
     layer.triples[root, src("describedIn"), layer.document] = place
-    for scope in islice(scopes, MOST_SCOPES):
-        for space in namespaces(scope, NAMED):
+    for scope, tags in islice(scopes, MOST_SCOPES):
+        for space in namespaces(scope, tags):
             layer.triples[layer.document, src("ownNamespace"), literal(space)] = place
 
 

@@ -23,9 +23,6 @@ LONGEST_ADDRESS = 4_000
 MOST_ELEMENTS = 1_000_000
 MOST_ATTRIBUTES = 1_000
 
-SCOPES = frozenset({"robot", "sdf", "world", "model"})
-"""Elements that have named parts."""
-
 Frame: TypeAlias = tuple[str, Term, ElementType, int, dict[str, int]]
 """An open element: its address, its node, its type, its number, its first child of each tag."""
 
@@ -47,7 +44,7 @@ class Elements:
 
     `index` numbers the elements; `starts` and `ends` tell where their tags begin, in bytes.
     `closed` is the number of the element that ended last. `scopes` are the addresses of models and
-    the like.
+    the like, with the tags of what they know by name.
     """
 
     def __init__(self, document: Term, schema: Schema) -> None:
@@ -58,7 +55,7 @@ class Elements:
         self.starts: list[int] = []
         self.ends: list[int] = []
         self.closed = -1
-        self.scopes: list[str] = []
+        self.scopes: list[tuple[str, tuple[str, ...]]] = []
         above = ElementType("", "", children=schema.roots, once=frozenset(schema.roots))
         self.frames: list[Frame] = [(iri_value(root_of(document)), document, above, -1, {})]
         self._texts: dict[int, list[str]] = {}
@@ -93,7 +90,7 @@ class Elements:
         frames, index, starts, ends = self.frames, self.index, self.starts, self.ends
         add, remarks, texts = self.statements.append, self.remarks, self._texts
         counts = dict[str, int]()
-        namespace = self.schema.namespace
+        namespace, naming = self.schema.namespace, self.schema.names
 
         def start(tag: str, attributes: dict[str, str]) -> None:  # noqa: C901, PLR0912, PLR0915
             above, parent, outer, holder, first = frames[-1]
@@ -111,7 +108,7 @@ class Elements:
                 foreign = outer.open or ":" in tag
                 type_, predicate = ANY, f"<{EXTENSION if foreign else namespace}{tag}>"
 
-            name = attributes.get("name")
+            name = attributes.get(naming)
             address = child_address(above, tag, name) if holder >= 0 else above
             order = counts[address] = counts.get(address, 0) + 1
             if order > 1:
@@ -142,8 +139,8 @@ class Elements:
                         for component, each in zip(components, value, strict=True):
                             add((node, component, each))
 
-            if tag in SCOPES and type_ is not ANY:
-                self.scopes.append(address)
+            if type_.scope:
+                self.scopes.append((address, type_.scope))
             before = first.setdefault(tag, number)
             if before != number and tag in outer.once:
                 remarks.repeated(number, holder, tag, before)

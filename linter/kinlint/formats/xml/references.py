@@ -35,17 +35,36 @@ class Name(NamedTuple):
         return bool(self.text) or (self.reference.required and literal_value(self.value) == "")
 
 
-def names(statements: Iterable[Triple], table: Schema) -> Iterator[Name]:
-    """Yield the names by which elements refer to others, in *statements* that put parents first."""
+def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple, ElementType]]:
+    """Yield *statements* of values, of elements that refer to others or to files, with their types.
+
+    Elements are stated before what is in them.
+    """
     roots = {each.predicate: each for each in table.roots.values()}
     types: dict[Term, ElementType] = {}
-    for subject, predicate, value in statements:
+    for triple in statements:
+        subject, predicate, value = triple
         type_ = types.get(subject)
         inner = type_ and type_.leads.get(predicate)
         if inner or (inner := roots.get(predicate)):
             types[value] = inner
-        elif type_ and (reference := type_.references.get(predicate)) and is_literal(value):
-            yield Name(subject, predicate, value, reference)
+        elif type_ and is_literal(value):
+            yield triple, type_
+
+
+def names(statements: Iterable[Triple], table: Schema) -> Iterator[Name]:
+    """Yield the names by which elements refer to others, in *statements* that put parents first."""
+    for (element, place, value), type_ in typed(statements, table):
+        if (reference := type_.references.get(place)) is not None:
+            yield Name(element, place, value, reference)
+
+
+def file_names(document: Document) -> Iterator[Triple]:
+    """Yield the statements of *document* whose value names a file, such as one of a mesh."""
+    if document.format.is_tree:
+        for triple, type_ in typed(document.statements, schema(document.format.lifted_as)):
+            if triple[1] in type_.files:
+                yield triple
 
 
 def names_in(document: Document) -> Iterator[Name]:

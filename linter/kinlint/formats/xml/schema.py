@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cache
 
 from kinlint import resources
+from kinlint.file_format import Format
 from kinlint.formats.xml.values import Form, Reading, reading
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
@@ -73,7 +74,8 @@ class ElementType:
 
     `once` are tags of children that may stand there once, `requires` those that must, `required`
     the attributes that must. `choices` are the words that attributes can be, or its text ("").
-    `references` are by property. `leads` are the children, by theirs, below which there are any.
+    `references` are by property, and `files` the properties that name files. `leads` are the
+    children, by theirs, below which there are any of these.
     `scope` are the tags of what it knows by name. An
     `open` one takes anything. A `dated` one is not in every version of the format, or one of its
     attributes is not. What has to be `checked` asks something of its attributes.
@@ -89,6 +91,7 @@ class ElementType:
     content: Slot | None = None
     choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
     references: dict[Term, Reference] = field(default_factory=dict)
+    files: frozenset[Term] = frozenset()
     leads: dict[Term, ElementType] = field(default_factory=dict)
     scope: tuple[str, ...] = ()
     open: bool = False
@@ -102,20 +105,30 @@ class ElementType:
 class Schema:
     """A format: its roots, and for each tag the types that have it and the tags they stand below.
 
-    `version` is what a file that names none is of.
+    `names` is the attribute by which elements have names, and `version` what a file without one
+    is of.
     """
 
     namespace: str
     roots: dict[str, ElementType]
     types: dict[str, list[ElementType]]
     parents: dict[str, list[str]]
+    names: str = ""
     version: str | None = None
 
     @property
     def flat(self) -> bool:
         """Whether all that has a name is known in the whole file."""
-        scopes = (each for types in self.types.values() for each in types if each.scope)
-        return all(each is self.roots.get(each.tag) for each in scopes)
+        return all(each is self.roots.get(each.tag) for each in self._scopes)
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """The tags of what is known by name alone, where no other thing has it."""
+        return frozenset(tag for each in self._scopes for tag in each.scope)
+
+    @property
+    def _scopes(self) -> Iterator[ElementType]:
+        return (each for types in self.types.values() for each in types if each.scope)
 
 
 ANY = ElementType("", "", open=True)
@@ -132,6 +145,11 @@ def version(text: str) -> Version | None:
 def schema(form: str) -> Schema:
     """The schema of the format called *form*."""
     return _Tables(form).schema()
+
+
+def kinds(form: Format) -> frozenset[str]:
+    """Return the tags of the elements of *form* that are known by name, if it has elements."""
+    return schema(form.lifted_as).kinds if form.is_tree else frozenset()
 
 
 class _Tables:
@@ -156,7 +174,7 @@ class _Tables:
         roots: dict[str, ElementType] = {}
         types: dict[str, list[ElementType]] = {}
         parents: dict[str, list[str]] = {}
-        default = None
+        default, names = None, ""
         for node, type_ in found.items():
             said = self.nodes[node]
             types.setdefault(type_.tag, []).append(type_)
@@ -168,9 +186,10 @@ class _Tables:
             type_.references = dict(self._references(said, type_))
             if f"{FMT}Root" in said.get("type", ()):
                 roots[type_.tag] = type_
+                names = next(iter(said.get("names", ())), names)
                 default = next(iter(said.get("defaultVersion", ())), default)
         _link(list(found.values()))
-        return Schema(self.namespace, roots, types, parents, default)
+        return Schema(self.namespace, roots, types, parents, names, default)
 
     def _references(
         self, said: dict[str, list[str]], type_: ElementType
@@ -180,7 +199,7 @@ class _Tables:
             for predicate, name, *targets in map(self._list, said.get(word, ())):
                 ends = (each.rpartition("#") for each in targets)
                 yield (
-                    iri(ATTRIBUTE + name) if name else TEXT,
+                    _place(name),
                     Reference(
                         iri(predicate),
                         tuple((f"{space}#", tag) for space, _, tag in ends),
@@ -211,6 +230,7 @@ class _Tables:
             },
             required=tuple(said.get("required", ())),
             content=Slot.of(f"{SRC}text", Form(tuple(content), infinite)) if content else None,
+            files=frozenset(map(_place, said.get("file", ()))),
             scope=tuple(each.rpartition("#")[2] for each in said.get("scope", ())),
             choices={name: tuple(words) for name, words in choices.items()},
             open="true" in said.get("open", ()),
@@ -227,9 +247,14 @@ class _Tables:
             yield first
 
 
+def _place(name: str) -> Term:
+    """Return the property of the attribute *name*, or that of the text."""
+    return iri(ATTRIBUTE + name) if name else TEXT
+
+
 def _link(types: Sequence[ElementType]) -> None:
-    """Have each of *types* lead to those below which elements refer to others."""
-    leading = {id(each) for each in types if each.references}
+    """Have each of *types* lead to those below which elements refer to others, or name files."""
+    leading = {id(each) for each in types if each.references or each.files}
     count = -1
     while count < len(leading):
         count = len(leading)
