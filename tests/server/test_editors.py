@@ -17,10 +17,12 @@ import pytest
 from editor import Editor, started
 from robots import LEG
 
+from kinlint.formats.records import FORMATS
+
 HERE = Path(__file__).parent
 README = HERE.parents[1] / "linter" / "README.md"
 SCRIPTS = sysconfig.get_path("scripts")
-SUFFIXES = {"urdf", "xacro", "srdf", "sdf", "world", "jsonld"}
+SUFFIXES = {suffix[1:] for each in FORMATS if each.searched for suffix in each.suffixes}
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
