@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from textwrap import dedent
 
@@ -9,13 +10,16 @@ import pytest
 from rdflib import RDFS, Graph, Literal, Namespace
 from rdflib.compare import isomorphic
 
+from kinlint.cli.main import main
 from kinlint.resources import data
-from kinlint.rule_formatting.formatter import QUERIES, formatted
+from kinlint.rule_formatting.formatter import QUERIES, WIDTH, formatted
 from kinlint.rule_formatting.sparql_layout import laid_out
 
 SH = Namespace("http://www.w3.org/ns/shacl#")
-FOLDED = {RDFS.comment, *(SH[name.partition(":")[2]] for name in QUERIES)}
+FOLDED = {RDFS.comment, SH.message, *(SH[name.partition(":")[2]] for name in QUERIES)}
 RULES = sorted(data("rules").glob("*/*.ttl"))
+
+EXAMPLE = re.compile(r'("""|\'\'\').*?\1\^\^\S+', re.DOTALL)
 
 UGLY = '''
     # A rule of ours.
@@ -96,6 +100,41 @@ def test_only_the_layout_changes(file: Path) -> None:
 
     assert isomorphic(meaning(neat), meaning(text))
     assert formatted(neat) == neat
+
+
+def test_the_rules_are_formatted() -> None:
+    """If not: `kinlint format-rules`."""
+    assert main(["format-rules", "--check"]) == 0
+
+
+def test_lines_are_short() -> None:
+    """But in examples, and where a string or an IRI alone makes them long."""
+    for file in RULES:
+        text = EXAMPLE.sub("", file.read_text("utf-8"))
+        lines = re.sub(r'"[^"\n]*"|<[^>\n]*>', "x", text).split("\n")
+        assert [line for line in lines if len(line) > WIDTH] == [], file
+
+
+def test_files_are_written_and_checked(tmp_path, capsys) -> None:
+    """What would change is told; once it is changed, nothing is."""
+    file = tmp_path / "zero.ttl"
+    file.write_text(dedent(UGLY), "utf-8")
+
+    assert main(["format-rules", "--check", str(tmp_path)]) == 1
+    assert capsys.readouterr().out == f"would format {file}\n1 rule file: 1 would change.\n"
+    assert file.read_text("utf-8") == dedent(UGLY)
+    assert main(["format-rules", str(file)]) == 0
+    assert file.read_text("utf-8") == dedent(NEAT).lstrip("\n")
+    assert main(["format-rules", "--check", str(tmp_path)]) == 0
+
+
+def test_what_cannot_be_formatted_is_refused(tmp_path, capsys) -> None:
+    """No file, and no Turtle."""
+    (tmp_path / "broken.ttl").write_text("rule:a kl:code 1", "utf-8")
+
+    assert main(["format-rules", str(tmp_path / "none.ttl")]) == 2
+    assert main(["format-rules", str(tmp_path)]) == 2
+    assert "broken.ttl:1: " in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

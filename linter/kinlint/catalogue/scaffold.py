@@ -29,7 +29,6 @@ rule:$name a kl:Rule, sh:NodeShape ;
     sh:targetClass kc:Joint ;  # TODO: what it is about
     sh:sparql [
         sh:message "TODO: what is wrong with '{$$this}'." ;
-        sh:prefixes kl:prefixes ;
         sh:select """
             SELECT $$this WHERE {
                 # TODO: what a joint is like that has the fault

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinlint.catalogue import rulebook
+from kinlint.catalogue.standalone import shacl
 from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
@@ -21,7 +22,7 @@ from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages
 from kinlint.reporters.terminal_style import style_of
 
-FORMATS = ("text", "markdown", "json")
+FORMATS = ("text", "markdown", "json", "turtle")
 
 
 def parser() -> Parser:
@@ -56,8 +57,11 @@ def run(arguments: Sequence[str]) -> int:
     codes = frozenset[str]().union(*(known.find(each)[1] for each in wanted))
     rules = [rule for rule in book.rules if rule.code in codes]
     if options.output_directory is not None:
-        if options.output_format == "json":
-            raise UsageError("--output-directory writes Markdown: leave --output-format json out")
+        if options.output_format in ("json", "turtle"):
+            form = options.output_format
+            raise UsageError(
+                f"--output-directory writes Markdown: leave --output-format {form} out"
+            )
         return _write(rules, absolute(options.output_directory))
     single = len(wanted) == 1 and wanted[0] in known.exact
     if options.all and options.output_format == "markdown":
@@ -66,6 +70,8 @@ def run(arguments: Sequence[str]) -> int:
         pages = [rule_object(rule) for rule in rules]
         written = json.dumps(pages[0] if single else pages, indent=2, ensure_ascii=False)
         put(iter([written, "\n"]), sys.stdout)
+    elif options.output_format == "turtle":
+        put(iter([shacl(Path(rule.path) for rule in rules)]), sys.stdout)
     else:
         put(_pages(rules, options.output_format, options.color), sys.stdout)
     return 0

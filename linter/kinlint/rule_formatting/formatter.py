@@ -1,7 +1,7 @@
 """Formats rule files: prefixes sorted, one indentation, lines of at most 100 columns.
 
 What examples say stays to the byte; so does every term. Of SPARQL and of the prose of
-`rdfs:comment` only the white space changes.
+`rdfs:comment` and `sh:message` only the white space changes.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from kinlint.sparql.tokens import NotSparql
 
 WIDTH = 100
 QUERIES = frozenset({"sh:select", "sh:ask", "sh:construct", "sh:update"})
-PROSE = frozenset({"rdfs:comment"})
+PROSE = frozenset({"rdfs:comment", "sh:message"})
+"""Properties whose strings are read as one line, however many they stand on."""
+
 NESTED = frozenset({"sh:sparql", "sh:rule", "kl:example", "dash:suggestionGenerator"})
 """Properties whose values have a line for each of their own properties."""
 

@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 import pyoxigraph as ox
 
+from kinlint.engine.compiler.completion import completed
 from kinlint.errors import RuleInvalid
 from kinlint.terms import RDF, Term, Triple, is_literal
 
@@ -133,7 +134,8 @@ def labels(files: Sequence[Source]) -> list[str]:
 def parse(source: Source, label: str = "b") -> ShapesFile:
     """Return the Turtle file *source*; names of its blank nodes begin with *label*.
 
-    `RuleInvalid` names the line and cause if it is none.
+    Rule files are completed with what all of them say. `RuleInvalid` names the line and cause if
+    it is no Turtle.
     """
     name = str(source if isinstance(source, Path) else source[0])
     names: dict[str, str] = {}
@@ -154,4 +156,4 @@ def parse(source: Source, label: str = "b") -> ShapesFile:
     except SyntaxError as error:
         cause = str(error.msg).split(": ", 1)[-1]
         raise RuleInvalid(f"{name}:{error.lineno}: {cause}") from error
-    return ShapesFile(name, triples, dict(parser.prefixes), text)
+    return ShapesFile(name, completed(triples), dict(parser.prefixes), text)
