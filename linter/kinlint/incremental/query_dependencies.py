@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
 from kinlint.engine.compiler.names import SUBCLASS
-from kinlint.engine.required_terms import ANY, HEAD, TERM
-from kinlint.sparql.tokens import tokens
-from kinlint.terms import RDF_TYPE, Term
+from kinlint.sparql.parser import parse
+from kinlint.sparql.patterns import Pattern
+from kinlint.sparql.scope import iris, triple_patterns
+from kinlint.sparql.tokens import is_variable, tokens
+from kinlint.terms import RDF_TYPE, Term, is_iri
 
-_TYPE = rf"(?:(?<![\w?$:<#\"'])a(?![\w:])|{re.escape(RDF_TYPE)})"
-_CLASSES = rf"{re.escape(SUBCLASS)} ?\* <[^<>]*>"
-_ANY_CLASS = re.compile(
-    rf"{_TYPE} ?(?!<[^<>]*>(?! ,)|/ ?{_CLASSES}|\?(k_\w+) \}} LATERAL \{{ \?\1 {_CLASSES})"
-)
-"""A class that is not named, neither itself nor as one that it is below."""
+BELOW = (SUBCLASS, "*")
 
 
 @dataclass(frozen=True)
@@ -44,9 +40,18 @@ class Dependencies:
 @lru_cache(maxsize=1024)
 def dependencies(select: str) -> Dependencies:
     """What the query *select* looks at, at most; of what it does not find, that it is not there."""
-    spelled = HEAD.sub(" ", " ".join(tokens(select, {})) if "PREFIX" in select else select)
+    query = parse(tokens(select, {}))
+    found = triple_patterns(query)
     return Dependencies(
-        frozenset(TERM.findall(spelled)),
-        _ANY_CLASS.search(spelled) is not None,
-        ANY.search(spelled) is not None,
+        frozenset(iris(query)),
+        any(_unnamed(found)),
+        any(is_variable(path[0]) or "!" in path for _, path, _ in found),
+    )
+
+
+def _unnamed(found: Collection[Pattern]) -> Iterable[bool]:
+    """Yield for each class of a pattern whether it is not named, nor one that it is below."""
+    named = {s for s, path, o in found if path == BELOW and is_iri(o)}
+    return (
+        not is_iri(value) and value not in named for _, path, value in found if RDF_TYPE in path
     )

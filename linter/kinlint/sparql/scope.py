@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise
+from itertools import count, pairwise
 
 from kinlint.sparql.ast import (
     Bind,
@@ -19,6 +19,7 @@ from kinlint.sparql.ast import (
     Values,
     walk,
 )
+from kinlint.sparql.patterns import Pattern, patterns
 from kinlint.sparql.tokens import is_variable
 
 
@@ -46,6 +47,27 @@ def _words(part: Group | Element | Expression | str) -> Iterator[str]:
             yield from _words((*head, group))
         case Select(head, group, tail):
             yield from _words((*head, group, *tail))
+
+
+def iris(part: Group | Element | Expression) -> Iterator[str]:
+    """Yield each IRI of *part*, as often as it stands there, datatypes and functions too.
+
+    What a query projects, groups and sorts by is left out: it looks at nothing there.
+    """
+    for each in walk(part):
+        match each:
+            case Triples(found) | Values(found) | Filter(found) | Bind(found, _) | Clause(found, _):
+                words = (word for word in found if isinstance(word, str) and len(word) > 1)
+                yield from (word for word in words if word[0] == "<" and word[-1] == ">")
+            case _:
+                pass
+
+
+def triple_patterns(part: Group | Element | Expression) -> list[Pattern]:
+    """Return the triple patterns of *part*, wherever they stand."""
+    names = count(5000)
+    blocks = (each.tokens for each in walk(part) if isinstance(each, Triples))
+    return [pattern for block in blocks for pattern in patterns(block, names)]
 
 
 def variables(part: Group | Element | Expression) -> set[str]:
