@@ -36,7 +36,8 @@ class Constraint:
     one of which the target node was chosen, with classes as if closed; there are none where a shape
     names its target nodes. `deferred` says why only the reference engine may judge this; then
     `select` and `single` are empty. `formats` are those of its rule that it looks at, none for all:
-    one that speaks of the text of a format spares what another says of the model.
+    one that speaks of the text of a format spares what another says of the model. `needs` are the
+    properties and classes that the query looks at, None for any.
     """
 
     owner: str
@@ -51,10 +52,15 @@ class Constraint:
     targets: tuple[Triple, ...] = ()
     deferred: str | None = None
     formats: tuple[str, ...] = ()
+    needs: tuple[Term, ...] | None = None
 
     def to_json(self) -> dict[str, Any]:
         """The constraint as JSON values; what has its default is left out."""
-        return {name: value for name, value in asdict(self).items() if value not in ("", None, ())}
+        values = asdict(self)
+        needs = {"needs": values.pop("needs")} if self.needs is not None else {}
+        return needs | {
+            name: value for name, value in values.items() if value not in ("", None, ())
+        }
 
     @classmethod
     def from_json(cls, values: dict[str, Any]) -> Constraint:
@@ -65,6 +71,7 @@ class Constraint:
                 "messages": tuple(values.get("messages", ())),
                 "formats": tuple(values.get("formats", ())),
                 "premises": tuple((s, p, o) for s, p, o in values.get("premises", ())),
+                "needs": tuple(values["needs"]) if "needs" in values else None,
                 "targets": tuple((s, p, o) for s, p, o in values.get("targets", ())),
             }
         )

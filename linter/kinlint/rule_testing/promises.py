@@ -22,6 +22,7 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.model import Example, Finding, Rule
 from kinlint.rule_testing.bench import Bench, idle
+from kinlint.sparql.tokens import tokens
 from kinlint.text import SourceText, Span
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
@@ -240,9 +241,9 @@ def messages(rule: Rule) -> Iterator[str]:
 def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """What a rule groups by is a variable of its queries, or all that is in a file."""
     queries = [each.select for each in rulebook.constraints if each.owner == rule.iri]
+    known = {"?file"}.union(*(tokens(query, {}) for query in queries))
     for name in rule.group_by:
-        known = any(re.search(rf"\?{name}\b", query) for query in queries)
-        if queries and not known and name != "file":
+        if queries and f"?{name}" not in known:
             yield f"it groups by ?{name}, which is in none of its queries"
 
 

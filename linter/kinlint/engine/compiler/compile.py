@@ -16,6 +16,7 @@ from kinlint.engine.compiler.shape import Shape, target_shapes
 from kinlint.engine.compiler.target import Target, target
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
+from kinlint.engine.required_terms import needs
 from kinlint.sparql.patterns import literal_token
 
 if TYPE_CHECKING:
@@ -150,10 +151,11 @@ def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Ch
         try_out(query(chain.target.one).replace(FOCUS, "<any:>"))
     except Deferred as reason:
         return replace(common, deferred=str(reason))
-    return replace(
+    compiled = replace(
         common,
         select=everywhere,
         single=query(chain.target.one),
         premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
         targets=chain.target.ways,
     )
+    return replace(compiled, needs=needs(compiled))
