@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
+from functools import cached_property
 from itertools import count
 
-from kinlint.document import FROM
 from kinlint.facts.assembly import Assemblies
-from kinlint.facts.geometry import BOX, CYLINDER, GEOMETRY, SPHERE, Geometries, Shape
+from kinlint.facts.geometry import BOX, CYLINDER, SPHERE, Geometries, Shape
 from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
 from kinlint.facts.linear import Matrix, eigenvalues
-from kinlint.facts.names import attribute, body, kin, sdf, urdf
+from kinlint.facts.names import body, kin
 from kinlint.facts.names import inertia as inertial
-from kinlint.facts.placement import ROTATION_FORMAT, TEXT, TEXT_TURNS, XYZ, Placements
+from kinlint.facts.placement import Placement, Placements
 from kinlint.facts.scan import Scan
 from kinlint.facts.statement import double, fact, fact_node
 from kinlint.facts.transfer import about_origin
@@ -31,11 +30,6 @@ ORIGIN = (0.0,) * 6
 """The place of what is in the frame of its link."""
 DIGITS = 6
 """Of a number that is computed, how many are written."""
-TENSOR = re.compile(r"/inertia(;[0-9]+)?>$")
-"""What the address of a tensor has beyond that of its inertial."""
-ROLL_PITCH_YAW = tuple(attribute(f"rpy-{at}") for at in (1, 2, 3))
-QUATERNION = attribute("quat_xyzw-1")
-RELATIVE_TO = attribute("relative_to")
 
 Entries = dict[Term, float]
 """Moments and products by the property that states them, xx yy zz xy xz yz, in one unit."""
@@ -101,7 +95,9 @@ class Amendments:
             shape = self.geometries.sole(owner) if owner is not None else None
             if shape is None or mass <= 0.0 or node not in self.inertias.central:
                 continue
-            here, there = self._place(node, TENSOR), self._place(shape.node, GEOMETRY)
+            inertial = self._placements.inertial(owner) if owner is not None else None
+            here = self._place(inertial)
+            there = self._place(self._placements.of_shape(shape.node))
             if here is not None and here == there:
                 tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
@@ -116,7 +112,9 @@ class Amendments:
         weighed = {owner for node, owner in bodies.items() if node in known}
         for owner, nodes in sorted(self.geometries.references.items()):
             shape = self.geometries.uniform(owner) if owner not in weighed else None
-            if shape is None or any(self._place(each, GEOMETRY) != ORIGIN for each in nodes):
+            if shape is None or any(
+                self._place(self._placements.of_shape(each)) != ORIGIN for each in nodes
+            ):
                 continue
             mass = WATER * shape.volume
             moments = _solid(shape, mass)
@@ -128,11 +126,10 @@ class Amendments:
     def shifts(self) -> Iterator[Triple]:
         """Each tensor moved from the origin of its link to the centre of mass."""
         numbers = count(1)
-        placements = Placements(self.scan)
         for node, entries in self._stated():
             owner = self.assemblies.body(node)
-            centre = placements.centres.get(owner) if owner is not None else None
-            if owner is None or centre is None or owner in placements.turned:
+            centre = self._placements.centres.get(owner) if owner is not None else None
+            if owner is None or centre is None or owner in self._placements.turned:
                 continue
             moved = about_origin(self.assemblies.masses.get(owner, 0.0), centre)
             flat = (*(moved[at][at] for at in range(3)), moved[0][1], moved[0][2], moved[1][2])
@@ -153,20 +150,15 @@ class Amendments:
             if all(map(math.isfinite, entries.values())):
                 yield node, entries
 
-    def _place(self, node: Term, below: re.Pattern[str]) -> tuple[float, ...] | None:
-        """Where the element that *node* was made from places it: xyz and the angles."""
-        source = min(self.scan.table(FROM).of(node), key=len, default=None)
-        if source is None:
+    def _place(self, placed: Placement | None) -> tuple[float, ...] | None:
+        """Where something is on its body, xyz and angles; None where no angles say it."""
+        if placed is None or placed.point is None or placed.turn is None or not placed.by_angles:
             return None
-        owner = below.sub(">", source)
-        kinds = ((urdf("origin"), (*XYZ, *ROLL_PITCH_YAW)), (sdf("pose"), (*TEXT, *TEXT_TURNS)))
-        for tag, components in kinds:
-            for element in self.scan.table(tag).of(owner)[:1]:
-                odd = (RELATIVE_TO, ROTATION_FORMAT, QUATERNION)
-                if any(element in self.scan.table(each) for each in odd):
-                    return None
-                return tuple(self.scan.numbers(each).get(element, 0.0) for each in components)
-        return ORIGIN
+        return (*placed.point, *placed.turn)
+
+    @cached_property
+    def _placements(self) -> Placements:
+        return Placements(self.scan)
 
 
 def _amended(

@@ -119,8 +119,8 @@ class Drifts:
                 if mine is not None and yours is not None and _apart(mine, yours):
                     yield at, there, what, mine, yours
             yield from _moved(at, there, "axis", self.placements.axes)
-            carriers = self.placements.carriers
-            if carriers.get(at) == carriers.get(there):
+            carriers = [self._carriers.get(each) for each in (at, there)]
+            if len({each and local_name(each) for each in carriers}) == 1:
                 yield from _moved(at, there, "origin", self.placements.origins)
 
     def _weights(self, at: Term, there: Term) -> Iterator[Difference]:
@@ -132,6 +132,11 @@ class Drifts:
                 yield at, there, "mass in kg", masses[at], masses[there]
         elif not _apart(wholes[0], wholes[1]):
             yield from _moved(at, there, "centre of mass", self.placements.centres)
+
+    @cached_property
+    def _carriers(self) -> Mapping[Term, Term]:
+        """The body that carries each joint."""
+        return self.scan.single(kin("parent-body"))
 
     @cached_property
     def _bounds(self) -> Mapping[str, Mapping[Term, float]]:

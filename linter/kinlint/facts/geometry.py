@@ -3,29 +3,21 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from kinlint.document import FROM
-from kinlint.facts.linear import ZERO, Vector, length, subtract
-from kinlint.facts.names import attribute, kin, sdf, urdf
+from kinlint.facts.linear import Vector, length, subtract
+from kinlint.facts.names import kin
+from kinlint.facts.placement import Placements
 from kinlint.facts.scan import Scan, Table
 from kinlint.facts.units import LENGTH, Units
-from kinlint.terms import Term, iri
-from kinlint.vocabulary import SRC
+from kinlint.terms import Term
 
 COLLISION = kin("CollisionGeometry")
 KINDS = tuple(kin(name) for name in ("Box", "Sphere", "Cylinder", "Capsule"))
 BOX, SPHERE, CYLINDER = KINDS[:3]
 MESH = kin("mesh")
-
-GEOMETRY = re.compile(r"/geometry(;[0-9]+)?(/[^/]+)?>$")
-"""What the address of a shape has beyond that of the element which places it."""
-ORIGIN = tuple(attribute(f"xyz-{number}") for number in (1, 2, 3))
-POSE = tuple(iri(f"{SRC}text-{number}") for number in (1, 2, 3))
-RELATIVE_TO = attribute("relative_to")
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,34 +176,13 @@ class Geometries:
         return self.scan.lists(kin("size"), 3)
 
     def _middle(self, node: Term) -> Vector | None:
-        """Where the shape is on its link, as far as the element that it was made from says."""
-        source = min(self._sources.of(node), key=len, default=None)
-        if source is None:
-            return None
-        owner = GEOMETRY.sub(">", source)
-        for place, components in self._places:
-            for element in place.of(owner)[:1]:
-                if element in self._elsewhere:
-                    return None
-                x, y, z = (each.get(element, 0.0) for each in components)
-                return x, y, z
-        return ZERO
+        """Where the shape is on its link; None where that is not known."""
+        placed = self._placements.of_shape(node)
+        return placed.point if placed is not None else None
 
     @cached_property
-    def _sources(self) -> Table:
-        return self.scan.table(FROM)
-
-    @cached_property
-    def _elsewhere(self) -> Table:
-        return self.scan.table(RELATIVE_TO)
-
-    @cached_property
-    def _places(self) -> Sequence[tuple[Table, Sequence[Mapping[Term, float]]]]:
-        """The elements that place something, with their components, by format."""
-        return [
-            (self.scan.table(place), [self.scan.numbers(each) for each in components])
-            for place, components in ((urdf("origin"), ORIGIN), (sdf("pose"), POSE))
-        ]
+    def _placements(self) -> Placements:
+        return Placements(self.scan)
 
 
 def _measures(kind: Term, size: tuple[float, ...]) -> tuple[float, float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from kinlint.facts import placement
 from kinlint.facts.mechanism import DIRECTED
 from kinlint.facts.names import (
     AS_SEEN_BY,
@@ -48,6 +49,7 @@ SHAPES = (
     *map(kin, ("of-body", "size", "radius", "length", "mesh")),
     *UNITS,
 )
+PLACED = placement.NEEDED
 COSINES = tuple(coord(f"direction-cosine-{axis}") for axis in "xyz")
 QUATERNION = tuple(kin(f"q{part}") for part in "xyzw")
 ANGLES = (*map(kin, ("alpha", "beta", "gamma")), *UNITS)
@@ -74,11 +76,13 @@ NEEDS: dict[str, tuple[Term, ...]] = {
         ),
         (*INERTIAS, FIRST_MOMENT),
     ),
-    **dict.fromkeys(("body-mass", "gyration", "transfer", "shift"), INERTIAS),
+    **dict.fromkeys(("body-mass", "gyration"), INERTIAS),
+    **dict.fromkeys(("transfer", "shift"), (*INERTIAS, *PLACED)),
     **dict.fromkeys(("decimal-slip", "sign-slip"), TENSORS + UNITS),
-    "solid": (*INERTIAS, *SHAPES),
+    "solid": (*INERTIAS, *SHAPES, *PLACED),
     **dict.fromkeys(
-        ("water-mass", "water-ixx", "water-iyy", "water-izz"), (*SHAPES, kin("MassProperty"))
+        ("water-mass", "water-ixx", "water-iyy", "water-izz"),
+        (*SHAPES, *PLACED, kin("MassProperty")),
     ),
     "mass": (*MASSES, *TENSORS),
     **dict.fromkeys(
@@ -86,13 +90,13 @@ NEEDS: dict[str, tuple[Term, ...]] = {
     ),
     **dict.fromkeys(
         ("extent", "least-density", "greatest-density", "shared-with", "shapes"),
-        (*INERTIAS, *SHAPES),
+        (*INERTIAS, *SHAPES, *PLACED),
     ),
-    "astray": (*INERTIAS, *SHAPES, geom("RigidBody")),
+    "astray": (*INERTIAS, *SHAPES, *PLACED, geom("RigidBody")),
     **dict.fromkeys(
         ("idle", "working"), (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
     ),
-    "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, chain("Joint")),
+    "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, *PLACED, *DIRECTED, chain("Joint")),
     **dict.fromkeys(("twin", "unlike-siblings"), (*INERTIAS, *RANGES, *BOUNDS)),
     **dict.fromkeys(("comprises", "moves", "joints", "between"), TREES),
     **dict.fromkeys(

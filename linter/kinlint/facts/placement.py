@@ -1,133 +1,151 @@
-"""Where joints and centres of mass are and which way axes point, as URDF and SDF files write it."""
+"""Where frames are on their bodies and which way axes point, as the lifted model states it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import NamedTuple
 
-from kinlint.addresses import is_repeated, lifted
+from kinlint.document import FROM
 from kinlint.facts.linear import ZERO, Vector, length, scale
-from kinlint.facts.names import attribute, sdf, urdf
+from kinlint.facts.names import OF, WITH_RESPECT_TO, body, coord, geom, kin
 from kinlint.facts.scan import Scan
-from kinlint.terms import Term, iri, literal_value
-from kinlint.vocabulary import SRC
+from kinlint.terms import Term
+
+OF_POSE = coord("of-pose")
+XYZ = (coord("x"), coord("y"), coord("z"))
+ANGLES = (kin("alpha"), kin("beta"), kin("gamma"))
+QUATERNION = (kin("qx"), kin("qy"), kin("qz"))
+PARENT_ATTACHMENT = kin("parent-attachment")
+DIRECTIONS = (kin("positive-direction"), kin("first-axis"))
+ABOUT, OF_BODY, ORIGIN = body("about"), body("of-body"), geom("origin")
+ATTACHED_TO = kin("attached-to")
+NEEDED = (
+    *(OF, WITH_RESPECT_TO, OF_POSE, *XYZ, *ANGLES, *QUATERNION, PARENT_ATTACHMENT, *DIRECTIONS),
+    *(ABOUT, OF_BODY, ORIGIN, ATTACHED_TO, geom("simplices"), geom("Frame")),
+)
+"""The properties and classes that placements are read from."""
 
 
-def _components(names: Sequence[str]) -> tuple[Term, Term, Term]:
-    x, y, z = (iri(f"{SRC}{name}") for name in names)
-    return x, y, z
+class Placement(NamedTuple):
+    """Where a frame is, as another one sees it."""
 
-
-XYZ = (attribute("xyz-1"), attribute("xyz-2"), attribute("xyz-3"))
-TEXT = _components(("text-1", "text-2", "text-3"))
-TURNS = tuple(attribute(f"{name}-{at}") for name in ("rpy", "quat_xyzw") for at in (1, 2, 3))
-TEXT_TURNS = _components(("text-4", "text-5", "text-6"))
-ROTATION_FORMAT = attribute("rotation_format")
-SEEN_BY_PARENT = _components(("parent-x", "parent-y", "parent-z"))
-UNIT_AXIS = _components(("x", "y", "z"))
-X_AXIS: Vector = (1.0, 0.0, 0.0)
+    base: Term
+    """The frame that sees it."""
+    point: Vector | None
+    """Its origin in m; None where none is stated, or a malformed one."""
+    turn: tuple[float, ...] | None
+    """Its angles as they stand, or the x, y, z of its quaternion; None where neither is stated."""
+    by_angles: bool
+    """Whether these are angles."""
 
 
 class Placements:
-    """Vectors by joint or body of the composable model, straight from the elements."""
+    """The placements of lifted frames, by joint, body or shape; those of other models are none.
+
+    Of a frame with several, the first counts. A quaternion counts less than angles.
+    """
 
     def __init__(self, scan: Scan) -> None:
         self.scan = scan
 
     @cached_property
+    def _poses(self) -> Mapping[Term, Term]:
+        """The pose of each lifted frame."""
+        lifted = self.scan.table(FROM)
+        poses = sorted(self.scan.single(OF).items(), reverse=True)
+        return {frame: pose for pose, frame in poses if pose in lifted}
+
+    @cached_property
+    def _points(self) -> Mapping[Term, Vector]:
+        return {pose: (x, y, z) for pose, (x, y, z) in self._stated(XYZ)}
+
+    @cached_property
+    def _angles(self) -> Mapping[Term, Sequence[float]]:
+        return dict(self._stated(ANGLES))
+
+    @cached_property
+    def _quaternions(self) -> Mapping[Term, Sequence[float]]:
+        return dict(self._stated(QUATERNION))
+
+    def _stated(self, names: Sequence[Term]) -> Iterator[tuple[Term, Sequence[float]]]:
+        """The numbers that coordinates of each pose have for three components."""
+        pose_of = self.scan.single(OF_POSE)
+        first, *others = (self.scan.numbers(each) for each in names)
+        for node, number in first.items():
+            if node in pose_of and all(node in each for each in others):
+                yield pose_of[node], (number, *(each[node] for each in others))
+
+    def of(self, frame: Term) -> Placement | None:
+        """Return where *frame* is; None if that is not stated."""
+        pose = self._poses.get(frame)
+        base = self.scan.single(WITH_RESPECT_TO).get(pose) if pose is not None else None
+        if pose is None or base is None:
+            return None
+        by_angles = pose in self._angles
+        turn = self._angles.get(pose) or self._quaternions.get(pose)
+        return Placement(base, self._points.get(pose), tuple(turn) if turn else None, by_angles)
+
+    def is_own(self, frame: Term, owner: Term) -> bool:
+        """Whether *frame* is the one that the body *owner* is described in."""
+        sources = self.scan.table(FROM)
+        return bool(sources.of(frame)) and sources.of(frame) == sources.of(owner)
+
+    def on(self, frame: Term, owner: Term) -> Placement | None:
+        """Return where *frame* is as the body *owner* sees it; None if something else sees it."""
+        if self.is_own(frame, owner):
+            return Placement(frame, ZERO, ZERO, by_angles=True)
+        found = self.of(frame)
+        return found if found is not None and self.is_own(found.base, owner) else None
+
+    @cached_property
     def origins(self) -> Mapping[Term, Vector]:
-        """The place of each joint, as the link that carries it sees it."""
-        found = dict(self._below("joint", urdf("origin"), XYZ, ZERO))
-        for joint in self._all(sdf("joint")):
-            if (seen := self._vector(joint, SEEN_BY_PARENT)) is not None:
-                found[lifted(joint)] = seen
-        return found
+        """The place of each joint in m, as the link that carries it sees it."""
+        near = self.scan.single(PARENT_ATTACHMENT).items()
+        placed = ((joint, self.of(frame)) for joint, frame in near)
+        return {joint: at.point for joint, at in placed if at is not None and at.point is not None}
 
     @cached_property
     def axes(self) -> Mapping[Term, Vector]:
-        """The direction of the axis of each joint, in its own frame."""
-        found = {
-            joint: scale(1.0 / length(axis), axis)
-            for joint, axis in self._below("joint", urdf("axis"), XYZ, X_AXIS)
-            if length(axis) > 0.0
-        }
-        for joint in self._all(sdf("joint")):
-            for axis in self._children(joint, sdf("axis")):
-                for written in self._children(axis, sdf("xyz")):
-                    if (unit := self._vector(written, UNIT_AXIS)) is not None:
-                        found[lifted(joint)] = unit
+        """The direction of the axis of each joint, in its own frame; of length 1."""
+        components = [self.scan.numbers(each) for each in XYZ]
+        found: dict[Term, Vector] = {}
+        for name in reversed(DIRECTIONS):
+            for joint, axis in self.scan.single(name).items():
+                x, y, z = (each.get(axis, 0.0) for each in components)
+                if axis in self.scan.table(FROM) and (size := length((x, y, z))) > 0.0:
+                    found[joint] = scale(1.0 / size, (x, y, z))
         return found
+
+    @cached_property
+    def _inertial(self) -> Mapping[Term, Placement]:
+        """Where the frame with the centre of mass as its origin is, by body."""
+        frames = {point: frame for frame, point in self.scan.single(ORIGIN).items()}
+        centres = self.scan.single(ABOUT)
+        found: dict[Term, Placement] = {}
+        for inertia, owner in self.scan.single(OF_BODY).items():
+            frame = frames.get(centres.get(inertia, ""))
+            at = self.of(frame) if frame is not None else None
+            if at is not None:
+                found[owner] = at
+        return found
+
+    def inertial(self, owner: Term) -> Placement | None:
+        """Return where the frame that sees the inertia of a body is, as the body sees it."""
+        return self._inertial.get(owner)
 
     @cached_property
     def centres(self) -> Mapping[Term, Vector]:
-        """The centre of mass of each link, as the link sees it."""
-        found: dict[Term, Vector] = {}
-        kinds = (("link", urdf, "origin", XYZ), ("link", sdf, "pose", TEXT))
-        for tag, space, place, components in kinds:
-            for link in self._all(space(tag)):
-                for inertial in self._children(link, space("inertial")):
-                    at = self._placed(inertial, space(place), components, ZERO)
-                    if at is not None:
-                        found[lifted(link)] = at
-        return found
+        """The centre of mass of each body in m, as the body sees it."""
+        return {owner: at.point for owner, at in self._inertial.items() if at.point is not None}
 
     @cached_property
     def turned(self) -> frozenset[Term]:
-        """The links whose inertia is seen along other axes than theirs, or may be."""
-        found: set[Term] = set()
-        for space, place, parts in ((urdf, "origin", TURNS), (sdf, "pose", TEXT_TURNS)):
-            for link in self._all(space("link")):
-                for inertial in self._children(link, space("inertial")):
-                    for child in self._children(inertial, space(place)):
-                        angles = (self.scan.numbers(each).get(child, 0.0) for each in parts)
-                        if any(angles) or child in self.scan.table(ROTATION_FORMAT):
-                            found.add(lifted(link))
-        return frozenset(found)
+        """The bodies whose inertia is seen along other axes than theirs, or may be."""
+        placed = self._inertial.items()
+        return frozenset(owner for owner, at in placed if at.turn is None or any(at.turn))
 
-    @cached_property
-    def carriers(self) -> Mapping[Term, str]:
-        """The name of the link that carries each joint."""
-        named = self.scan.single(attribute("name"))
-        found: dict[Term, str] = {}
-        for joint in self._all(urdf("joint")):
-            for parent in self._children(joint, urdf("parent")):
-                if (link := self.scan.single(attribute("link")).get(parent)) is not None:
-                    found[lifted(joint)] = literal_value(link)
-        for joint, link in self.scan.single(iri(f"{SRC}parentBody")).items():
-            if link in named:
-                found[lifted(joint)] = literal_value(named[link])
-        return found
-
-    def _all(self, tag: Term) -> Iterator[Term]:
-        """The elements called *tag*, the first of each name."""
-        every = self.scan.table(tag).items()
-        yield from (each for _, found in every for each in found if not is_repeated(each))
-
-    def _children(self, element: Term, tag: Term) -> Iterator[Term]:
-        """The first child called *tag*, if there is one."""
-        found = (each for each in self.scan.table(tag).of(element) if not is_repeated(each))
-        yield from list(found)[:1]
-
-    def _below(
-        self, owner: str, tag: Term, components: Sequence[Term], default: Vector
-    ) -> Iterator[tuple[Term, Vector]]:
-        """What a child called *tag* says of each element of URDF called *owner*."""
-        for element in self._all(urdf(owner)):
-            if (said := self._placed(element, tag, components, default)) is not None:
-                yield lifted(element), said
-
-    def _placed(
-        self, element: Term, tag: Term, components: Sequence[Term], default: Vector
-    ) -> Vector | None:
-        """The vector of a child; *default* without one, None where it is relative to others."""
-        for child in self._children(element, tag):
-            if child in self.scan.table(attribute("relative_to")):
-                return None
-            written = any(child in self.scan.table(each) for each in components)
-            return self._vector(child, components) if written else default
-        return default
-
-    def _vector(self, element: Term, components: Sequence[Term]) -> Vector | None:
-        """The numbers that *element* has for all three *components*."""
-        x, y, z = (self.scan.numbers(each).get(element) for each in components)
-        return None if x is None or y is None or z is None else (x, y, z)
+    def of_shape(self, node: Term) -> Placement | None:
+        """Return where the shape *node* is, as its body sees it; None if that is not stated."""
+        frame, owner = (self.scan.single(each).get(node) for each in (ATTACHED_TO, kin("of-body")))
+        return self.on(frame, owner) if frame is not None and owner is not None else None

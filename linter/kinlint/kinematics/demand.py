@@ -9,6 +9,7 @@ from kinlint.kinematics.numbers import NEEDED
 ASKED = frozenset(
     {
         *DIRECTED,
+        kin("first-axis"),
         *(BODY, JOINT, FRAME, geom("simplices"), kin("on-body"), kin("JointCoupling")),
         *(chain("between-attachments"), chain("joints"), kin("leader"), kin("follower")),
         *(kin("multiplier"), kin("TwoAxisJoint"), *(kind for kind, _ in KINDS), *NEEDED),
