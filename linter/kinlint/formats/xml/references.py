@@ -9,8 +9,9 @@ from kinlint.addresses import child, root_of
 from kinlint.document import Document
 from kinlint.file_format import Format
 from kinlint.formats.records import FORMATS
+from kinlint.formats.source_layer import src
 from kinlint.formats.xml.schema import ElementType, Reference, Schema, schema
-from kinlint.terms import Term, Triple, is_literal, literal_value
+from kinlint.terms import Term, Triple, iri_value, is_literal, literal, literal_value
 
 ROOTS = {each.namespace: each.roots for each in FORMATS}
 
@@ -96,7 +97,7 @@ def resolved(
         foreign = any(space != table.namespace for space, _ in reference.targets)
         if not each.says or foreign != (joined is not None):
             continue
-        target = None
+        target, tag, nodes = None, "", known
         for space, tag in reference.targets:
             own = space == table.namespace
             home, nodes = (each.element, known) if own or joined is None else joined
@@ -107,6 +108,18 @@ def resolved(
                 target = None
         if target is not None:
             yield each.element, reference.predicate, target
+            if target not in nodes:
+                yield from _dangling(each, tag, target)
+
+
+def _dangling(name: Name, tag: str, target: Term) -> Iterator[Triple]:
+    """Yield that there is no *target* with *tag*, which an element refers to by *name*."""
+    gap = f"{name.element[:-1]};{iri_value(name.reference.predicate).rpartition('#')[2]}>"
+    yield name.element, src("dangling"), gap
+    yield gap, src("property"), name.place
+    yield gap, src("written"), name.value
+    yield gap, src("tag"), literal(tag)
+    yield gap, src("target"), target
 
 
 def _target(root: Term, space: str, tag: str, name: str) -> Term:
