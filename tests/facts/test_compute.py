@@ -7,7 +7,8 @@ import pytest
 from computed import closed
 
 from kinlint.engine.lifting import lift
-from kinlint.facts.compute import HINTS, KINDS, computed, computed_by
+from kinlint.facts.compute import computed, computed_by
+from kinlint.facts.kinds import HINTS, KINDS
 from kinlint.facts.scan import Scan
 from kinlint.facts.workings import Workings
 from kinlint.terms import RDF_TYPE
@@ -39,7 +40,7 @@ def test_a_kind_computes_what_it_declares(workings):
         names = {
             each.removeprefix(f"<{FACT}")[:-1] for each in terms if each.startswith(f"<{FACT}")
         }
-        assert names <= {*kind.names, *kind.details}, kind.module
+        assert names <= {*kind.needs, *kind.details}, kind.module
 
 
 def test_a_fact_has_a_module():

@@ -1,8 +1,6 @@
-"""What computed properties are computed from: so that asking for one asks for its sources."""
+"""The vocabulary that facts are computed from, in groups that several facts need."""
 
 from __future__ import annotations
-
-from collections.abc import Iterable
 
 from kinlint.facts import placement
 from kinlint.facts.mechanism import DIRECTED
@@ -20,8 +18,7 @@ from kinlint.facts.names import (
     qudt,
     rel,
 )
-from kinlint.terms import Term, iri
-from kinlint.vocabulary import FACT
+from kinlint.terms import Term
 
 UNITS = (qudt("unit"), qudt("hasUnit"))
 ABOUT = (
@@ -67,60 +64,12 @@ RELATIONS = (
     *map(geom, ("origin", "rotation-frame")),
 )
 
-NEEDS: dict[str, tuple[Term, ...]] = {
-    **dict.fromkeys(("least-moment", "middle-moment", "greatest-moment"), TENSORS + UNITS),
-    **dict.fromkeys(
-        (
-            *("least-central-moment", "middle-central-moment", "greatest-central-moment"),
-            "centre-distance",
-        ),
-        (*INERTIAS, FIRST_MOMENT),
-    ),
-    **dict.fromkeys(("body-mass", "gyration"), INERTIAS),
-    **dict.fromkeys(("transfer", "shift"), (*INERTIAS, *PLACED)),
-    **dict.fromkeys(("decimal-slip", "sign-slip"), TENSORS + UNITS),
-    "solid": (*INERTIAS, *SHAPES, *PLACED),
-    **dict.fromkeys(
-        ("water-mass", "water-ixx", "water-iyy", "water-izz"),
-        (*SHAPES, *PLACED, kin("MassProperty")),
-    ),
-    "mass": (*MASSES, *TENSORS),
-    **dict.fromkeys(
-        ("welded-mass", "rests-on", "moved-by"), (*INERTIAS, *WELDS, *TREES, kin("MassProperty"))
-    ),
-    **dict.fromkeys(
-        ("extent", "least-density", "greatest-density", "shared-with", "shapes"),
-        (*INERTIAS, *SHAPES, *PLACED),
-    ),
-    "astray": (*INERTIAS, *SHAPES, *PLACED, geom("RigidBody")),
-    **dict.fromkeys(
-        ("idle", "working"), (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
-    ),
-    "drift": (*MASSES, *ABOUT, *WELDS, *RANGES, *PLACED, *DIRECTED, chain("Joint")),
-    **dict.fromkeys(("twin", "unlike-siblings"), (*INERTIAS, *RANGES, *BOUNDS)),
-    **dict.fromkeys(("comprises", "moves", "joints", "between"), TREES),
-    **dict.fromkeys(
-        ("root", "root-beside", "claimed-by", "circle", "unresolved", "near-name", "links"), TREES
-    ),
-    "leads-back-to": (kin("leader"), kin("follower")),
-    **dict.fromkeys(("component", "undecided"), (chain("joints"), *WELDS)),
-    **{name: (kin(name), *UNITS) for name in ("lower", "upper", "offset")},
-    "value": (qudt("value"), *UNITS),
-    **dict.fromkeys(("x", "y", "z"), VECTORS),
-    **dict.fromkeys(("alpha", "beta", "gamma"), ANGLES),
-    **dict.fromkeys(("determinant", "orthonormality"), COSINES),
-    "norm": QUATERNION,
-    "orthogonality": (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end")),
-    "spread": (*TURNS, *VECTORS),
-    **dict.fromkeys(("Agreement", "distance", "angle", "magnitude", "closed-by"), RELATIONS),
-    **dict.fromkeys(
-        ("step", "in-cycle", "supplied-by", "reordered"), (kin("reads"), kin("writes"))
-    ),
-}
-"""The properties that those named are computed from, beside what is said of elements of files.
-
-What holds of any node, such as that its types exclude each other, is computed of what is there.
-"""
+SIZES = (*INERTIAS, *SHAPES, *PLACED)
+BASES = (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end"))
+DATA = (kin("reads"), kin("writes"))
+DRIVES = (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
+SIDES = (*INERTIAS, *RANGES, *BOUNDS)
+DESCRIPTIONS = (*MASSES, *ABOUT, *WELDS, *RANGES, *PLACED, *DIRECTED, chain("Joint"))
 
 CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("on-body"): (geom("simplices"),),
@@ -129,14 +78,3 @@ CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("driven-by"): (kin("actuates"),),
 }
 """The properties from which axioms conclude those named, where these ask for more."""
-
-
-def sources(wanted: Iterable[Term]) -> frozenset[Term]:
-    """*wanted* with the properties that what is computed of it is computed from."""
-    found = set(wanted)
-    for name, terms in NEEDS.items():
-        if iri(f"{FACT}{name}") in found:
-            found.update(terms)
-    for term in CONCLUDED.keys() & found:
-        found.update(CONCLUDED[term])
-    return frozenset(found)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from kinlint.engine.store import Store
-from kinlint.facts.compute import Kind, asked, helpful
+from kinlint.facts.compute import asked, helpful
+from kinlint.facts.kinds import Kind
 from kinlint.facts.workings import Workings
 from kinlint.incremental.change import Changes, quads
 from kinlint.incremental.tracked_index import TrackedIndex
