@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from kinlint.file_format import Format
+from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.schema import schema, version
 from kinlint.formats.xml.values import Form, reading
 from kinlint.terms import literal_value
@@ -41,6 +43,20 @@ def test_every_type_is_reached_from_a_root() -> None:
             each.tag for types in found.types.values() for each in types if id(each) not in seen
         ]
         assert lost == []
+
+
+@pytest.mark.parametrize("form", LIFTED, ids=lambda form: form.name)
+def test_what_a_schema_refers_to_is_there(form: Format) -> None:
+    """Attributes with references, files and choices are declared, and so is what they may name."""
+    found = schema(form.name)
+    known = {(each.namespace, tag) for each in LIFTED for tag in schema(each.name).types}
+    assert found.names
+    for each in (type_ for types in found.types.values() for type_ in types):
+        places = {slot.predicate for slot in (*each.attributes.values(), each.content) if slot}
+        assert places >= {*each.references, *each.files}
+        assert all(name in each.attributes if name else each.content for name in each.choices)
+        assert known >= {end for one in each.references.values() for end in one.targets}
+        assert {tag for _, tag in known} >= set(each.scope)
 
 
 @pytest.mark.parametrize(
