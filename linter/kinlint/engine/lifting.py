@@ -56,7 +56,7 @@ FOUNDATION = frozenset({"bodies", "joints"})
 """Queries that make what everything else is about."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Lifting:
     """One query."""
 
@@ -77,12 +77,7 @@ class Lifting:
 
     def update(self, wanted: Collection[Term] | None = None) -> str:
         """Return what stores all that it makes, or what of it `part` returns for *wanted*."""
-        made, where = self.part(wanted)
-        template = " ".join(f"{s} {p} {o} ." for s, p, o in made)
-        return (
-            f"INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
-            f"USING {ASSERTED_GRAPH} WHERE {render(where)}"
-        )
+        return _update(self, None if wanted is None else frozenset(wanted))
 
     def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], Group]:
         """Return the triples that have a property or class of the *wanted*, and their WHERE."""
@@ -98,6 +93,16 @@ def _variables(made: Iterable[Made]) -> set[str]:
 
 SHARED = "shared"
 """The directory of the queries that make the composable model of what readings make."""
+
+
+@lru_cache(maxsize=512)
+def _update(lifting: Lifting, wanted: frozenset[Term] | None) -> str:
+    made, where = lifting.part(wanted)
+    template = " ".join(f"{s} {p} {o} ." for s, p, o in made)
+    return (
+        f"INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
+        f"USING {ASSERTED_GRAPH} WHERE {render(where)}"
+    )
 
 
 @lru_cache(maxsize=len(LIFTED))
