@@ -167,44 +167,45 @@ class Provenance:
     def _said(self, triple: Triple) -> Trace:
         """Return the origin of a *triple* that a query read."""
         element, property_, value = triple
-        if (source := self._source(element, property_)) is not None:
-            return Trace(tuple(self._below(element, *source)))
+        if sources := self._sources(element, property_):
+            found = (each for path, name in sources for each in self._below(element, path, name))
+            return _merged([Trace(tuple(found))])
         if not is_literal(value):
             return NOWHERE
         written = tuple(Written(*each) for each in self.store.written(*triple))
         return Trace(written, 1) if written else self.trace(triple)
 
-    def _source(self, element: Term, property_: Term) -> tuple[str, str] | None:
-        """Return the child and the attribute that a reader works out *property_* from."""
+    def _sources(self, element: Term, property_: Term) -> Sequence[tuple[str, str]]:
+        """Return the elements and attributes that a reader works out *property_* from."""
         document = self.store.documents.get(document_of(element))
         if document is None or not property_.startswith(f"<{SRC}"):
-            return None
+            return ()
         form, name = document.format.lifted_as, property_[len(SRC) + 1 : -1]
-        return next(
-            (
-                (child, attribute)
-                for known, pattern, child, attribute in _worked_out()
-                if known == form and fnmatchcase(name, pattern)
-            ),
-            None,
-        )
+        return [
+            (path, attribute)
+            for known, pattern, path, attribute in _worked_out()
+            if known == form and fnmatchcase(name, pattern)
+        ]
 
-    def _below(self, element: Term, child: str, attribute: str) -> Iterator[Written]:
+    def _below(self, element: Term, path: str, attribute: str) -> Iterator[Written]:
         """Yield the numbers or the words of the *attribute* or else the text of an element.
 
-        It is *element* itself, or its *child* of that tag.
+        It is *element* itself, or what *path* leads to: by tags, and properties that readers state.
         """
         start = f"<{ATTRIBUTE}{attribute}" if attribute else f"<{TEXT}"
-        for node in self._children(element, child) if child else (element,):
+        nodes = [element]
+        for step in path.split("/") if path else ():
+            nodes = [each for node in nodes for each in self._next(node, step)]
+        for node in nodes:
             for property_, value in self.store.said(node):
                 if property_.startswith(start) and property_[len(start)] in "->":
                     yield from (Written(*e) for e in self.store.written(node, property_, value))
 
-    def _children(self, element: Term, tag: str) -> list[Term]:
+    def _next(self, element: Term, step: str) -> list[Term]:
         return [
             value
             for way, value in self.store.said(element)
-            if is_iri(value) and way.startswith(f"<{KINLINT}") and way.endswith(f"#{tag}>")
+            if is_iri(value) and way.startswith(f"<{KINLINT}") and way.endswith(f"#{step}>")
         ]
 
     def _holders(self, cell: Term, predicate: Term) -> Iterator[tuple[Term, Term, int]]:
@@ -264,7 +265,7 @@ def _merged(traces: Sequence[Trace]) -> Trace:
 
 @cache
 def _worked_out() -> Sequence[tuple[str, str, str, str]]:
-    """Return formats, properties, children and attributes of what readers work out."""
+    """Return formats, properties, paths to elements and attributes of what readers work out."""
     file = resources.data("shapes") / WORKED_OUT
     with file.open(encoding="utf-8", newline="") as stream:
         rows = csv.DictReader(stream, delimiter="\t")
