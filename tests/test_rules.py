@@ -12,6 +12,9 @@ from kinlint.catalogue.rule_file import read_rules
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.errors import RuleInvalid
 from kinlint.rule_testing import promises
+from kinlint.rule_testing.mutants import repeats
+from kinlint.sparql.parser import parse
+from kinlint.sparql.tokens import tokens
 
 BOOK = book()
 
@@ -87,6 +90,16 @@ def written(tmp_path):
         return list(promises.failures(rule, book))
 
     return failures
+
+
+@pytest.mark.parametrize(
+    ("path", "follows"), [("kc:a", False), ("kc:a*", True), ("kc:a/kc:b?", True)]
+)
+def test_a_query_that_repeats_a_path_is_known(path, follows):
+    """What an example shows of it, deleting a part does not tell."""
+    query = f"PREFIX kc: <kc:> SELECT $this WHERE {{ $this kc:c ?c . ?c {path} ?d }}"
+
+    assert repeats(parse(tokens(query, {}))) is follows
 
 
 def test_a_rule_of_a_user_that_is_right_passes(written):
