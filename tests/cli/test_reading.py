@@ -7,8 +7,8 @@ import pytest
 
 from kinlint.configuration.settings import Settings
 from kinlint.project.discovery import Input
+from kinlint.project.model_detection import is_model
 from kinlint.project.reading import read
-from kinlint.project.recognition import is_model
 from kinlint.text import SourceText
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'

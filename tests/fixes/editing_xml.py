@@ -10,7 +10,7 @@ from kinlint.document import Document
 from kinlint.edits import Delta, Edit, applied
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.editing import tree
+from kinlint.formats.xml.editing import element_tree
 from kinlint.formats.xml.editing.editor import Editor
 from kinlint.terms import XSD, Term, iri, iri_value, literal
 from kinlint.text import SourceText
@@ -86,5 +86,5 @@ def change(text: str, removed: Triples, added: Triples, name: str = "arm.urdf") 
     texts = edited(document, wanted)
     assert list(texts) == [name]
     after = read(texts[name], options)
-    assert tree.tree(after) == tree.changed(document, wanted)
+    assert element_tree.tree(after) == element_tree.changed(document, wanted)
     return texts[name].text

@@ -6,7 +6,7 @@ from random import Random
 
 from kinlint.document import Document
 from kinlint.edits import Delta
-from kinlint.formats.xml.editing.content import elements
+from kinlint.formats.xml.editing.stated_elements import elements
 from kinlint.terms import XSD, Term, Triple, is_iri, literal
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.formats.jsonld.editing.cuts import Cuts
+from kinlint.formats.jsonld.editing.deleted_ranges import Cuts
 from kinlint.text import Span
 
 # A tree of brackets: any two of its ranges are apart or nested.

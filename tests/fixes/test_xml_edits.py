@@ -8,7 +8,7 @@ from editing_xml import Triples, change, edited
 from kinlint.edits import Delta, Unsayable
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.editing import tree
+from kinlint.formats.xml.editing import element_tree
 from kinlint.terms import XSD, iri
 from kinlint.text import SourceText
 from kinlint.vocabulary import SRC
@@ -466,7 +466,7 @@ def test_what_is_not_well_formed_is_written_as_it_was_meant() -> None:
     texts = edited(document, Delta(gone))
     assert texts["arm.urdf"].text == SOUND
     after = read(texts["arm.urdf"], options)
-    assert tree.tree(after) == tree.changed(document, Delta(gone))
+    assert element_tree.tree(after) == element_tree.changed(document, Delta(gone))
     assert not any(o.rpartition("#")[2].removesuffix(">") in ABOUT for _, _, o in after.statements)
 
 

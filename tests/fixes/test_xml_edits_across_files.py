@@ -17,7 +17,7 @@ from kinlint.files.packages import Packages
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.editing import tree
+from kinlint.formats.xml.editing import element_tree
 
 MAIN = """\
 <?xml version="1.0"?>
@@ -79,7 +79,7 @@ def change(
     for name, source in texts.items():
         Path(name).write_text(source.text, encoding="utf-8")
     after = read(decode(str(main), main.read_bytes()), _options())
-    assert tree.tree(after) == tree.changed(document, wanted)
+    assert element_tree.tree(after) == element_tree.changed(document, wanted)
     return {Path(name).name: source.text for name, source in texts.items()}
 
 
@@ -164,7 +164,7 @@ def test_any_change_of_xacro(tmp_path: Path, random: Random) -> None:
     for name, source in texts.items():
         Path(name).write_text(source.text, encoding="utf-8")
     after = read(decode(str(main), main.read_bytes()), _options())
-    assert tree.tree(after) == tree.changed(document, wanted)
+    assert element_tree.tree(after) == element_tree.changed(document, wanted)
 
 
 WORLD = """\
@@ -222,6 +222,6 @@ def test_a_character_that_the_encoding_lacks_is_referred_to(tmp_path: Path) -> N
     )
     (source,) = edited(document, wanted).values()
     assert source.text.endswith('<robot name="é" version="é&#28450;"><x>&#28450;</x></robot>')
-    assert tree.tree(read(decode(str(path), encode(source)), _options())) == tree.changed(
-        document, wanted
-    )
+    assert element_tree.tree(
+        read(decode(str(path), encode(source)), _options())
+    ) == element_tree.changed(document, wanted)

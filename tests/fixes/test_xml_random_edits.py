@@ -20,9 +20,9 @@ from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.xml.editing import tree
-from kinlint.formats.xml.editing.content import tag_of
+from kinlint.formats.xml.editing import element_tree
 from kinlint.formats.xml.editing.editor import Editor
+from kinlint.formats.xml.editing.stated_elements import tag_of
 from kinlint.terms import iri, literal
 from kinlint.text import SourceText
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION
@@ -101,7 +101,7 @@ def check(document: Document, delta: Delta, editor: Editor) -> bool:
     own = written(document, edits).get(document.source.name, document.source)
     encode(own)
     after = read(own, ReadOptions())
-    assert tree.tree(after) == tree.changed(document, delta)
+    assert element_tree.tree(after) == element_tree.changed(document, delta)
     if not any(tag_of(predicate) for _, predicate, _ in delta.removed):
         assert own.text.count("<!-- <a> ' -->") == document.source.text.count("<!-- <a> ' -->")
     return True

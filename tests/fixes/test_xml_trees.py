@@ -7,7 +7,7 @@ from collections.abc import Hashable
 import pytest
 from support.linting import document
 
-from kinlint.formats.xml.editing import tree
+from kinlint.formats.xml.editing import element_tree
 
 ROBOT = """\
 <robot name="a b">
@@ -18,7 +18,7 @@ ROBOT = """\
 
 
 def built(text: str, name: str = "arm.urdf") -> Hashable:
-    return tree.tree(document(text, name))
+    return element_tree.tree(document(text, name))
 
 
 @pytest.mark.parametrize(

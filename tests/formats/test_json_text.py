@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlint.errors import SourceError
-from kinlint.formats.json_text.parser import MAX_DEPTH, parse
-from kinlint.formats.json_text.values import Array, Object
+from kinlint.formats.json_text.json_parser import MAX_DEPTH, parse
+from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.text import SourceText, Span
 
 scalars = (

@@ -13,11 +13,11 @@ import pytest
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats import rereading
-from kinlint.formats.jsonld.rereading import reader
+from kinlint.formats import incremental_reader
+from kinlint.formats.incremental_reader import Rereader
+from kinlint.formats.jsonld.incremental import reader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.formats.rereading import Rereader
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS
 
@@ -79,7 +79,7 @@ def sooner(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
     """From when it is called, nothing is read from its beginning."""
 
     def forbid() -> None:
-        monkeypatch.setattr(rereading, "read", None)
+        monkeypatch.setattr(incremental_reader, "read", None)
         monkeypatch.setattr(reader, "begin", None)
 
     return forbid

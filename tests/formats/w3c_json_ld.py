@@ -13,11 +13,11 @@ from typing import Any
 from data import locate_data
 from pyld import jsonld
 
-from kinlint.formats.json_text.parser import parse
-from kinlint.formats.jsonld.memory import Memory
-from kinlint.formats.jsonld.processor import Processor
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_parser import parse
+from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.triples import Quads, Triples
-from kinlint.formats.naming import BlankNodes
 from kinlint.text import SourceText
 
 BASE = "https://w3c.github.io/json-ld-api/tests/"

@@ -16,7 +16,7 @@ from kinlint import lint
 from kinlint.configuration.settings import Choice, FileSettings
 from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode
-from kinlint.formats.xml.recognition import sniff
+from kinlint.formats.xml.xml_recognition import sniff
 
 pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("messages")]
 

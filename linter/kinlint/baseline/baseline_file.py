@@ -13,8 +13,8 @@ from kinlint.errors import SourceError, UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.pathname import missing, shown
 from kinlint.formats.decoding import decode
-from kinlint.formats.json_text.parser import parse
-from kinlint.formats.json_text.values import Array, Object, Text
+from kinlint.formats.json_text.json_parser import parse
+from kinlint.formats.json_text.json_values import Array, Object, Text
 from kinlint.text import SourceText, Span
 
 DEFAULT = "kinlint-baseline.json"

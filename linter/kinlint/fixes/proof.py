@@ -25,7 +25,7 @@ def proven(before: Document, after: Document, delta: Delta) -> bool:
     but types that were none.
     """
     if before.format.is_tree:
-        from kinlint.formats.xml.editing.tree import changed, tree  # noqa: PLC0415
+        from kinlint.formats.xml.editing.element_tree import changed, tree  # noqa: PLC0415
 
         return bool(changed(before, delta) == tree(after))
     removed = set(delta.removed)

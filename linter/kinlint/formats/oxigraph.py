@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from kinlint.errors import SourceError
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.terms import Term, Triple, blank, iri, literal
 from kinlint.text import SourceText
 

@@ -56,7 +56,7 @@ def recognise(name: str, text: str) -> Format | None:
 def objection(text: str) -> str:
     """Say why *text*, which is in no known format, is not read."""
     if _begins_with_tag(text):
-        from kinlint.formats.xml.recognition import unread  # noqa: PLC0415  few files are XML
+        from kinlint.formats.xml.xml_recognition import unread  # noqa: PLC0415  few files are XML
 
         if (kind := unread(text)) is not None:
             return f"{kind} is not read yet; kinlint reads {known()}"
@@ -83,7 +83,7 @@ def _tree(name: str, text: str) -> Format | None:
     """Return the format of a robot in XML, by its root element or the end of its name."""
     if not _begins_with_tag(text) and not name.lower().endswith(XML_SUFFIXES):
         return None
-    from kinlint.formats.xml.recognition import sniff  # noqa: PLC0415  few files are XML
+    from kinlint.formats.xml.xml_recognition import sniff  # noqa: PLC0415  few files are XML
 
     return sniff(text, name)
 

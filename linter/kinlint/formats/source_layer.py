@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from kinlint.document import NodeSpans
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.terms import (
     RDF_TYPE,
     XSD,

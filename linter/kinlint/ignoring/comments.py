@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 
 from kinlint.edits import Edit, Unsayable
-from kinlint.formats.xml.comments import DIRECTIVE, INTRODUCTION
+from kinlint.formats.xml.suppression_comments import DIRECTIVE, INTRODUCTION
 from kinlint.text import SourceText, Span
 
 ELEMENT = re.compile(r"<[^\s<>/!?]")

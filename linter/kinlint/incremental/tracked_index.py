@@ -9,7 +9,7 @@ from typing import TypeAlias
 from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.facts.scan import Place, Scan, Table
-from kinlint.formats.xml.places import ElementSpans
+from kinlint.formats.xml.span_lookup import ElementSpans
 from kinlint.incremental.change import Changes
 from kinlint.incremental.index_update import update_index
 from kinlint.terms import Term

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats.json_text.parser import parse
-from kinlint.formats.json_text.values import Array, Key, Object, Text
+from kinlint.formats.json_text.json_parser import parse
+from kinlint.formats.json_text.json_values import Array, Key, Object, Text
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.terms import RDF_TYPE, Term
 from kinlint.text import Span

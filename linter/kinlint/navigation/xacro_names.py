@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from kinlint.document import Document
-from kinlint.formats.xacro.bounds import Bounds, TooMuch
 from kinlint.formats.xacro.definitions import OWN
-from kinlint.formats.xacro.failure import Malformed
-from kinlint.formats.xacro.parse import parse
-from kinlint.formats.xacro.tree import Element, Text, Watch
+from kinlint.formats.xacro.dom import Element, Text, Watch
+from kinlint.formats.xacro.expansion_error import Malformed
+from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
+from kinlint.formats.xacro.xacro_parser import parse
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.text import Location, SourceText, Span
 

@@ -15,8 +15,8 @@ from kinlint.engine.compiler.names import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.file_format import Format
 from kinlint.findings.finding_builder import Proofs
+from kinlint.formats.incremental_reader import Rereader
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.rereading import Rereader
 from kinlint.incremental.inference import followable
 from kinlint.incremental.triple_index import (
     Signature,

@@ -14,7 +14,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
 from kinlint.project.discovery import Input
-from kinlint.project.recognition import is_model
+from kinlint.project.model_detection import is_model
 from kinlint.text import SourceText
 
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})

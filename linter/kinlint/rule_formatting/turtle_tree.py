@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from kinlint.formats.turtle.tokens import Token, tokens
+from kinlint.formats.turtle.turtle_tokens import Token, tokens
 
 BLANK_LINE = re.compile(r"\n[ \t\r]*\n")
 

@@ -14,8 +14,8 @@ from kinlint.formats.dependencies.file_groups import Ties, models, ties
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
+from kinlint.project.model_detection import is_model
 from kinlint.project.reading import own_contexts
-from kinlint.project.recognition import is_model
 from kinlint.server.document_store import DocumentStore
 from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText

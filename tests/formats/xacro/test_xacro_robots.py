@@ -15,9 +15,9 @@ from data import locate_data
 from kinlint.files.packages import Packages
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode
-from kinlint.formats.xacro.files import Pieces
-from kinlint.formats.xacro.session import Expansion, Session
-from kinlint.formats.xacro.writer import write
+from kinlint.formats.xacro.expanded_text import write
+from kinlint.formats.xacro.expansion_session import Expansion, Session
+from kinlint.formats.xacro.included_files import Pieces
 
 FILES = 90
 EXPANDED = 75

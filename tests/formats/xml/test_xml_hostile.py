@@ -9,7 +9,7 @@ from reading_xml import model
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats.xml import elements, parsing
+from kinlint.formats.xml import elements, expat_parsing
 
 HEAD, END = "<robot name='a'>", "</robot>"
 MANY = 30_000
@@ -95,6 +95,6 @@ def test_size_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(SourceError, match="more than 1000 attributes") as caught:
         model(f"{HEAD}\n <a {MANY_ATTRIBUTES}/></robot>")
     assert (caught.value.line, caught.value.column) == (2, 2)
-    monkeypatch.setattr(parsing, "MOST_CHARACTERS", 10)
+    monkeypatch.setattr(expat_parsing, "MOST_CHARACTERS", 10)
     with pytest.raises(SourceError, match="more than 10 characters"):
         model(f"{HEAD}</robot>")

@@ -11,7 +11,7 @@ import pytest
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.schema import schema, version
-from kinlint.formats.xml.values import Form, reading
+from kinlint.formats.xml.value_reading import Form, reading
 from kinlint.terms import literal_value
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from kinlint.formats.doubles import TOO_LARGE
-from kinlint.formats.jsonld.literals import malformed, too_large
-from kinlint.formats.jsonld.marks import RELATIVE, Iri, Origin, Reach, Resolution
-from kinlint.formats.jsonld.schemes import REGISTERED
-from kinlint.formats.jsonld.watch import Slot
+from kinlint.formats.jsonld.expansion_observer import Slot
+from kinlint.formats.jsonld.rdf_literals import malformed, too_large
+from kinlint.formats.jsonld.traced_values import RELATIVE, Iri, Origin, Reach, Resolution
+from kinlint.formats.jsonld.uri_schemes import REGISTERED
 from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span
 from kinlint.vocabulary import KL

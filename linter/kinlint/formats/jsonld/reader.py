@@ -11,17 +11,17 @@ from contextlib import contextmanager
 from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
-from kinlint.formats.json_text.parser import parse
-from kinlint.formats.json_text.values import Object, Parsed
-from kinlint.formats.jsonld.active import FAULTS, complaint
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_parser import parse
+from kinlint.formats.json_text.json_values import Object, Parsed
+from kinlint.formats.jsonld.active_context import FAULTS, complaint
+from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
+from kinlint.formats.jsonld.loss_report import Comparison, LossReport, state_losses, state_uses
 from kinlint.formats.jsonld.losses import LossWatch
-from kinlint.formats.jsonld.memory import Memory
-from kinlint.formats.jsonld.processor import Processor
 from kinlint.formats.jsonld.pyld import JsonLdError
-from kinlint.formats.jsonld.report import Comparison, LossReport, state_losses, state_uses
 from kinlint.formats.jsonld.triples import Triples
-from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.text import SourceText, Span

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from typing import Any
 
 from kinlint.document import NodeSpans
-from kinlint.formats.jsonld.literals import malformed, value_literal
-from kinlint.formats.jsonld.marks import Expanded, Iri, Origin, value_span
-from kinlint.formats.jsonld.watch import Slot, Watch
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.jsonld.expansion_observer import Slot, Watch
+from kinlint.formats.jsonld.rdf_literals import malformed, value_literal
+from kinlint.formats.jsonld.traced_values import Expanded, Iri, Origin, value_span
 from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, literal
 from kinlint.text import Span
 

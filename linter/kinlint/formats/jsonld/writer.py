@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Mapping, Sequence
 from typing import Any, TypeAlias
 
+from kinlint.formats.jsonld.context_resolver import Resolver
 from kinlint.formats.jsonld.pyld import JsonLdProcessor
-from kinlint.formats.jsonld.resolver import Resolver
 from kinlint.formats.options import ContextLibrary
 
 Node: TypeAlias = dict[str, Any]

@@ -7,7 +7,7 @@ import re
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats import doubles
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.nquads.format import NQUADS, NTRIPLES
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples

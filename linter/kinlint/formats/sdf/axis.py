@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import hypot
 
 from kinlint.formats.sdf.frames import Frames
+from kinlint.formats.sdf.rigid_transform import Vector, inverse, turned
 from kinlint.formats.sdf.scopes import MODEL
-from kinlint.formats.sdf.transform import Vector, inverse, turned
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.sdf_elements import Element
 
 AXES = ("axis", "axis2")
 JOINT_FRAME = (1, 5)

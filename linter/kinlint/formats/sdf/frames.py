@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from itertools import dropwhile
 from typing import TypeAlias
 
+from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, Unknown
-from kinlint.formats.sdf.transform import IDENTITY, Transform, composed, inverse, transform
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.sdf_elements import Element
 from kinlint.suggestion import nearest
 
 Found: TypeAlias = Element | None

@@ -12,8 +12,8 @@ from typing import NamedTuple, TypeAlias
 
 from kinlint.formats.sdf.axis import in_world
 from kinlint.formats.sdf.frames import Frames
-from kinlint.formats.sdf.transform import Vector
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.rigid_transform import Vector
+from kinlint.formats.sdf.sdf_elements import Element
 
 HINGES = ("revolute", "continuous")
 ALIGNED = 1e-6

@@ -12,16 +12,16 @@ from kinlint.files.bounded_read import Unreadable
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.dependencies.model_uri import Missing, locate
-from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.sdf.addition import place, stated
+from kinlint.formats.sdf.added_statements import place, stated
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Problem
-from kinlint.formats.sdf.graft import grafted
+from kinlint.formats.sdf.included_statements import grafted
 from kinlint.formats.sdf.resolution import resolved
-from kinlint.formats.sdf.tree import Element, tree
+from kinlint.formats.sdf.sdf_elements import Element, tree
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml import reader as xml
 from kinlint.terms import Triple, literal

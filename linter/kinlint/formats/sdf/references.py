@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinlint.formats.sdf.scopes import Scopes
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.sdf_elements import Element
 from kinlint.formats.xml.references import Name
 from kinlint.terms import Term, Triple, literal_value
 

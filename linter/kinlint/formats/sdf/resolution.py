@@ -14,9 +14,9 @@ from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Frames, Problem, written
 from kinlint.formats.sdf.gearbox import gears
+from kinlint.formats.sdf.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.scopes import FRAMES, Scopes
-from kinlint.formats.sdf.transform import Transform, between, composed, rounded
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.sdf_elements import Element
 from kinlint.formats.source_layer import src
 from kinlint.formats.xml.references import names
 from kinlint.formats.xml.schema import schema

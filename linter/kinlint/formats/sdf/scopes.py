@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from kinlint.formats.sdf.tree import Element
+from kinlint.formats.sdf.sdf_elements import Element
 
 FRAMES = ("link", "joint", "frame", "model")
 """The elements whose names stand for frames."""

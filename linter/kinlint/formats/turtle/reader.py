@@ -8,13 +8,13 @@ from collections.abc import Iterable, Sequence
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats import doubles
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.oxigraph import triples
 from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.formats.turtle.format import TURTLE
-from kinlint.formats.turtle.grammar import Grammar, Statement
-from kinlint.formats.turtle.tokens import Unread
+from kinlint.formats.turtle.turtle_parser import Grammar, Statement
+from kinlint.formats.turtle.turtle_tokens import Unread
 from kinlint.terms import RDF, Term, Triple, is_blank
 from kinlint.text import SourceText, Span
 

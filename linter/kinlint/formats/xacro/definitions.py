@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.formats.xacro.parse import Parsed
-from kinlint.formats.xacro.tree import Element, Text
+from kinlint.formats.xacro.dom import Element, Text
+from kinlint.formats.xacro.xacro_parser import Parsed
 from kinlint.terms import literal
 from kinlint.text import SourceText, Span
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from kinlint.formats.xacro.failure import Fault
-from kinlint.formats.xacro.parse import Parsed
-from kinlint.formats.xacro.tree import Element
+from kinlint.formats.xacro.dom import Element
+from kinlint.formats.xacro.expansion_error import Fault
+from kinlint.formats.xacro.xacro_parser import Parsed
 from kinlint.text import SourceText, Span
 
 

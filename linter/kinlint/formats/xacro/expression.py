@@ -12,7 +12,7 @@ import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
-from kinlint.formats.xacro.bounds import Bounds, Refused
+from kinlint.formats.xacro.expansion_limits import Bounds, Refused
 
 _Made = TypeVar("_Made")
 

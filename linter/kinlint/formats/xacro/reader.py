@@ -9,21 +9,21 @@ from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats import registry
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xacro.definitions import state_definitions
+from kinlint.formats.xacro.expanded_text import write
 from kinlint.formats.xacro.expansion import Expansion
-from kinlint.formats.xacro.failure import MALFORMED, Fault
-from kinlint.formats.xacro.files import Pieces, place
+from kinlint.formats.xacro.expansion_error import MALFORMED, Fault
+from kinlint.formats.xacro.expansion_session import Session
 from kinlint.formats.xacro.format import XACRO
-from kinlint.formats.xacro.mapping import Mapped, Places
-from kinlint.formats.xacro.parse import Parsed
-from kinlint.formats.xacro.session import Session
-from kinlint.formats.xacro.writer import write
-from kinlint.formats.xml.recognition import sniff
+from kinlint.formats.xacro.included_files import Pieces, place
+from kinlint.formats.xacro.source_mapping import Mapped, Places
+from kinlint.formats.xacro.xacro_parser import Parsed
+from kinlint.formats.xml.xml_recognition import sniff
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
 

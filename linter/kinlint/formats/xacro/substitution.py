@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from kinlint.files.environment import variable
-from kinlint.formats.xacro.bounds import Refused
+from kinlint.formats.xacro.expansion_limits import Refused
 
 
 class Unknown(Exception):

@@ -9,8 +9,8 @@ from typing import Any
 import yaml
 
 from kinlint.files.bounded_read import Unreadable
-from kinlint.formats.xacro.bounds import Bounds, TooMuch
-from kinlint.formats.xacro.symbols import dotted
+from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
+from kinlint.formats.xacro.expression_symbols import dotted
 
 MERGED = 10_000
 UNITS = {

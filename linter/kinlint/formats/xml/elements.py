@@ -9,9 +9,9 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from kinlint.addresses import child_address, repeated_address, root_of
-from kinlint.formats.xml.remarks import Remarks
 from kinlint.formats.xml.schema import ANY, ElementType, Schema
-from kinlint.formats.xml.values import SPACE, Form, reading
+from kinlint.formats.xml.schema_diagnostics import Remarks
+from kinlint.formats.xml.value_reading import SPACE, Form, reading
 from kinlint.terms import XSD, Term, Triple, iri_value, literal
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 

@@ -10,17 +10,17 @@ from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.file_format import Format
-from kinlint.formats.naming import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.urdf.format import URDF
-from kinlint.formats.xml.account import describe, state_flaws
+from kinlint.formats.xml.document_statements import describe, state_flaws
 from kinlint.formats.xml.elements import Elements
-from kinlint.formats.xml.parsing import parse
-from kinlint.formats.xml.places import ElementSpans, Places, TripleSpans
+from kinlint.formats.xml.expat_parsing import parse
+from kinlint.formats.xml.number_spacing import state_spacing
 from kinlint.formats.xml.references import names, resolved
 from kinlint.formats.xml.schema import schema
-from kinlint.formats.xml.spacing import state_spacing
+from kinlint.formats.xml.span_lookup import ElementSpans, Places, TripleSpans
 from kinlint.text import SourceText, Span
 
 

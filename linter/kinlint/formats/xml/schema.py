@@ -11,7 +11,7 @@ from functools import cache
 
 from kinlint import resources
 from kinlint.file_format import Format
-from kinlint.formats.xml.values import Form, Reading, reading
+from kinlint.formats.xml.value_reading import Form, Reading, reading
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
 

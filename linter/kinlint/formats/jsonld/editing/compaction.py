@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from kinlint.edits import Unsayable
-from kinlint.formats.json_text.values import Object
-from kinlint.formats.jsonld.active import FAULTS, Context
-from kinlint.formats.jsonld.editing.literals import Item
+from kinlint.formats.json_text.json_values import Object
+from kinlint.formats.jsonld.active_context import FAULTS, Context
 from kinlint.formats.jsonld.editing.tracing import Scope, Tracing
-from kinlint.formats.jsonld.marks import Origin
+from kinlint.formats.jsonld.editing.value_objects import Item
+from kinlint.formats.jsonld.traced_values import Origin
 
 _MAPS = frozenset({"@language", "@index", "@id", "@type", "@graph"})
 

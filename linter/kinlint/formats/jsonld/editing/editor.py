@@ -8,21 +8,21 @@ from functools import cached_property
 from kinlint.contexts.prefixes import customary
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, Unsayable
-from kinlint.formats.json_text.values import Object
+from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.editing import (
-    contexts,
-    deletion,
-    naming,
+    context_edits,
+    list_edits,
     new_nodes,
-    notes,
-    properties,
-    sequences,
+    node_deletion,
+    node_renaming,
+    property_edits,
+    source_layer_edits,
 )
 from kinlint.formats.jsonld.editing.compaction import Compaction
-from kinlint.formats.jsonld.editing.places import Places
-from kinlint.formats.jsonld.editing.plan import Plan
+from kinlint.formats.jsonld.editing.edit_plan import Plan
 from kinlint.formats.jsonld.editing.style import Style, style
 from kinlint.formats.jsonld.editing.tracing import Scope, trace
+from kinlint.formats.jsonld.editing.triple_places import Places
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
@@ -57,13 +57,13 @@ class Editor:
     def _edits(self, delta: Delta) -> list[Edit]:
         compaction = Compaction(self._places.trace.processor, self._prefixes)
         plan = Plan(self._document, self._places, self._style, compaction, delta)
-        notes.write(plan)
-        naming.write(plan)
-        deletion.write(plan)
-        sequences.write(plan)
-        properties.write(plan)
+        source_layer_edits.write(plan)
+        node_renaming.write(plan)
+        node_deletion.write(plan)
+        list_edits.write(plan)
+        property_edits.write(plan)
         new_nodes.write(plan)
-        contexts.declare(plan, compaction.needed)
+        context_edits.declare(plan, compaction.needed)
         _check(plan)
         return plan.changes.edits()
 

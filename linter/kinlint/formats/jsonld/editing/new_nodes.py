@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from kinlint.edits import Unsayable
-from kinlint.formats.json_text.values import Array, Key, Object
-from kinlint.formats.jsonld.editing.goal import LINKS
-from kinlint.formats.jsonld.editing.layout import Piece
-from kinlint.formats.jsonld.editing.places import Place
-from kinlint.formats.jsonld.editing.plan import Plan
-from kinlint.formats.jsonld.editing.text_tree import Seat
+from kinlint.formats.json_text.json_values import Array, Key, Object
+from kinlint.formats.jsonld.editing.container_edits import Piece
+from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.target_triples import LINKS
+from kinlint.formats.jsonld.editing.text_path import Seat
+from kinlint.formats.jsonld.editing.triple_places import Place
 from kinlint.terms import Term
 
 

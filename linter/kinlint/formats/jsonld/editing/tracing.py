@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from kinlint.formats.json_text.parser import parse
-from kinlint.formats.json_text.values import Array, Object, Parsed
-from kinlint.formats.jsonld.active import Context
-from kinlint.formats.jsonld.marks import Expanded, Origin
-from kinlint.formats.jsonld.memory import Memory
-from kinlint.formats.jsonld.processor import Processor
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_parser import parse
+from kinlint.formats.json_text.json_values import Array, Object, Parsed
+from kinlint.formats.jsonld.active_context import Context
+from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.pyld import frozendict
 from kinlint.formats.jsonld.reader import undisturbed
+from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
-from kinlint.formats.naming import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.terms import Term, Triple
 from kinlint.text import SourceText, Span

@@ -9,15 +9,15 @@ from itertools import pairwise
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.xml.editing.attributes import NAME, StartTag
-from kinlint.formats.xml.editing.changes import Change, Changes
-from kinlint.formats.xml.editing.flaws import mendings, split
-from kinlint.formats.xml.editing.fresh import Fresh
+from kinlint.formats.xml.editing.element_delta import Change, Changes
+from kinlint.formats.xml.editing.element_layout import Layout
+from kinlint.formats.xml.editing.element_removal import removals
+from kinlint.formats.xml.editing.element_sites import SEVERAL, Site, Sites
 from kinlint.formats.xml.editing.insertion import Written, insertion, replacement
-from kinlint.formats.xml.editing.layout import Layout
-from kinlint.formats.xml.editing.removal import removals
-from kinlint.formats.xml.editing.sites import SEVERAL, Site, Sites
-from kinlint.formats.xml.editing.texts import text_edits
+from kinlint.formats.xml.editing.new_elements import Fresh
+from kinlint.formats.xml.editing.start_tag import NAME, StartTag
+from kinlint.formats.xml.editing.syntax_fixes import mendings, split
+from kinlint.formats.xml.editing.text_edits import text_edits
 from kinlint.terms import Term, is_blank, is_literal, literal_value
 from kinlint.text import Span
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from kinlint.edits import Edit
-from kinlint.formats.xml.editing.layout import BREAK, Layout
-from kinlint.formats.xml.editing.sites import Site
+from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.formats.xml.editing.element_sites import Site
 from kinlint.text import Span
 
 COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n]|\Z))")

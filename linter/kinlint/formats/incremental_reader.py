@@ -1,0 +1,61 @@
+"""Reads a file again and again while it is being written."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kinlint.document import Document
+from kinlint.formats.jsonld.format import JSONLD
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.recognition import recognised
+from kinlint.formats.registry import read
+from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.formats.jsonld.incremental.reader import Reading
+
+
+class Rereader:
+    """Reads the texts that one file has, one after the other.
+
+    What it reads is what `registry.read` does, but sooner, if little has changed since a text
+    that could be read.
+    """
+
+    def __init__(self) -> None:
+        self._last: Document | None = None
+        self._options: ReadOptions | None = None
+        self._parted: Reading | None = None
+        """The last reading that others can be made of, and not always that of `_last`."""
+
+    def read(self, source: SourceText, options: ReadOptions) -> Document:
+        """What *source* states.
+
+        That is the same document if nothing has changed and it depends on *source* alone. Raises
+        SourceError as `registry.read` does; the next text is compared with the last one that
+        could be read.
+        """
+        last = self._last
+        unchanged = last is not None and (source, options) == (last.source, self._options)
+        if last is not None and unchanged and not last.format.includes:
+            return last
+        source = recognised(source)
+        now = self._divided(source, options) if source.format == JSONLD else None
+        document = now.document if now is not None else read(source, options)
+        self._last, self._options = document, options
+        self._parted = now or self._parted
+        return document
+
+    def _divided(self, source: SourceText, options: ReadOptions) -> Reading | None:
+        """*source*, read part by part; None if it has to be read at once."""
+        from kinlint.formats.jsonld.incremental import reader  # noqa: PLC0415  needs PyLD
+
+        if self._parted is not None:
+            try:
+                return reader.again(self._parted, source, options)
+            except reader.Indivisible:
+                pass
+        try:
+            return reader.begin(source, options)
+        except reader.Indivisible:
+            return None

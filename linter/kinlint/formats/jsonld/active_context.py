@@ -1,0 +1,226 @@
+"""Active contexts: processed once each, and as far as they can be when one is broken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, TypeAlias
+
+from kinlint.formats.json_text.json_values import Array, Key, Object, Text
+from kinlint.formats.jsonld.context_cache import Memory, unplaced
+from kinlint.formats.jsonld.context_resolver import Resolved
+from kinlint.formats.jsonld.expansion_record import Problem, Record, Shadow
+from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
+from kinlint.formats.jsonld.uri_schemes import REGISTERED
+from kinlint.text import Span
+
+Context: TypeAlias = Any
+_Process: TypeAlias = Callable[[Context, Any], Context]
+
+# PyLD lets all of these escape from contexts that are merely wrong.
+FAULTS = (JsonLdError, LookupError, TypeError, ValueError, AttributeError, RecursionError)
+
+_SALVAGED_TERMS = 200
+
+
+class _Lenient(dict[str, Any]):
+    """An active context in which a setting can be withdrawn that was never made."""
+
+    def __delitem__(self, name: str) -> None:
+        self.pop(name, None)
+
+
+class ActiveContexts:
+    """The part of a processor that combines contexts.
+
+    A context that is unknown or invalid is recorded at its place, and what is left of it takes
+    its place, marked `_blind`; with *strict* it raises as the specification demands. `site` is
+    the place of the `@context` at work.
+    """
+
+    record: Record
+
+    def __init__(self, memory: Memory, *, strict: bool) -> None:
+        self.strict = strict
+        self.memory = memory
+        self.resolver = memory.resolver
+        self.site: Span | None = None
+        # Results with their problem, and the keys' objects, which must live as long as their ids.
+        self._known: dict[Any, tuple[Context, Problem | None, Any]] = {}
+
+    def _clone_active_context(self, active_ctx: Context) -> Context:
+        clone = _Lenient(super()._clone_active_context(active_ctx))  # type: ignore[misc]
+        if "_blind" in active_ctx:
+            clone["_blind"] = True
+        return clone
+
+    def _process_context(
+        self, active_ctx: Context, local_ctx: Any, options: Any, **flags: Any
+    ) -> Context:
+        def process(active: Context, local: Any) -> Context:
+            return parent(active, local, options, **flags)
+
+        parent = super()._process_context  # type: ignore[misc]
+        # A context under construction is being validated: it will be processed again when used.
+        if type(active_ctx) is not frozendict:
+            return process(active_ctx, local_ctx)
+        local = local_ctx
+        if isinstance(local, Mapping) and isinstance(local.get("@context"), list):
+            local = local["@context"]
+        if not isinstance(local, list):
+            return self._entry(active_ctx, local, process, options, flags)
+        if any(isinstance(entry, Mapping) and "@propagate" in entry for entry in local[1:]):
+            return self._entry(active_ctx, local, process, options, flags)
+        owners: dict[str, str] = {}
+        for entry, site in _entries(local):
+            self.site = site or self.site
+            result = self._entry(active_ctx, entry, process, options, flags)
+            if isinstance(entry, Text) and len(local) > 1:
+                self._compare(active_ctx, result, entry, options, owners)
+            active_ctx = result
+        return active_ctx
+
+    def _entry(
+        self, active: Context, entry: Any, process: _Process, options: Any, flags: dict[str, Any]
+    ) -> Context:
+        self.record.use(entry)
+        name = str(entry) if isinstance(entry, str) else id(entry)
+        about = (id(active), name, flags.get("override_protected"), flags.get("propagate", True))
+        known = self._known.get(about)
+        if known is None:
+            shared = self.memory.key(active, entry)
+            key = shared and (*shared, *about[2:])
+            if shared and (result := self.memory.known(key)) is not None:
+                return result
+            result, problem = self._processed(
+                active, entry, process, options, shared=shared is not None
+            )
+            if key and not problem:
+                self.memory.keep(key, result, entry)
+            else:
+                self._known[about] = (result, problem, (active, entry))
+        else:
+            result, problem, _ = known
+        if problem:
+            self.record.problem(problem._replace(span=self._place(entry, problem.span)))
+        return result
+
+    def _place(self, entry: Any, otherwise: Span) -> Span:
+        return entry.span if isinstance(entry, Text) else otherwise
+
+    def _processed(
+        self, active: Context, entry: Any, process: _Process, options: Any, *, shared: bool
+    ) -> tuple[Context, Problem | None]:
+        span = getattr(entry, "span", None) or self.site or Span(0, 0)
+        iri = str(entry) if isinstance(entry, str) else None
+        try:
+            if not self.strict and isinstance(entry, Object) and "@context" in entry:
+                raise JsonLdError("'@context' cannot stand in a context", "jsonld.SyntaxError")
+            given = unplaced(entry) if shared else entry
+            found = self.resolver.resolve(active, given, options["base"])
+            documents = [context.document for context in found]
+            result = _frozen(process(active, documents[0] if len(documents) == 1 else documents))
+        except FAULTS as fault:
+            if self.strict:
+                raise
+            problem = Problem("InvalidContext", iri, _reason(fault), span)
+            return self._salvaged(active, entry, process, problem)
+        missing = next((context.missing for context in found if context.missing), None)
+        if isinstance(entry, Object):
+            self._datatypes(entry, result)
+        if missing:
+            return _blind(result), Problem("UnresolvedContext", iri, missing, span)
+        return result, None
+
+    def _datatypes(self, entry: Object, result: Context) -> None:
+        """Notes datatypes in a context of the file that no prefix makes an IRI."""
+        for term, definition in entry.items():
+            written = definition.get("@type") if isinstance(definition, Mapping) else None
+            mapping = result["mappings"].get(term)
+            if isinstance(written, Text) and mapping and mapping.get("@type") == written:
+                scheme, colon, rest = written.partition(":")
+                named = scheme in ("", "_") or scheme.lower() in REGISTERED
+                if colon and not named and not rest.startswith("//"):
+                    self.record.undefine(written)
+
+    def _salvaged(
+        self, active: Context, entry: Any, process: _Process, problem: Problem
+    ) -> tuple[Context, Problem]:
+        """Extend *active* by the terms that can be defined, and return the first problem."""
+        try:
+            found: list[Resolved] = self.resolver.resolve(active, entry, "")
+        except FAULTS:
+            return _blind(active), problem
+        for context in found:
+            document = context.document
+            if not isinstance(document, Mapping) or len(document) > _SALVAGED_TERMS:
+                continue
+            good: dict[str, Any] = {}
+            waiting = dict(document)
+            grown = True
+            while grown and waiting:
+                grown = False
+                for term in list(waiting):
+                    try:
+                        attempt = {**good, term: waiting[term]}
+                        trial = process(active, attempt)
+                    except FAULTS:
+                        continue
+                    good, salvaged, grown = attempt, trial, True
+                    del waiting[term]
+            active = salvaged if good else active
+            bad = next(iter(waiting), None)
+            if isinstance(bad, Key):
+                problem = problem._replace(span=bad.value_span)
+        return _blind(active), problem
+
+    def _compare(
+        self, before: Context, after: Context, entry: Text, options: Any, owners: dict[str, str]
+    ) -> None:
+        """Notes the terms of earlier documents that the document *entry* redefines."""
+        try:
+            found = self.resolver.resolve(before, entry, options["base"])
+        except FAULTS:
+            return
+        terms = [term for c in found if isinstance(c.document, Mapping) for term in c.document]
+        for term in terms:
+            if term in owners:
+                old = (before["mappings"].get(term) or {}).get("@id")
+                new = (after["mappings"].get(term) or {}).get("@id")
+                if old and new and old != new:
+                    self.record.redefine(Shadow(str(term), str(entry), owners[term], new, old))
+            owners[str(term)] = str(entry)
+
+
+def _entries(array: list[Any]) -> Iterator[tuple[Any, Span | None]]:
+    """The contexts in an array and in arrays within it, each with its place."""
+    for index, entry in enumerate(array):
+        if isinstance(entry, list):
+            yield from _entries(entry)
+        else:
+            yield entry, array.element_span(index) if isinstance(array, Array) else None
+
+
+def _frozen(context: Context) -> Context:
+    # PyLD gives every context but a mere clone an identifier, and wants to find one.
+    return context if "_uuid" in context else frozendict({**context, "_uuid": ""})
+
+
+def _blind(context: Context) -> Context:
+    return frozendict({**context, "_blind": True})
+
+
+def _reason(fault: BaseException) -> str:
+    while fault.__cause__ is not None:
+        fault = fault.__cause__
+    if isinstance(fault, RecursionError):
+        return "it refers to itself without end"
+    if not isinstance(fault, JsonLdError):
+        return "it cannot be processed"
+    term = (fault.details or {}).get("term")
+    return f"{complaint(fault)} (term '{term}')" if term else complaint(fault)
+
+
+def complaint(error: JsonLdError) -> str:
+    """Return PyLD's error message as the rest of a sentence."""
+    text = str(error.args[0]).removeprefix("Invalid JSON-LD syntax; ").rstrip(".").replace('"', "")
+    return text[:1].lower() + text[1:]

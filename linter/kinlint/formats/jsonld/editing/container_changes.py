@@ -1,0 +1,122 @@
+"""Changes of containers and tokens of a JSON text, gathered, and then made edits of the text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from kinlint.edits import Edit, Unsayable
+from kinlint.formats.json_text.json_values import Array, Object
+from kinlint.formats.jsonld.editing.container_edits import Layout, Piece
+from kinlint.formats.jsonld.editing.deleted_ranges import Cuts
+from kinlint.formats.jsonld.editing.style import Style
+from kinlint.formats.jsonld.editing.text_path import Seat, TextTree, children
+from kinlint.text import Span
+
+
+@dataclass
+class _Touched:
+    container: Object | Array
+    gone: set[int] = field(default_factory=set)
+    new: list[Piece] = field(default_factory=list)
+
+
+@dataclass
+class Changes:
+    """Changes of a JSON text.
+
+    A value is replaced by its new JSON. Children of a container are removed and added. A container
+    that loses all its children goes too, save one in `lasting`. `cut` are the removed ranges.
+    """
+
+    text: str
+    tree: TextTree
+    style: Style
+    cut: Cuts = field(default_factory=Cuts)
+    lasting: set[int] = field(default_factory=set)
+    _tokens: dict[Span, Any] = field(default_factory=dict)
+    _wraps: dict[Span, tuple[list[Any], list[Any]]] = field(default_factory=dict)
+    _touched: dict[int, _Touched] = field(default_factory=dict)
+
+    def replace(self, span: Span, value: Any) -> None:
+        """The token at *span* becomes *value*."""
+        self._tokens[span] = value
+        self.cut.add(span)
+
+    def rename(self, span: Span, name: str) -> None:
+        """The key, or the value that is a name, at *span* becomes *name*."""
+        self._tokens[span] = name
+
+    def remove(self, seat: Seat) -> None:
+        """The member or element at *seat* goes."""
+        touched = self._of(seat.holder)
+        touched.gone.add(seat.number)
+        whole = seat.span if isinstance(seat.at, int) else Span(seat.at.start, seat.at.value_end)
+        self.cut.add(whole)
+
+    def insert(self, container: Object | Array, piece: Piece) -> None:
+        """*piece* comes into *container*, in the place of a child that goes if there is one."""
+        self._of(container).new.append(piece)
+
+    def wrap(self, span: Span, value: Any, *, first: bool = False) -> None:
+        """The value at *span* becomes an array of itself and *value*, which may come *first*."""
+        before, after = self._wraps.setdefault(span, ([], []))
+        (before if first else after).append(value)
+
+    def gone(self, container: Object | Array) -> set[int]:
+        """The numbers of the children of *container* that go."""
+        return self._of(container).gone
+
+    def _of(self, container: Object | Array) -> _Touched:
+        return self._touched.setdefault(id(container), _Touched(container))
+
+    def edits(self) -> list[Edit]:
+        """The edits, ascending and apart.
+
+        Raises Unsayable where one would be within what another takes out.
+        """
+        self._empty()
+        layout = Layout(self.text, self.tree.root, self.style)
+        edits: list[Edit] = []
+        for span, (before, after) in self._wraps.items():
+            edits += layout.wrapped(span, before, after)
+        for touched in self._touched.values():
+            edits += layout.contained(touched.container, touched.gone, touched.new)
+        for span, value in self._tokens.items():
+            indent, used = layout.line(span.start)
+            edits.append(Edit(span, self.style.written(value, indent, used=used)))
+        return [edit for edit in _joined(edits) if self.text[slice(*edit.span)] != edit.text]
+
+    def _empty(self) -> None:
+        """Containers that lose everything go with it."""
+        waiting = list(self._touched.values())
+        while waiting:
+            touched = waiting.pop()
+            container = touched.container
+            if touched.new or id(container) in self.lasting or not touched.gone:
+                continue
+            seat = self.tree.seat(container)
+            if seat is None or len(touched.gone) < len(children(container)):
+                continue
+            self.remove(seat)
+            waiting.append(self._of(seat.holder))
+
+
+def _joined(edits: list[Edit]) -> list[Edit]:
+    """Edits in order; those that touch are one, and deletions within others are left out."""
+    joined: list[Edit] = []
+    for edit in sorted(edits, key=_order):
+        last = joined[-1] if joined else None
+        if last is None or edit.span.start > last.span.end:
+            joined.append(edit)
+        elif edit.span.start == last.span.end:
+            joined[-1] = Edit(Span(last.span.start, edit.span.end), last.text + edit.text)
+        elif edit.text:
+            raise Unsayable("what is to be said would stand in what goes")
+    return joined
+
+
+def _order(edit: Edit) -> tuple[int, bool, int]:
+    """Return the sort key: by place; at one place insertions first, then the longest."""
+    start, end = edit.span
+    return start, end > start, -end

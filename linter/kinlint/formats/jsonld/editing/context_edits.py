@@ -1,0 +1,58 @@
+"""Contexts and prefixes that a file comes to have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from kinlint.edits import Unsayable
+from kinlint.formats.json_text.json_values import Array, Object
+from kinlint.formats.jsonld.editing.container_edits import Piece
+from kinlint.formats.jsonld.editing.edit_plan import Plan
+
+
+def add(plan: Plan, iri: str) -> None:
+    """The outermost object names the context *iri*, whose terms yield to the file's own."""
+    root = _root(plan)
+    token = root.key("@context")
+    if token is None:
+        plan.changes.insert(root, Piece(iri, "@context", -1))
+        return
+    context = root[token]
+    if isinstance(context, Array):
+        named = [number for number, entry in enumerate(context) if isinstance(entry, str)]
+        plan.changes.insert(context, Piece(iri, None, max(named, default=-1)))
+    elif context is None:
+        plan.changes.replace(token.value_span, iri)
+    else:
+        plan.changes.wrap(token.value_span, iri, first=isinstance(context, Object))
+
+
+def declare(plan: Plan, prefixes: Mapping[str, str]) -> None:
+    """The outermost context of the file has *prefixes*."""
+    if not prefixes:
+        return
+    root = _root(plan)
+    token = root.key("@context")
+    if token is None:
+        plan.changes.insert(root, Piece(dict(prefixes), "@context", -1))
+        return
+    context: Any = root[token]
+    entries = context if isinstance(context, Array) else [context]
+    inline = next((entry for entry in reversed(entries) if isinstance(entry, Object)), None)
+    if inline is not None:
+        for prefix, namespace in prefixes.items():
+            plan.changes.insert(inline, Piece(namespace, prefix, len(inline) - 1))
+    elif isinstance(context, Array):
+        plan.add(context, [dict(prefixes)])
+    else:
+        plan.changes.wrap(token.value_span, dict(prefixes))
+
+
+def _root(plan: Plan) -> Object:
+    root = plan.places.tree.root
+    if isinstance(root, Array) and len(root) == 1:
+        root = root[0]
+    if not isinstance(root, Object):
+        raise Unsayable("the file has no outermost object to hold a context")
+    return root

@@ -1,0 +1,77 @@
+"""Edits of what the source layer states: keys and names that are lost, and contexts in use."""
+
+from __future__ import annotations
+
+from kinlint.edits import Unsayable
+from kinlint.formats.json_text.json_values import Key, Object
+from kinlint.formats.jsonld.editing import context_edits
+from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.text_path import Seat
+from kinlint.formats.source_layer import src
+from kinlint.terms import Term, Triple, iri_value, is_iri, literal_value
+from kinlint.text import Span
+from kinlint.vocabulary import SRC
+
+_KEY, _CONTEXT = src("key"), src("context")
+_WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
+
+
+def write(plan: Plan) -> None:
+    """Replaces and takes out what the source layer tells the place of.
+
+    Raises Unsayable where the delta changes a statement about the file that no token makes.
+    """
+    added = [triple for triple in plan.added if triple[1].startswith(f"<{SRC}")]
+    for triple in [triple for triple in plan.removed if triple[1].startswith(f"<{SRC}")]:
+        heir = next((new for new in added if new[:2] == triple[:2]), None)
+        if triple[1] not in _WRITTEN:
+            raise Unsayable("it follows from what the file says")
+        plan.settled.add(triple)
+        if heir is not None:
+            added.remove(heir)
+            plan.said.add(heir)
+        _change(plan, triple, heir[2] if heir else None)
+    for triple in added:
+        if triple[:2] != (plan.document.graph, _CONTEXT):
+            raise Unsayable("it follows from what the file says")
+        plan.said.add(triple)
+        context_edits.add(plan, _text(triple[2]))
+
+
+def _text(term: Term) -> str:
+    return iri_value(term) if is_iri(term) else literal_value(term)
+
+
+def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
+    spans = plan.document.map.nodes.get(triple[0])
+    if spans is None:
+        raise Unsayable("it is not known where it is written")
+    if new is not None:
+        plan.changes.rename(spans.whole, _text(new))
+        return
+    seat = (
+        _key_at(plan, spans.whole) if triple[1] == _KEY else plan.places.tree.at(spans.whole.start)
+    )
+    if seat is None:
+        raise Unsayable("it is not known where it is written")
+    if isinstance(seat.holder, Object) and isinstance(seat.at, Key):
+        _spare(plan, seat.holder, seat.at)
+    plan.changes.remove(seat)
+
+
+def _spare(plan: Plan, holder: Object, key: Key) -> None:
+    """Mark what a repeated member states as kept when one of its copies goes."""
+    members = [*holder.items(), *(holder.overwritten or ())]
+    value = next(value for token, value in members if token is key)
+    if any(token == key and token is not key and other == value for token, other in members):
+        plan.settled.update(plan.places.within(key.value_span))
+
+
+def _key_at(plan: Plan, span: Span) -> Seat | None:
+    """The member whose key is the token at *span*."""
+    holder = plan.places.tree.around(span.start)
+    if not isinstance(holder, Object):
+        return None
+    keys = [key for key in holder if isinstance(key, Key) and key.start == span.start]
+    keys += [m.key for m in holder.overwritten or () if m.key.start == span.start]
+    return Seat(holder, keys[0]) if keys else None

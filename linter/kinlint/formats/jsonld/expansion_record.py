@@ -1,0 +1,127 @@
+"""The record of an expansion: keys dropped, contexts used, missing and broken."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from kinlint.formats.json_text.json_values import Text
+from kinlint.formats.jsonld.traced_values import Origin, Reach, Resolution
+from kinlint.text import Span
+
+
+class Drop(NamedTuple):
+    """A key that no context in force maps, and what it means instead."""
+
+    key: Text
+    origin: Origin
+    resolution: Resolution
+
+
+class Stray(NamedTuple):
+    """A value without effect: a would-be keyword where an IRI belongs, or a value of nothing."""
+
+    kind: str
+    span: Span
+    origin: Origin | None
+    written: str
+    reason: str
+    key: str | None = None
+
+
+class Problem(NamedTuple):
+    """A context that is missing or broken: its IRI if it has one, and where it is named."""
+
+    kind: str
+    context: str | None
+    reason: str
+    span: Span
+
+
+class Shadow(NamedTuple):
+    """A term of one context document that a later document in the same array redefines."""
+
+    term: str
+    context: str
+    shadowed: str
+    iri: str
+    shadowed_iri: str
+
+
+@dataclass
+class Record:
+    """The notes of one file."""
+
+    drops: dict[int, Drop] = field(default_factory=dict)
+    uses: dict[int, Text] = field(default_factory=dict)
+    problems: dict[tuple[int, int], Problem] = field(default_factory=dict)
+    shadows: dict[str, Shadow] = field(default_factory=dict)
+    shadow_uses: dict[Shadow, Text] = field(default_factory=dict)
+    prefixes: dict[str, str] = field(default_factory=dict)
+    strays: dict[Span, Stray] = field(default_factory=dict)
+    unprefixed: dict[int, Text] = field(default_factory=dict)
+
+    def drop(self, key: Text, origin: Origin, resolution: Resolution) -> None:
+        """Note that *key* in *origin* means nothing, as *resolution* says."""
+        self.drops.setdefault(key.start, Drop(key, origin, resolution))
+
+    def reserve(self, value: Text, origin: Origin) -> None:
+        """*value* should be an IRI, but JSON-LD reserves such words and ignores them."""
+        reason = "JSON-LD reserves words that begin with an at sign"
+        stray = Stray("MalformedIri", value.span, origin, value, reason, _key(origin, value))
+        self.strays.setdefault(value.span, stray)
+
+    def float(self, value: Any, span: Span) -> None:
+        """*value* stands where nodes do, and so is the value of no property."""
+        reason = "it is the value of no property"
+        plain = isinstance(value, (str, int, float))
+        written = f"{value}" if plain and not isinstance(value, bool) else "value"
+        self.strays.setdefault(span, Stray("LostValue", span, None, written, reason))
+
+    def undefine(self, datatype: Text) -> None:
+        """A context in the file gives a term a *datatype* with an unknown prefix."""
+        self.unprefixed.setdefault(datatype.start, datatype)
+
+    def use(self, entry: Any) -> None:
+        """The file names a context, if *entry* is an IRI written in it."""
+        if isinstance(entry, Text):
+            self.uses[entry.start] = entry
+
+    def problem(self, problem: Problem) -> None:
+        """A context cannot take part."""
+        self.problems.setdefault(problem.span, problem)
+
+    def declare(self, mappings: Mapping[str, Any]) -> None:
+        """The prefixes among the terms of a context in force."""
+        for term, mapping in mappings.items():
+            if mapping and mapping.get("_prefix"):
+                self.prefixes.setdefault(term, str(mapping["@id"]))
+
+    def redefine(self, shadow: Shadow) -> None:
+        """A term changes its meaning within one array of contexts."""
+        self.shadows[shadow.term] = shadow
+
+    def resolved(self, token: Text, resolution: Resolution) -> None:
+        """A token was expanded: if by a term that shadows another, that is a use of it."""
+        if resolution.reach is Reach.TERM:
+            shadow = self.shadows.get(token)
+            used = shadow is not None and shadow.iri == resolution.iri
+        elif resolution.reach is Reach.PREFIX:
+            shadow = self.shadows.get(token.partition(":")[0])
+            used = shadow is not None and (resolution.iri or "").startswith(shadow.iri)
+        else:
+            return
+        if shadow is None or not used:
+            return
+        first = self.shadow_uses.setdefault(shadow, token)
+        if token.start < first.start:
+            self.shadow_uses[shadow] = token
+
+
+def _key(origin: Origin, value: Text) -> str | None:
+    """The key of the member in which *value* stands."""
+    for key, member in origin.element.items():
+        if member is value or (isinstance(member, list) and any(e is value for e in member)):
+            return str(key)
+    return None

@@ -1,0 +1,174 @@
+"""One element of the outermost graph, with its statements."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias
+
+from kinlint.document import NodeSpans
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.jsonld.expansion_record import Shadow
+from kinlint.formats.jsonld.losses import Loss, Nested
+from kinlint.terms import Term, Triple
+from kinlint.text import Span
+
+Move: TypeAlias = Callable[[Span], Span]
+Names: TypeAlias = Mapping[Term, Term]
+
+
+class Asked(BlankNodes):
+    """Blank nodes whose final labels are not known yet; `order` tells how they were asked for."""
+
+    def __init__(self) -> None:
+        super().__init__("")
+        self.order: list[tuple[Term, str | None]] = []
+        self._named: dict[str, Term] = {}
+
+    def fresh(self) -> Term:
+        """A blank node without a name in the text."""
+        node = super().fresh()
+        self.order.append((node, None))
+        return node
+
+    def named(self, label: str) -> Term:
+        """The blank node that the text calls *label*."""
+        if label not in self._named:
+            self._named[label] = super().fresh()
+            self.order.append((self._named[label], label))
+        return self._named[label]
+
+
+@dataclass(frozen=True, slots=True)
+class Notes:
+    """Statements of the source layer about a part, pending until the whole file is read.
+
+    `values` are losses by the value written there, which are none if it is among the `identifiers`
+    of the file; `within` are the nodes described in others; `others` are losses that come after
+    both.
+    """
+
+    losses: tuple[Loss, ...] = ()
+    values: tuple[tuple[str, Loss], ...] = ()
+    identifiers: frozenset[str] = frozenset()
+    within: tuple[tuple[Term, tuple[Nested, ...]], ...] = ()
+    others: tuple[Loss, ...] = ()
+    uses: tuple[tuple[Span, str], ...] = ()
+    shadows: tuple[tuple[Shadow, Span], ...] = ()
+
+    def moved(self, move: Move) -> Notes:
+        """The same, elsewhere."""
+        return Notes(
+            tuple(replace(loss, span=move(loss.span)) for loss in self.losses),
+            tuple((name, replace(loss, span=move(loss.span))) for name, loss in self.values),
+            self.identifiers,
+            tuple(
+                (outermost, tuple(_moved(each, move) for each in inner))
+                for outermost, inner in self.within
+            ),
+            tuple(replace(loss, span=move(loss.span)) for loss in self.others),
+            tuple((move(span), name) for span, name in self.uses),
+            tuple((shadow, move(span)) for shadow, span in self.shadows),
+        )
+
+    def renamed(self, names: Names) -> Notes:
+        """The same with the blank nodes called by their final *names*."""
+        return Notes(
+            tuple(_renamed(loss, names) for loss in self.losses),
+            tuple((name, _renamed(loss, names)) for name, loss in self.values),
+            self.identifiers,
+            tuple(
+                (names.get(outermost, outermost), tuple(_called(each, names) for each in inner))
+                for outermost, inner in self.within
+            ),
+            tuple(_renamed(loss, names) for loss in self.others),
+            self.uses,
+            self.shadows,
+        )
+
+    def places(self) -> list[Span]:
+        """All places that are spoken of."""
+        return [
+            *(loss.span for loss in (*self.losses, *self.others)),
+            *(loss.span for _, loss in self.values),
+            *(span for _, inner in self.within for span, *_ in inner),
+            *(each.slot.stands for _, inner in self.within for each in inner),
+            *(span for span, _ in self.uses),
+            *(span for _, span in self.shadows),
+        ]
+
+
+NOTHING = Notes()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """One element's statements and nodes, with their places when it was read.
+
+    `asked` are its blank nodes in the order in which they were asked for, with their labels in the
+    text if they have some. `steps` are how many were asked for by statements, then by keys without
+    meaning, then by values without effect; the others were asked for by repeated keys.
+    """
+
+    whole: Span
+    spans: Mapping[Triple, Span]
+    nodes: Mapping[Term, NodeSpans]
+    described: tuple[Triple, ...]
+    terms: Mapping[Term, Span]
+    namespaces: Mapping[str, Span]
+    asked: tuple[tuple[Term, str | None], ...] = ()
+    steps: tuple[int, int, int] = (0, 0, 0)
+    notes: Notes = field(default=NOTHING)
+
+    def renamed(self, names: Names) -> Part:
+        """The same with the blank nodes called by their final *names*."""
+        get = names.get
+        return replace(
+            self,
+            spans={(get(s, s), p, get(o, o)): span for (s, p, o), span in self.spans.items()},
+            nodes={get(node, node): spans for node, spans in self.nodes.items()},
+            described=tuple((get(s, s), p, o) for s, p, o in self.described),
+            notes=self.notes.renamed(names),
+        )
+
+    def places(self) -> list[Span]:
+        """All places that are spoken of."""
+        spans = [*self.spans.values(), *self.notes.places()]
+        for whole, identifier in self.nodes.values():
+            spans += (whole, identifier) if identifier else (whole,)
+        return spans
+
+    def moved(self, move: Move) -> Part:
+        """The same, elsewhere."""
+        return replace(
+            self,
+            whole=move(self.whole),
+            spans={triple: move(span) for triple, span in self.spans.items()},
+            nodes={
+                node: NodeSpans(move(whole), identifier and move(identifier))
+                for node, (whole, identifier) in self.nodes.items()
+            },
+            terms={term: move(span) for term, span in self.terms.items()},
+            namespaces={name: move(span) for name, span in self.namespaces.items()},
+            notes=self.notes.moved(move),
+        )
+
+
+def shifted(span: Span, by: int) -> Span:
+    """*span*, moved."""
+    return Span(span[0] + by, span[1] + by) if by else span
+
+
+def _moved(nested: Nested, move: Move) -> Nested:
+    slot = nested.slot._replace(stands=move(nested.slot.stands))
+    return nested._replace(span=move(nested.span), slot=slot)
+
+
+def _called(nested: Nested, names: Names) -> Nested:
+    return nested._replace(node=names.get(nested.node, nested.node))
+
+
+def _renamed(loss: Loss, names: Names) -> Loss:
+    node = names.get(loss.node, loss.node) if loss.node is not None else None
+    details = tuple(each._replace(value=names.get(each.value, each.value)) for each in loss.details)
+    return replace(loss, node=node, details=details)

@@ -1,0 +1,155 @@
+"""States what the parts of a file say, each without the others."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from kinlint.addresses import document_iri
+from kinlint.formats.json_text.json_values import Array, Object, Parsed
+from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.expansion_record import Record
+from kinlint.formats.jsonld.incremental.part import Asked, Part
+from kinlint.formats.jsonld.incremental.part_expander import Indivisible, PartedProcessor
+from kinlint.formats.jsonld.incremental.part_notes import Noticed
+from kinlint.formats.jsonld.loss_report import LOOKED_UP, Comparison
+from kinlint.formats.jsonld.losses import LossWatch
+from kinlint.formats.jsonld.traced_values import Expanded
+from kinlint.formats.jsonld.triples import Triples
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
+from kinlint.text import Span
+
+MANY, CONTEXTS = 5_000, 500
+"""Number of parts read again, and of contexts cached, at which everything is read anew."""
+
+
+class Stating:
+    """Reads one file part by part, and more parts at the place of its outermost graph later on.
+
+    `parts` are the elements of that graph, read under `release` of our contexts.
+    """
+
+    def __init__(self, name: str, options: ReadOptions) -> None:
+        self.parts: list[Part] = []
+        self.release = options.contexts.release
+        self._graph = document_iri(name)
+        memory = Memory.of(options, options.contexts.release)
+        self._processor = PartedProcessor(memory, options.base, self._take)
+        self._compared = Comparison(options)
+        self._hull = self._processor.record
+        self._known = Record()
+        self._whole = Span(0, 0)
+        self._count = 0
+        self._repeats: list[tuple[int, int, Object]] = []
+
+    @property
+    def worn(self) -> bool:
+        """Tell whether so much was read that the caches should be dropped."""
+        return self._processor.contexts > CONTEXTS or self._count > len(self.parts) + MANY
+
+    @property
+    def prefixes(self) -> Mapping[str, str]:
+        """The abbreviations of the file."""
+        return self._hull.prefixes
+
+    @property
+    def place(self) -> Span:
+        """Return the span of the elements of the outermost graph, with their brackets."""
+        return self._processor.place
+
+    def hull(self, parsed: Parsed) -> Part:
+        """Read what the file states beside its parts, stating the parts on the way.
+
+        Raises Indivisible if that is not all of it, and what expansion raises.
+        """
+        if not isinstance(parsed.value, Object) or parsed.value.overwritten is not None:
+            raise Indivisible
+        self._whole = parsed.span
+        order = ((each.start, number, each) for number, each in enumerate(parsed.repeats))
+        self._repeats = sorted(order, key=lambda each: each[:2])
+        expanded = self._processor.expand_document(parsed)
+        hull, known, gap = self._hull, self._known, self.place
+        if self._processor.around is None or known.shadows != hull.shadows:
+            raise Indivisible
+        if bool(known.uses) != bool(hull.uses):
+            raise Indivisible
+        repeats = [each for each in parsed.repeats if not _within(each.span, gap)]
+        part = self._part(parsed.span, expanded, repeats, ())
+        if part.steps[0] != len(part.asked):
+            raise Indivisible
+        if any(gap.start < at < gap.end for span in part.places() for at in span):
+            raise Indivisible
+        return part
+
+    def part(self, element: Object, repeats: Collection[Object]) -> Part:
+        """Read *element* of the outermost graph; *repeats* are its objects with repeated keys.
+
+        Raises Indivisible if it is entangled with others, and what expansion raises.
+        """
+        self._count += 1
+        processor, known = self._processor, self._known
+        record = Record(shadows=dict(known.shadows), uses=dict(known.uses))
+        processor.record, processor.repeated = record, {}
+        nodes = processor.expand(element)
+        part = self._part(element.span, nodes, repeats, known.uses)
+        if record.shadows != known.shadows or record.problems or record.prefixes:
+            raise Indivisible
+        if part.notes.uses and not known.uses:
+            raise Indivisible
+        if not all(_within(span, element.span) for span in part.places()):
+            raise Indivisible
+        return part
+
+    def _take(self, elements: Array) -> None:
+        processor, hull = self._processor, self._hull
+        repeated = processor.repeated
+        self._known = Record(shadows=dict(hull.shadows), uses=dict(hull.uses))
+        for index, element in enumerate(elements):
+            if not isinstance(element, Object):
+                raise Indivisible
+            self.parts.append(self.part(element, self._repeated(element)))
+            # A large text is in memory but once.
+            elements[index] = None
+        processor.record, processor.repeated = hull, repeated
+
+    def _repeated(self, element: Object) -> list[Object]:
+        """The objects in *element* with repeated keys, in the order in which they were found."""
+        first = bisect_left(self._repeats, element.start, key=lambda each: each[0])
+        after = bisect_left(self._repeats, element.end, key=lambda each: each[0])
+        inside = sorted(self._repeats[first:after], key=lambda each: each[1])
+        return [each for _, _, each in inside]
+
+    def _part(
+        self, whole: Span, nodes: list[Any], repeats: Collection[Object], known: Collection[int]
+    ) -> Part:
+        """Make a part of expanded *nodes*; the contexts at *known* are named elsewhere."""
+        if not all(isinstance(node, Expanded) for node in nodes):
+            raise Indivisible
+        processor, blanks, watch = self._processor, Asked(), LossWatch()
+        triples = Triples(blanks, watch)
+        triples.add(nodes, whole)
+        stated = len(blanks.order)
+        record, origins = processor.record, processor.repeated
+        noticed = Noticed(record, known, watch, triples, blanks, repeats, origins)
+        if whole != self._whole and any(each is processor.around for each in noticed.owners()):
+            raise Indivisible
+        notes, dropped, strayed = noticed.notes(self._compared)
+        if self._compared.looked_up >= LOOKED_UP:
+            raise Indivisible
+        return Part(
+            whole,
+            triples.spans,
+            triples.nodes,
+            tuple((node, DESCRIBED, self._graph) for node in triples.nodes),
+            terms(triples.spans),
+            namespaces(triples.nodes),
+            tuple(blanks.order),
+            (stated, dropped, strayed),
+            notes,
+        )
+
+
+def _within(inner: Span, outer: Span) -> bool:
+    return outer.start <= inner.start and inner.end <= outer.end

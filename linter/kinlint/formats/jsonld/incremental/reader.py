@@ -1,0 +1,124 @@
+"""Reads a file whose text is almost the one that was read before."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from kinlint.document import Document
+from kinlint.formats.json_text.json_parser import Element, parse
+from kinlint.formats.json_text.json_values import Object
+from kinlint.formats.jsonld.active_context import FAULTS
+from kinlint.formats.jsonld.incremental.alignment import aligned
+from kinlint.formats.jsonld.incremental.blank_labels import Named
+from kinlint.formats.jsonld.incremental.changed_range import difference
+from kinlint.formats.jsonld.incremental.document_assembly import Assembly, assembled
+from kinlint.formats.jsonld.incremental.part import Part
+from kinlint.formats.jsonld.incremental.part_expander import Indivisible
+from kinlint.formats.jsonld.incremental.part_order import Arrangement
+from kinlint.formats.jsonld.incremental.part_statements import Stating
+from kinlint.formats.jsonld.reader import undisturbed
+from kinlint.formats.options import ReadOptions
+from kinlint.text import SourceText, Span
+
+__all__ = ["Indivisible", "Reading", "again", "begin"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Division:
+    """A text in parts: the elements of its outermost graph, and the hull around them.
+
+    `end` is where the graph ends; the `hull` is as it was read first.
+    """
+
+    stating: Stating
+    elements: Arrangement
+    hull: Part
+    end: int
+
+    def assembled(self, source: SourceText, known: Named) -> Assembly:
+        """The document of *source*, which is divided like that; *known* parts keep names."""
+        end, gap = self.end, self.stating.place
+
+        def move(span: Span) -> Span:
+            return Span(*(at if at <= gap.start else at + end - gap.end for at in span))
+
+        hull = self.hull if end == gap.end else self.hull.moved(move)
+        given = Arrangement([*self.elements.parts, hull], [*self.elements.shifts, 0])
+        return assembled(source, given, self.stating, known)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reading:
+    """A document, and what it takes to read it again."""
+
+    options: ReadOptions
+    division: Division
+    assembly: Assembly
+
+    @property
+    def document(self) -> Document:
+        """The document that `registry.read` would give."""
+        return self.assembly.document
+
+
+def begin(source: SourceText, options: ReadOptions) -> Reading:
+    """Read *source* part by part.
+
+    Raises Indivisible if it cannot be read like that, perhaps not at all; SourceError if it is no
+    JSON.
+    """
+    with undisturbed():
+        parsed = parse(source)
+        if not isinstance(parsed.value, Object):
+            raise Indivisible
+        if isinstance(parsed.value.get("@context"), (int, float)):
+            raise Indivisible
+        stating = Stating(source.name, options)
+        try:
+            hull = stating.hull(parsed)
+        except FAULTS as fault:
+            raise Indivisible from fault
+        unmoved = Arrangement(stating.parts, [0] * len(stating.parts))
+        division = Division(stating, unmoved, hull, stating.place.end)
+        return Reading(options, division, division.assembled(source, {}))
+
+
+def again(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
+    """Read *source*, whose text is almost that of *before*.
+
+    Raises Indivisible if that does not help, SourceError if *source* is no JSON.
+    """
+    last, old = before.document.source, before.division
+    if old.stating.worn or source.name != last.name or options != before.options:
+        raise Indivisible
+    if source == last:
+        return before
+    if source.text == last.text:
+        document = replace(before.document, source=source)
+        return replace(before, assembly=replace(before.assembly, document=document))
+    change = difference(last.text, source.text)
+    start = old.stating.place.start
+    if change.start <= start or change.old_end >= old.end:
+        raise Indivisible
+    with undisturbed():
+        found = aligned(old.elements, last.text, source, change, Span(start, old.end))
+        try:
+            parts = [_part(old, each, found.rest) for each in found.elements]
+        except FAULTS as fault:
+            raise Indivisible from fault
+        shifts = [to - part.whole.start for to, part in zip(found.starts, parts, strict=True)]
+        between = Arrangement(parts, shifts)
+        arranged = old.elements.replaced(found.first, found.rest, between, change.shift)
+        division = replace(old, elements=arranged, end=old.end + change.shift)
+        return Reading(options, division, division.assembled(source, before.assembly.named))
+
+
+def _part(old: Division, element: Element | int, rest: int) -> Part:
+    """Return the part of an element that was parsed now, or that is one of *old*.
+
+    None is there twice: one that is among the *rest* as well gets a twin.
+    """
+    if not isinstance(element, int):
+        return old.stating.part(element.value, element.repeats)
+    known = old.elements.parts[element]
+    return replace(known) if element >= rest else known

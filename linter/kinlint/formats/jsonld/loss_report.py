@@ -1,0 +1,195 @@
+"""Puts together, in the order of the text, what a file loses on its way into the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from kinlint.formats.json_text.json_values import Key, Object
+from kinlint.formats.jsonld.expansion_record import Record, Shadow, Stray
+from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
+from kinlint.formats.jsonld.release_comparison import OtherRelease
+from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
+from kinlint.formats.jsonld.triples import Triples
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.source_layer import SourceLayer
+from kinlint.terms import Term, iri, literal, literal_value
+from kinlint.text import Span
+from kinlint.vocabulary import METAMODELS
+
+LOOKED_UP = 1_000
+"""Number of lost words that are compared with the terms of their contexts."""
+
+
+class Comparison:
+    """Comparison of lost words with the terms of their contexts, and of other releases."""
+
+    def __init__(self, options: ReadOptions) -> None:
+        self._options = options
+        self._releases: list[OtherRelease] | None = None
+        self._near: dict[tuple[int, str], str | None] = {}
+
+    @property
+    def looked_up(self) -> int:
+        """Return the number of words compared so far."""
+        return len(self._near)
+
+    def others(self, *, named: bool) -> list[OtherRelease]:
+        """The other releases, if a context is *named* that they might have."""
+        if self._releases is None:
+            current = self._options.contexts.release
+            names = self._options.releases if named else ()
+            self._releases = [OtherRelease(r, self._options) for r in names if r != current]
+        return self._releases
+
+    def resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
+        """The term that *written* resembles, as long as few words have been looked up."""
+        key = id(resolution.terms), str(written)
+        if key not in self._near and len(self._near) < LOOKED_UP:
+            self._near[key] = resolution.nearest(written)
+        if near := self._near.get(key):
+            yield Detail("resembles", literal(near))
+
+
+class LossReport:
+    """All losses of one file, or of a part of one that *compared* knows more of."""
+
+    def __init__(
+        self, record: Record, watch: LossWatch, triples: Triples, compared: Comparison
+    ) -> None:
+        self._record = record
+        self._watch = watch
+        self._triples = triples
+        self._compared = compared
+
+    def losses(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
+        """The losses in the order of the text; *origins* are of the objects that are *repeats*."""
+        found = [*self._watch.losses, *self._watch.references(), *self._watch.nests()]
+        found += [
+            *self.types(),
+            *self.dropped(),
+            *self.strays(),
+            *self.contexts(),
+            *shadowed((each, token.span) for each, token in self._record.shadow_uses.items()),
+            *self.duplicates(repeats, origins),
+        ]
+        return sorted(found, key=place)
+
+    def _others(self) -> list[OtherRelease]:
+        return self._compared.others(named=bool(self._record.uses))
+
+    def dropped(self) -> list[Loss]:
+        """The keys without a meaning."""
+        losses = []
+        for drop in self._record.drops.values():
+            blind = drop.resolution.blind
+            kind = "UnreadKey" if blind else "DroppedKey"
+            node = self._triples.named(drop.origin)
+            loss = Loss(kind, drop.key.span, node, said(key=drop.key))
+            if not blind:
+                loss = loss.with_details(self._compared.resembles(drop.resolution, drop.key))
+                loss = loss.with_details(
+                    Detail("mappedInRelease", literal(other.release))
+                    for other in self._others()
+                    if other.maps_key(drop.key, drop.origin)
+                )
+            losses.append(loss)
+        return losses
+
+    def _resembled_type(self, written: Iri) -> Iterator[Detail]:
+        for term in self._compared.resembles(written.resolution, written.token):
+            meaning = written.resolution.terms[literal_value(term.value)]
+            yield Detail("resembles", iri(meaning["@id"]))
+
+    def strays(self) -> list[Loss]:
+        """The values without effect, and the datatypes without a prefix."""
+        losses = [
+            Loss(
+                stray.kind,
+                stray.span,
+                self._triples.named(stray.origin) if stray.origin else None,
+                said(written=stray.written, reason=stray.reason, **_in(stray)),
+            )
+            for stray in self._record.strays.values()
+        ]
+        for datatype in self._record.unprefixed.values():
+            details = said(prefix=datatype.partition(":")[0], written=datatype)
+            losses.append(Loss("UndefinedPrefix", datatype.span, None, details))
+        return losses
+
+    def types(self) -> list[Loss]:
+        """The types that are relative IRIs."""
+        return [
+            lost.loss.with_details(
+                Detail("mappedInRelease", literal(other.release))
+                for other in self._others()
+                if lost.origin and other.maps_type(lost.written.token, lost.origin)
+            ).with_details(self._resembled_type(lost.written))
+            for lost in self._watch.types
+        ]
+
+    def contexts(self) -> list[Loss]:
+        """The contexts that are missing or broken."""
+        losses = []
+        for problem in self._record.problems.values():
+            details = said(reason=problem.reason)
+            if problem.context is not None:
+                details = (*said(context=problem.context), *details)
+            losses.append(Loss(problem.kind, problem.span, None, details))
+        return losses
+
+    def duplicates(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
+        """The keys that stand in an object before."""
+        losses: list[Loss] = []
+        for repeated in repeats:
+            origin = origins.get(id(repeated))
+            losses += _duplicates(repeated, self._triples.named(origin) if origin else None)
+        return losses
+
+
+def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
+    """The terms that mean something else than in an earlier context, each where it comes first."""
+    losses = []
+    for shadow, span in uses:
+        names = said(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
+        now, before = iri(shadow.iri), iri(shadow.shadowed_iri)
+        iris = (Detail("iri", now), Detail("shadowedIri", before))
+        losses.append(Loss("ShadowedTerm", span, None, (*names, *iris)))
+    return losses
+
+
+def state_uses(layer: SourceLayer, uses: Iterable[tuple[Span, str]], release: str) -> None:
+    """State which contexts the file uses, and where; metamodel contexts are of *release*."""
+    for span, name in sorted(uses):
+        version = literal(release) if name.startswith(METAMODELS) else None
+        details = (("context", literal(name)), ("release", version))
+        layer.uses(layer.about("ContextUse", span, *details), span)
+
+
+def state_losses(layer: SourceLayer, losses: Iterable[Loss]) -> None:
+    """State the losses of the file, in this order."""
+    for loss in losses:
+        details = [(detail.name, detail.value) for detail in loss.details]
+        layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
+
+
+def place(loss: Loss) -> tuple[int, int, str]:
+    """Return the sort key of losses."""
+    return (*loss.span, loss.kind)
+
+
+def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
+    """Every occurrence of a key but the first."""
+    seen: set[str] = set()
+    losses = []
+    tokens = [member.key for member in repeated.overwritten or ()]
+    again = set(tokens)
+    tokens += [key for key in repeated if isinstance(key, Key) and key in again]
+    for key in sorted(tokens, key=lambda token: token.start):
+        if key in seen:
+            losses.append(Loss("DuplicateKey", key.span, node, said(key=key)))
+        seen.add(key)
+    return losses
+
+
+def _in(stray: Stray) -> dict[str, str]:
+    return {} if stray.key is None else {"key": stray.key}

@@ -1,0 +1,275 @@
+"""Lets the `xacro` package expand a file, with what it reads, evaluates and says in our hands.
+
+The package keeps its state in its module and calls its own functions by their global names. For
+the time of one expansion some of these names stand for ours: files are read into our tree,
+expressions are walked instead of given to Python, and warnings are collected.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from fnmatch import fnmatch
+from pathlib import Path
+from threading import Lock
+from types import ModuleType
+from typing import Any
+from xml.dom import minidom
+
+from kinlint.errors import SourceError
+from kinlint.files.bounded_read import Unreadable
+from kinlint.files.environment import listing
+from kinlint.files.packages import Packages
+from kinlint.files.pathglob import MAGIC, absolute
+from kinlint.formats.xacro import yaml_table
+from kinlint.formats.xacro.dom import Element, Text, Watch
+from kinlint.formats.xacro.expansion import Expansion, Remark
+from kinlint.formats.xacro.expansion_error import Failure, fault
+from kinlint.formats.xacro.expansion_limits import Bounds, Refused, TooMuch
+from kinlint.formats.xacro.expression import Members, evaluate
+from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize
+from kinlint.formats.xacro.included_files import Pieces, table
+from kinlint.formats.xacro.kept_comments import inherit, removing
+from kinlint.formats.xacro.origin import Origin
+from kinlint.formats.xacro.substitution import Substitution
+from kinlint.formats.xacro.text_evaluation import Texts
+from kinlint.formats.xacro.xacro_parser import Parsed, parse
+from kinlint.text import SourceText
+
+INCLUDES = 40
+"""How deep files may include files."""
+REDEFINED = "redefining global symbol: "
+_ONE_AT_A_TIME = Lock()
+
+
+@dataclass
+class Session:
+    """One expansion of the main file of `pieces` with `arguments`."""
+
+    pieces: Pieces
+    arguments: Mapping[str, str]
+    packages: Packages
+    bounds: Bounds = field(default_factory=Bounds)
+
+    def __post_init__(self) -> None:
+        self._xacro = _package()
+        self._watch = Watch(self.bounds)
+        self._open = [self.pieces.path]
+        self._files: dict[int, Parsed] = {}
+        self._remarks: list[Remark] = []
+        self._includes: list[tuple[Element, SourceText]] = []
+        self._including = self._watch.element
+        self._substitution = Substitution(
+            dict(self.arguments),
+            lambda name: self.packages.find(name, self._directory()),
+            self._directory,
+            lambda expression, names: evaluate(expression, {**self._known, **names}, self.bounds),
+        )
+        self._texts = Texts(self.bounds, self._substitution.value)
+        self._known = symbols(self.bounds, self._own())
+
+    def expand(self) -> Expansion:
+        """The robot that the file stands for."""
+        result = Expansion(Parsed(), self._files, self._includes, self._remarks)
+        with _ONE_AT_A_TIME, _replaced(self._xacro, self._replacements()):
+            try:
+                result.parsed = parse(self.pieces.main, self._watch)
+                self._files[id(self.pieces.main)] = self._copy(result.parsed)
+                self._evaluate(result.parsed.root)
+            except Exception as error:  # noqa: BLE001  whatever xacro raises is about the file
+                result.fault = fault(error, self._watch, self.pieces.main)
+        return result
+
+    def _evaluate(self, root: Element | None) -> None:
+        assert root is not None
+        xacro = self._xacro
+        namespace = root.getAttribute("xacro:targetNamespace")
+        if namespace:
+            root.removeAttribute("xacro:targetNamespace")
+            root.setAttribute("xmlns", namespace)
+        xacro.eval_all(root, xacro.Table(), xacro.Table(self._known))
+
+    def _replacements(self) -> Mapping[str, Any]:
+        xacro = self._xacro
+        origin = Origin(self.pieces.main, 0, 0)
+        stop = Text("\n\n", origin, self._watch)
+
+        class Space(xacro.Table, Members):  # type: ignore[misc, name-defined]
+            """The properties of a file that is included under a name."""
+
+            def member(self, name: str) -> Any:
+                try:
+                    return self[name]
+                except KeyError:
+                    raise NameError(f"name '{name}' is not defined") from None
+
+        return {
+            "NameSpace": Space,
+            "all_includes": [],
+            "error": self._remark,
+            "eval_text": self._texts.evaluate,
+            "filestack": [str(self.pieces.path)],
+            "get_include_files": self._included,
+            "macrostack": [],
+            "message": self._remark,
+            "parse": self._parse,
+            "print_location": lambda: "",
+            "remove_previous_comments": removing(stop),
+            "reqd_attrs": self._required,
+            "substitution_args_context": {"arg": self._substitution.arguments},
+            "verbosity": 0,
+            "warning": self._remark,
+        }
+
+    def _own(self) -> Mapping[str, Any]:
+        """What files may call as `xacro.…`."""
+
+        def told(*words: Any, **_: Any) -> str:
+            self._add_remark(" ".join(map(str, words)))
+            return ""
+
+        def fatal(*words: Any) -> str:
+            raise Failure(" ".join(map(str, words)))
+
+        return {
+            "abs_filename": lambda name: str(self._resolved(str(name))),
+            "arg": self._substitution.argument,
+            "dotify": dotted,
+            "error": told,
+            "fatal": fatal,
+            "load_yaml": self._load_yaml,
+            "message": lambda *_, **__: "",
+            "print_location": lambda: "",
+            "tokenize": tokenize,
+            "warning": told,
+        }
+
+    def _directory(self) -> Path:
+        """Where the file at work lies."""
+        return Path(self._xacro.filestack[-1]).parent
+
+    def _resolved(self, name: str) -> Path:
+        return absolute(self._directory() / name)
+
+    def _included(self, name: str, scope: Any) -> Iterator[str]:
+        """The paths of the files that an include names."""
+        element = self._watch.element
+        for path in self._named(name, scope):
+            self._including = element
+            yield str(path)
+
+    def _named(self, name: str, scope: Any) -> Iterator[Path]:
+        given = str(self._texts.evaluate(name, scope))
+        path = self._resolved(given)
+        if not MAGIC.search(given):
+            yield path
+            return
+        if MAGIC.search(str(path.parent)):
+            raise Refused("wildcards for directories")
+        names = [each for each in listing(path.parent) if fnmatch(each, path.name)]
+        if not names:
+            self._add_remark(f"no file matches '{given}'")
+        yield from (path.parent / each for each in names)
+
+    def _parse(self, _: None, name: str) -> Any:
+        """The tree of an included file, as what xacro takes for a document."""
+        path = Path(name)
+        if len(self._xacro.filestack) > INCLUDES:
+            ring = name in self._xacro.filestack[:-1]
+            raise TooMuch(
+                f"'{path.name}' includes itself" if ring else "files include files without end"
+            )
+        try:
+            source = self.pieces.text(path)
+        except Unreadable as error:
+            self._xacro.filestack.pop()
+            if error.missing:
+                raise self._xacro.XacroException(str(error), exc=FileNotFoundError()) from None
+            raise Failure(str(error)) from None
+        except SourceError as error:
+            raise Failure(f"'{error.name}' cannot be read: {error.cause}") from None
+        if self._including is not None:
+            self._includes.append((self._including, source))
+        if id(source) not in self._files:
+            self._files[id(source)] = parse(source, self._watch)
+        parsed = self._files[id(source)]
+        root = self._copy(parsed).root
+        if root is not None:
+            inherit(root, parsed)
+        return _Included(root)
+
+    def _copy(self, parsed: Parsed) -> Parsed:
+        copy = Parsed()
+        copy.root = None if parsed.root is None else parsed.root.cloneNode(deep=True)
+        return copy
+
+    def _load_yaml(self, name: str) -> Any:
+        path = self._resolved(str(name))
+        return yaml_table.load(
+            table(path, self.pieces.path),
+            path.name,
+            lambda text: evaluate(text, self._known, self.bounds),
+            self.bounds,
+        )
+
+    def _required(self, tag: Element, names: list[str]) -> list[str]:
+        """As in xacro; moreover, the element that an `xacro:attribute` is for learns of it."""
+        found = reqd_attrs(tag, names)
+        if tag.tagName == "xacro:attribute" and tag.parentNode is not None:
+            tag.parentNode.giver = tag.origin
+        return found
+
+    def _remark(self, *words: Any, **_: Any) -> None:
+        local = sys._getframe(1).f_locals  # noqa: SLF001  only the caller knows the element
+        self._add_remark(" ".join(map(str, words)), local.get("tag") or local.get("elt"))
+
+    def _add_remark(self, message: str, element: Element | None = None) -> None:
+        element = element or self._watch.element
+        if element is None:
+            return
+        message = " ".join(message.split())
+        symbol = message.removeprefix(REDEFINED) if message.startswith(REDEFINED) else ""
+        span = element.place("name" if symbol else None)
+        remark = Remark(message, element.origin.source, span, symbol)
+        if remark not in self._remarks:
+            self._remarks.append(remark)
+
+
+@dataclass
+class _Included:
+    """As much of a document as xacro asks for."""
+
+    documentElement: Element | None  # noqa: N815
+
+
+def reqd_attrs(tag: Element, names: list[str]) -> list[str]:
+    """The values of the attributes *names*, all of which *tag* must have."""
+    for name in names:
+        if not tag.hasAttribute(name):
+            raise Failure(f"element '{tag.nodeName}' lacks the attribute '{name}'")
+    return [tag.getAttribute(name) for name in names]
+
+
+def _package() -> ModuleType:
+    """The package, which is kept from changing how others write XML."""
+    before = minidom.Element.writexml
+    try:
+        import xacro  # noqa: PLC0415  few files are xacro
+
+        module: ModuleType = xacro
+        return module
+    finally:
+        minidom.Element.writexml = before  # type: ignore[method-assign]
+
+
+@contextmanager
+def _replaced(module: ModuleType, values: Mapping[str, Any]) -> Iterator[None]:
+    """Meanwhile, the names in *module* stand for *values*."""
+    before = {name: getattr(module, name) for name in values}
+    vars(module).update(values)
+    try:
+        yield
+    finally:
+        vars(module).update(before)

@@ -1,0 +1,49 @@
+"""Elements that go, with the lines that they leave empty."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinlint.edits import Edit
+from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.text import Span
+
+
+def removals(layout: Layout, numbers: Iterable[int]) -> Iterator[Edit]:
+    """The edits that delete elements, none of which is within another."""
+    for span in _runs(layout, sorted(layout.whole(number) for number in numbers)):
+        yield Edit(with_lines(layout, span), "")
+
+
+def _runs(layout: Layout, spans: Iterable[Span]) -> list[Span]:
+    """*spans*, of which those are one that only space is between."""
+    runs: list[Span] = []
+    for span in spans:
+        if runs and layout.behind(runs[-1].end) == span.start:
+            runs[-1] = Span(runs[-1].start, span.end)
+        else:
+            runs.append(span)
+    return runs
+
+
+def with_lines(layout: Layout, span: Span) -> Span:
+    """*span* with the lines that it is alone on, or with the blanks that only kept it apart."""
+    text = layout.text
+    start, end = layout.before(span.start, " \t"), layout.behind(span.end, " \t")
+    if layout.begins_line(span.start):
+        if not layout.ends_line(span.end):
+            return Span(span.start, end)
+        if following := BREAK.match(text, end):
+            return Span(start, _one_blank_line(layout, start, following.end()))
+        return span
+    return Span(start, span.end) if start > 0 and text[start - 1] == ">" else span
+
+
+def _one_blank_line(layout: Layout, start: int, end: int) -> int:
+    """The end of what goes from *start* to *end*, further if a blank line is on either side."""
+    above = layout.before(start, "\r\n \t")
+    behind = layout.behind(end, " \t")
+    following = BREAK.match(layout.text, behind)
+    if following and len(BREAK.findall(layout.text, above, start)) > 1:
+        return following.end()
+    return end

@@ -1,0 +1,120 @@
+"""Finds the text that wrote an element."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import NamedTuple
+
+from kinlint.document import Document
+from kinlint.edits import Edit, Unsayable
+from kinlint.formats.xml.editing.element_layout import Layout
+from kinlint.formats.xml.editing.stated_elements import Element, elements
+from kinlint.formats.xml.span_lookup import AT, TEXT
+from kinlint.terms import Term
+from kinlint.text import SourceText, Span
+
+SEVERAL = "the text stands for several elements"
+
+
+class Site(NamedTuple):
+    """Where an element is written: its number in a text, and where in the document that begins.
+
+    `tag` is what it is to be called.
+    """
+
+    layout: Layout
+    number: int
+    begin: int
+    tag: str
+
+    @property
+    def whole(self) -> Span:
+        """The element in the document."""
+        start, end = self.layout.whole(self.number)
+        return Span(start + self.begin, end + self.begin)
+
+    def moved(self, edits: Iterable[Edit]) -> Iterator[Edit]:
+        """*edits* of the text as edits of the document."""
+        for (start, end), text in edits:
+            yield Edit(Span(start + self.begin, end + self.begin), text)
+
+
+class Sites:
+    """The texts of one document and the elements in them."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._pieces = tuple(document.pieces) or ((0, document.source),)
+        self._layouts: dict[int, Layout] = {}
+
+    @cached_property
+    def elements(self) -> Mapping[Term, Element]:
+        """What the document states of its elements."""
+        return elements(self._document.statements)
+
+    def __getitem__(self, node: Term) -> Site:
+        """Where *node* is written; raises Unsayable if it is nowhere, or stands for several."""
+        self.check_uses([node])
+        return self.use(node)
+
+    def check_uses(self, nodes: Iterable[Term]) -> None:
+        """Raises Unsayable if a text that wrote one of *nodes* wrote others too."""
+        places = Counter(self._place(self._start(node)) for node in nodes)
+        if any(self._shared[place] > count for place, count in places.items()):
+            raise Unsayable(SEVERAL)
+
+    def uses(self, site: Site) -> int:
+        """How many elements the text at *site* stands for, at least."""
+        return self._shared[id(site.layout.source), site.layout.start(site.number)]
+
+    def use(self, node: Term) -> Site:
+        """Where *node* is written, maybe as one of several; raises Unsayable if it is nowhere."""
+        element, start = self.elements.get(node), self._start(node)
+        if element is None:
+            raise Unsayable("the element is not written there")
+        begin, source = self._piece(start)
+        layout = self.layout(source)
+        number = layout.number(start - begin)
+        if number is None or layout.name(number) != element.tag:
+            raise Unsayable("the element is not written there literally")
+        return Site(layout, number, begin, element.tag)
+
+    def component(self, node: Term, slot: str, number: int) -> Span | None:
+        """Where the text has a component of an attribute, or of the text, of *node*."""
+        stem = f"{AT}{slot}" if slot else f"<{TEXT}"
+        value = self.elements[node].slots[slot][number]
+        span = self._document.map.triples.get((node, f"{stem}-{number}>", value))
+        if span is None:
+            return None
+        begin, _ = self._piece(span.start)
+        return Span(span.start - begin, span.end - begin)
+
+    def _start(self, node: Term) -> int:
+        spans = self._document.map.nodes.get(node)
+        if spans is None:
+            raise Unsayable("the element is not written there")
+        return spans.whole.start
+
+    def _piece(self, at: int) -> tuple[int, SourceText]:
+        return self._pieces[bisect_right(self._pieces, at, key=lambda piece: piece[0]) - 1]
+
+    def _place(self, at: int) -> tuple[int, int]:
+        begin, source = self._piece(at)
+        return id(source), at - begin
+
+    def layout(self, source: SourceText) -> Layout:
+        """How one of the texts is laid out."""
+        if id(source) not in self._layouts:
+            self._layouts[id(source)] = Layout(source)
+        return self._layouts[id(source)]
+
+    @cached_property
+    def _shared(self) -> Counter[tuple[int, int]]:
+        """How many elements are written at one place; not counted where it is always one."""
+        if not self._document.pieces:
+            return Counter()
+        nodes = self._document.map.nodes
+        return Counter(self._place(nodes[each].whole.start) for each in self.elements)

@@ -1,0 +1,84 @@
+"""New elements as text, with what moves into them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from kinlint.edits import Edit, Unsayable, applied
+from kinlint.formats.xml.editing import rewriting, spelling
+from kinlint.formats.xml.editing.element_delta import Change, Changes
+from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.formats.xml.editing.element_sites import Sites
+from kinlint.formats.xml.editing.insertion import Manner, Written, within
+from kinlint.formats.xml.editing.start_tag import NAME, listed
+from kinlint.terms import Term
+from kinlint.text import Span
+
+Taken = Callable[[Span], list[Edit]]
+"""The edits of a span of the document, which are no longer made there."""
+
+
+@dataclass
+class Fresh:
+    """Writes what *changes* put into elements; *kept* are spellings that stay.
+
+    `written` are the nodes that were written so far.
+    """
+
+    sites: Sites
+    changes: Changes
+    kept: frozenset[str]
+    taken: Taken
+    written: set[Term] = field(default_factory=set)
+
+    def element(self, tag: str, node: Term, layout: Layout, quote: str) -> Written:
+        """How *node* is written as an element with *tag* in a text with a *layout*."""
+        if not NAME.fullmatch(tag):
+            raise Unsayable(f"{tag} is no name in XML")
+        if node in self.changes.moved:
+            return self._moved(node, layout)
+        self.written.add(node)
+        slots = self.changes.values.get(node, Change()).added
+        children = [
+            self.element(name, each, layout, quote)
+            for name, each in self.changes.children.get(node, ())
+        ]
+        head = " ".join((tag, *listed(slots, quote, layout, self.kept)))
+        text = ""
+        if "" in slots:
+            plain = rewriting.written(rewriting.after({}, {}, slots[""], "text"), self.kept)
+            text = spelling.data(plain, layout.source)
+        if children and text:
+            raise Unsayable("there are elements in place of a text")
+
+        def write(manner: Manner) -> str:
+            inside = within(manner, children) if children else text
+            return f"<{head}>{inside}</{tag}>" if inside else f"<{head}{layout.ending}"
+
+        return write
+
+    def _moved(self, node: Term, layout: Layout) -> Written:
+        """How *node* is written elsewhere: as it is, with its lines indented anew."""
+        site = self.sites[node]
+        if site.layout.source.encoding != layout.source.encoding:
+            raise Unsayable("the files have different encodings")
+        old = site.layout.indent(site.number) or ""
+
+        def write(manner: Manner) -> str:
+            span = site.whole
+            own = [
+                Edit(Span(each.start - span.start, each.end - span.start), text)
+                for each, text in self.taken(span)
+            ]
+            text = applied(site.layout.source[site.layout.whole(site.number)], own)
+            if not manner.line_end:
+                return text
+            first, *rest = BREAK.split(text)
+            lines = (
+                f"{manner.indent}{line[len(old) :]}" if line.startswith(old) and line else line
+                for line in rest
+            )
+            return manner.line_end.join((first, *lines))
+
+        return write

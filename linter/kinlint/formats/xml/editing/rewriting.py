@@ -1,0 +1,122 @@
+"""Values that change where they stand: all of them, or some of their components."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from kinlint.edits import Edit, Unsayable
+from kinlint.formats.xml.editing.spelling import plain, spelled, tokens
+from kinlint.formats.xml.value_reading import UNEXPANDED
+from kinlint.terms import Term, literal_value
+from kinlint.text import Span
+
+NOT_LITERAL = "the value is not written there literally"
+EDGES = " \t\r\n\"'<>"
+WORD = re.compile(r"\S+")
+Values = Mapping[int, Term]
+"""The components of a value by their numbers, or the whole as number 0."""
+
+
+Place = Callable[[int], "Span | None"]
+
+
+def after(old: Values, removed: Values, added: Values, name: str) -> dict[int, Term]:
+    """What is left of *old* without *removed*, and with *added*."""
+    left = {number: value for number, value in old.items() if number not in removed}
+    mixed = added and left and (0 in added) != (0 in left)
+    if mixed or any(left.get(number, value) != value for number, value in added.items()):
+        raise Unsayable(f"there is another {name} already")
+    new = {**left, **added}
+    if new and sorted(new) not in ([0], list(range(1, len(new) + 1))):
+        raise Unsayable(f"{name} would have no {_missing(new)}. component")
+    return new
+
+
+def _missing(values: Values) -> int:
+    return next(number for number in range(1, len(values) + 2) if number not in values)
+
+
+def written(values: Values, kept: frozenset[str]) -> str:
+    """*values* as plain text; those spelled as one of *kept* stay so."""
+    text = " ".join(spelled(values[number], kept) for number in sorted(values))
+    if UNEXPANDED.search(text):
+        raise Unsayable("xacro would take the value for an expression")
+    return text
+
+
+def said(values: Values) -> str:
+    """*values* as the file spells them."""
+    return " ".join(literal_value(values[number]) for number in sorted(values))
+
+
+def matches(raw: str, values: Values) -> bool:
+    """Whether *raw*, as XML has it, is what *values* were read from."""
+    return tokens(plain(raw)) == tokens(said(values))
+
+
+@dataclass(frozen=True)
+class Rewriting:
+    """A value that changes from *old* to *new* where it stands in *text*.
+
+    *write* escapes; *place* tells where a component was read from; *kept* are spellings that stay.
+    """
+
+    text: str
+    old: Values
+    new: Values
+    kept: frozenset[str]
+    write: Callable[[str], str]
+    place: Place
+
+    def edits(self, spans: Sequence[Span]) -> list[Edit]:
+        """The edits of a value that stands literally at *spans*.
+
+        Of components that stay, nothing is touched, nor is the space between.
+        """
+        if 0 in self.old or 0 in self.new:
+            first, *rest = spans
+            whole = self.write(written(self.new, self.kept))
+            return [Edit(first, whole), *(Edit(each, "") for each in rest)]
+        words = [Span(*m.span()) for each in spans for m in WORD.finditer(self.text, *each)]
+        if len(words) != len(self.old):
+            raise Unsayable(NOT_LITERAL)
+        edits = [Edit(words[number - 1], new) for number, new in self._changed()]
+        common = min(len(self.old), len(self.new))
+        end = words[common - 1].end
+        if len(self.new) > common:
+            more = range(common + 1, len(self.new) + 1)
+            edits.append(
+                Edit(Span(end, end), "".join(f" {self._component(each)}" for each in more))
+            )
+        elif len(self.old) > common:
+            edits.append(Edit(Span(end, words[-1].end), ""))
+        return edits
+
+    def edits_of_parts(self) -> list[Edit]:
+        """The edits of a value of which other components are expressions of xacro."""
+        if 0 in self.old or self.old.keys() != self.new.keys():
+            raise Unsayable(NOT_LITERAL)
+        edits = []
+        for number, new in self._changed():
+            span = self.place(number)
+            if span is None or not self._is_component(span, self.old[number]):
+                raise Unsayable(NOT_LITERAL)
+            edits.append(Edit(span, new))
+        return edits
+
+    def _is_component(self, span: Span, value: Term) -> bool:
+        around = self.text[span.start - 1], self.text[span.end : span.end + 1]
+        apart = all(each in EDGES for each in around)
+        return apart and self.text[slice(*span)] == literal_value(value)
+
+    def _changed(self) -> list[tuple[int, str]]:
+        return [
+            (number, self._component(number))
+            for number in sorted(self.new)
+            if number in self.old and self.new[number] != self.old[number]
+        ]
+
+    def _component(self, number: int) -> str:
+        return self.write(written({0: self.new[number]}, self.kept))

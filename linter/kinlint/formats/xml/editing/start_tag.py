@@ -1,0 +1,157 @@
+"""Changes of a start tag: its attributes, each written as its neighbours are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from itertools import groupby
+
+from kinlint.edits import Edit, Unsayable
+from kinlint.formats.xml.editing import rewriting, spelling
+from kinlint.formats.xml.editing.element_delta import Change, Slots
+from kinlint.formats.xml.editing.element_layout import Attribute, Layout
+from kinlint.terms import Term
+from kinlint.text import Span
+
+NAME = re.compile(r"[^\W\d][\w.:-]*")
+FIRST = "name"
+
+
+def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> Iterator[str]:
+    """The attributes of a new element, as they are written."""
+    for name, value in sorted(slots.items(), key=lambda each: each[0] != FIRST):
+        if name:
+            text = rewriting.written(rewriting.after({}, {}, value, name), kept)
+            yield assignment(name, text, quote, layout)
+
+
+def assignment(name: str, value: str, quote: str, layout: Layout) -> str:
+    """An attribute as it is written."""
+    if not NAME.fullmatch(name):
+        raise Unsayable(f"{name} is no name in XML")
+    return f"{name}={quote}{spelling.attribute(value, quote, layout.source)}{quote}"
+
+
+@dataclass
+class StartTag:
+    """The start tag of an element that says *slots*.
+
+    *kept* are spellings that stay; *place* tells where a component of an attribute was read from.
+    """
+
+    layout: Layout
+    number: int
+    slots: Slots
+    kept: frozenset[str]
+    place: Callable[[str, int], Span | None]
+
+    def edits(self, change: Change) -> Iterator[Edit]:
+        """The edits that make *change* of the attributes."""
+        layout = self.layout
+        self._all = layout.attributes(self.number)
+        self._first = {each.name: each for each in reversed(self._all)}
+        gone: list[str] = []
+        come: dict[str, dict[int, Term]] = {}
+        for name in (each for each in {**change.removed, **change.added} if each):
+            old, removed = self.slots.get(name, {}), change.removed.get(name, {})
+            new = rewriting.after(old, removed, change.added.get(name, {}), name)
+            if old and name not in self._first:
+                raise Unsayable(rewriting.NOT_LITERAL)
+            literal = not old or rewriting.matches(layout.source[self._first[name].value], old)
+            if old and new:
+                yield from self._changed(name, new, literal=literal)
+            elif not literal:
+                raise Unsayable(rewriting.NOT_LITERAL)
+            elif old:
+                gone.append(name)
+            else:
+                come[name] = new
+        for name in [each for each in come if each in self._first]:
+            raise Unsayable(f"there is another {name} already")
+        texts = {name: rewriting.written(new, self.kept) for name, new in come.items()}
+        for old_name, new_name in list(self._pairs(gone, texts)):
+            gone.remove(old_name)
+            yield from self._renamed(old_name, new_name, texts.pop(new_name))
+        yield from deletions(layout, self.number, lambda each: each.name in gone)
+        yield from self._inserted(texts)
+
+    def _write(self, attribute: Attribute, value: str) -> str:
+        quote = self.layout.text[attribute.value.end]
+        return spelling.attribute(value, quote, self.layout.source)
+
+    def _changed(self, name: str, new: rewriting.Values, *, literal: bool) -> list[Edit]:
+        attribute, old = self._first[name], self.slots[name]
+        write, place = partial(self._write, attribute), partial(self.place, name)
+        value = rewriting.Rewriting(self.layout.text, old, new, self.kept, write, place)
+        if not literal:
+            return value.edits_of_parts()
+        is_string = old.get(0, "").endswith('"')
+        span = attribute.value
+        return value.edits([span if is_string else self.layout.places.bare(span)])
+
+    def _pairs(self, gone: list[str], come: dict[str, str]) -> Iterator[tuple[str, str]]:
+        """Which attribute takes the place of which: the one that says the same, or the next."""
+        left, free = list(come), list(gone)
+        for name in gone:
+            said = spelling.tokens(rewriting.said(self.slots[name]))
+            same = next((each for each in left if spelling.tokens(come[each]) == said), None)
+            if same is not None:
+                left.remove(same)
+                free.remove(name)
+                yield name, same
+        yield from zip(free, left, strict=False)
+
+    def _renamed(self, old: str, new: str, value: str) -> Iterator[Edit]:
+        attribute = self._first[old]
+        if not NAME.fullmatch(new):
+            raise Unsayable(f"{new} is no name in XML")
+        self._once(old)
+        yield Edit(attribute.key, new)
+        if spelling.tokens(rewriting.said(self.slots[old])) != spelling.tokens(value):
+            yield Edit(attribute.value, self._write(attribute, value))
+
+    def _once(self, name: str) -> None:
+        if sum(1 for each in self._all if each.name == name) > 1:
+            raise Unsayable(f"{name} is given twice")
+
+    def _inserted(self, texts: dict[str, str]) -> Iterator[Edit]:
+        """Puts attributes behind the last one, or a name before the first."""
+        layout, tag = self.layout, self.layout.tag(self.number)
+        quote = layout.quote(self.number)
+        space, end = " ", tag.name.end
+        if self._all:
+            last = self._all[-1]
+            before = self._all[-2].end if len(self._all) > 1 else tag.name.end
+            space, end = layout.text[before : last.key.start] or " ", last.end
+        first = [each for each in texts if each == FIRST and self._all]
+        for name in first:
+            at = self._all[0].key.start
+            written = assignment(name, texts.pop(name), quote, layout)
+            yield Edit(Span(at, at), f"{written}{space}")
+        if texts:
+            more = (assignment(name, text, quote, layout) for name, text in texts.items())
+            yield Edit(Span(end, end), "".join(f"{space}{each}" for each in more))
+
+
+def deletions(layout: Layout, number: int, leaves: Callable[[Attribute], bool]) -> Iterator[Edit]:
+    """Takes attributes away with the space before them, or behind if the first ones go."""
+    text, written = layout.text, layout.attributes(number)
+    behind, following = layout.tag(number).name.end, 0
+    for gone, group in groupby(written, leaves):
+        run = list(group)
+        following += len(run)
+        start, end = run[0].key.start, run[-1].end
+        if gone:
+            left = written[following].key.start if following < len(written) else end
+            if left > end and _breaks(text[end:left]) and not _breaks(text[behind:start]):
+                yield Edit(Span(start, left), "")
+            else:
+                glued = following < len(written) and left == end
+                yield Edit(Span(start if glued else behind, end), "")
+        behind = end
+
+
+def _breaks(space: str) -> bool:
+    return "\n" in space or "\r" in space

@@ -1,0 +1,231 @@
+"""What a file says besides its graph, or other than its format has it; states no judgement."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.xml.schema import ElementType, Lifetime, Schema, Slot, version
+from kinlint.formats.xml.span_lookup import Places
+from kinlint.formats.xml.value_reading import UNEXPANDED
+from kinlint.suggestion import nearest
+from kinlint.terms import XSD, Term, iri, literal
+from kinlint.text import Span
+from kinlint.vocabulary import ATTRIBUTE
+
+LONGEST_WORD = 60
+MOST_WORDS = 2_000
+"""No word that is longer, and none after so many, is compared with the known ones."""
+
+
+ABOUT_NAMES = {"UndeclaredAttribute", "UndeclaredPrefix", "LaterFeature", "EarlierFeature"}
+"""What is said of the name of an attribute, rather than of its value."""
+
+
+MOST_PLACES = 3
+
+
+class Note(NamedTuple):
+    """Something to state of an element, at an attribute, at its text ("") or at its tag (None)."""
+
+    kind: str
+    number: int
+    place: str | None
+    details: Mapping[str, str | int | bool | None]
+
+
+@dataclass
+class Remarks:
+    """What was noticed so far. `scopes` are the prefixes that open elements declare."""
+
+    schema: Schema
+    notes: list[Note] = field(default_factory=list)
+    scopes: dict[int, list[str]] = field(default_factory=dict)
+    _declared: dict[str, int] = field(default_factory=dict)
+    _undeclared: set[str] = field(default_factory=set)
+    _orders: dict[tuple[int, str], int] = field(default_factory=dict)
+    _alike: dict[tuple[str, ...], str | None] = field(default_factory=dict)
+    _version: str | None = None
+
+    def note(
+        self, kind: str, number: int, place: str | None, **details: str | int | bool | None
+    ) -> None:
+        """Keep a note for `state`."""
+        self.notes.append(Note(kind, number, place, details))
+
+    def belongs(
+        self, number: int, type_: ElementType, key: str, attributes: Mapping[str, str]
+    ) -> bool:
+        """Whether the unlisted one of *attributes* says something; if not, it declares a prefix."""
+        prefix, colon, name = key.partition(":")
+        if key == "xmlns" or (colon and prefix == "xmlns"):
+            self.scopes.setdefault(number, []).append(name)
+            self._declared[name] = self._declared.get(name, 0) + 1
+            return False
+        if colon:
+            self.uses(number, key, prefix)
+        elif not type_.open:
+            free = [each for each in type_.attributes if each not in attributes]
+            resembles = self._nearest(key, free)
+            self.note(
+                "UndeclaredAttribute",
+                number,
+                key,
+                attribute=key,
+                tag=type_.tag,
+                resembles=resembles,
+            )
+        return True
+
+    def uses(self, number: int, place: str | None, prefix: str) -> None:
+        """A name with *prefix* is used; the first of each that nobody declares is noted."""
+        if prefix == "xml" or prefix in self._undeclared or self._declared.get(prefix):
+            return
+        self._undeclared.add(prefix)
+        self.note("UndeclaredPrefix", number, place, prefix=prefix)
+
+    def leave(self, number: int) -> None:
+        """The element *number* ends, and with it what its prefixes stand for."""
+        for prefix in self.scopes.pop(number, ()):
+            self._declared[prefix] -= 1
+
+    def stranger(self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]) -> None:
+        """An element that *outer* does not list; *first* are the tags that were there."""
+        prefix, colon, _ = tag.partition(":")
+        if colon:
+            self.uses(number, None, prefix)
+            if prefix == "xacro":
+                self.note("Unexpanded", number, None, written=f"<{tag}>")
+        elif not outer.open:
+            elsewhere = self.schema.parents.get(tag)
+            if elsewhere:
+                self.note(
+                    "MisplacedElement", number, None,
+                    tag=tag, parentTag=outer.tag or None, elsewhere=_listed(elsewhere),
+                )  # fmt: skip
+            else:
+                free = [each for each in outer.children if each not in outer.once & first.keys()]
+                resembles = self._nearest(tag, free)
+                self.note(
+                    "UndeclaredElement", number, None,
+                    tag=tag, parentTag=outer.tag or None, resembles=resembles,
+                )  # fmt: skip
+
+    def typed(self, number: int, type_: ElementType, attributes: Mapping[str, str]) -> None:
+        """An element of the format: what it lacks, and what its version does not have."""
+        if not number:
+            self._version = attributes.get("version", self.schema.version)
+        for name in type_.required:
+            if name not in attributes:
+                self.note("MissingAttribute", number, None, attribute=name, tag=type_.tag)
+        for name in type_.choices:
+            if name in attributes:
+                self.chosen(number, type_, name, attributes[name])
+        if not type_.dated:
+            return
+        if type_.lifetime is not None:
+            self._dated(number, None, type_, type_.tag, type_.lifetime)
+        for name, lifetime in type_.lifetimes.items():
+            if name in attributes:
+                self._dated(number, name, type_, name, lifetime)
+
+    def chosen(self, number: int, type_: ElementType, key: str, written: str) -> None:
+        """A value of what has only a few; *key* is empty for text."""
+        known = type_.choices[key]
+        if written not in known and "$" not in written:
+            folded = {each.casefold(): each for each in known}
+            self.note(
+                "UnknownChoice", number, key,
+                tag=type_.tag, written=written, choices=", ".join(filter(None, known)),
+                resembles=folded.get(written.casefold()),
+            )  # fmt: skip
+
+    def _dated(
+        self, number: int, place: str | None, type_: ElementType, name: str, life: Lifetime
+    ) -> None:
+        declared = version(self._version or "")
+        if declared is None:
+            return
+        since, until = version(life.since or ""), version(life.until or "")
+        said = {"feature": name, "tag": type_.tag, "declared": self._version}
+        if since is not None and declared < since:
+            self.note("LaterFeature", number, place, since=life.since, **said)
+        elif until is not None and declared > until:
+            self.note("EarlierFeature", number, place, until=life.until, **said)
+
+    def malformed(self, number: int, tag: str, key: str, written: str, slot: Slot) -> None:
+        """A value that is not what *slot* takes; *key* is empty for text."""
+        if UNEXPANDED.search(written):
+            self.unexpanded(number, key, written)
+            return
+        expected = slot.reading.expected
+        self.note(
+            "MalformedValue", number, key,
+            attribute=key or None, tag=tag, written=written, expected=expected,
+            reason=slot.reading.reason(written),
+        )  # fmt: skip
+
+    def unexpanded(self, number: int, key: str, written: str) -> None:
+        """An expression of xacro in a value; *key* is empty for text."""
+        self.note("Unexpanded", number, key, written=written)
+
+    def repeated(self, number: int, holder: int, tag: str, before: int) -> None:
+        """One more element where the format takes one; *before* is the first."""
+        order = self._orders[holder, tag] = self._orders.get((holder, tag), 1) + 1
+        self.note("RepeatedElement", number, None, tag=tag, ordinal=order, first=before)
+
+    def _nearest(self, word: str, known: Sequence[str]) -> str | None:
+        """What of *known* is most like *word*; asked once for each word and what is known."""
+        key = (word, *known)
+        if key not in self._alike:
+            if len(word) > LONGEST_WORD or len(self._alike) > MOST_WORDS:
+                return None
+            self._alike[key] = nearest(word, known)
+        return self._alike[key]
+
+    def state(self, layer: SourceLayer, places: Places, nodes: list[Term]) -> None:
+        """Put all that was noted into *layer*; *nodes* are the elements by their number."""
+        for kind, number, place, details in self.notes:
+            said = dict(details)
+            if kind == "RepeatedElement":
+                first = said.pop("first")
+                assert isinstance(first, int)
+                said["equal"] = _content(places, first) == _content(places, number)
+            terms = [(name, _term(value)) for name, value in said.items()]
+            if kind == "UnknownChoice":
+                terms.append(("property", iri(ATTRIBUTE + place) if place else src("text")))
+            layer.about(kind, _span(places, kind, number, place), ("node", nodes[number]), *terms)
+
+
+def _span(places: Places, kind: str, number: int, place: str | None) -> Span:
+    tag = places.tag(number)
+    if place is None:
+        return tag.name
+    if place:
+        spans = tag.keys if kind in ABOUT_NAMES else tag.attributes
+        return spans.get(place, tag.name)
+    runs = places.runs(number)
+    return Span(runs[0].start, runs[-1].end) if runs else tag.name
+
+
+def _listed(tags: Sequence[str]) -> str:
+    """The first of *tags* in a phrase."""
+    *most, last = list(dict.fromkeys(tags))[:MOST_PLACES]
+    return f"{', '.join(most)} or {last}" if most else last
+
+
+def _content(places: Places, number: int) -> list[str]:
+    """An element as it is written, but for space."""
+    return places.text[slice(*places.whole(number))].split()
+
+
+def _term(value: str | int | bool | None) -> Term | None:  # noqa: FBT001
+    if value is None:
+        return None
+    if isinstance(value, bool):
+        return literal("true" if value else "false", f"{XSD}boolean")
+    if isinstance(value, int):
+        return literal(str(value), f"{XSD}integer")
+    return literal(value)
