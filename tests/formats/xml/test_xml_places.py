@@ -14,7 +14,7 @@ from kinlint.document import Document
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.reader import read
 from kinlint.terms import Term, iri_value, is_blank, literal_datatype, literal_value
-from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, SRC
+from kinlint.vocabulary import ATTRIBUTE, EXTENSION, KINLINT, REFERENCE, SRC
 
 MARKUP = re.compile(r"<!--.*?-->|<!\[CDATA\[(.*?)\]\]>|<(\w+)[^>]*>.*?</\2>|<[^>]*/>", re.DOTALL)
 SAME = {"inf": "INF", "+inf": "INF", "-inf": "-INF", "nan": "NaN", "-nan": "NaN"}
@@ -40,6 +40,8 @@ def assert_said(model: Document, subject: Term, prop: Term, value: Term) -> None
         assert_remarked(model, name, value, there)
     elif name.startswith((ATTRIBUTE, f"{SRC}text")):
         assert said(there, value), (model.source.position(span.start), there, value)
+    elif name.startswith(REFERENCE):
+        assert model.map.nodes[value].whole != span
     elif value in model.map.nodes and not name.startswith(SRC):
         assert name in (f"{KINLINT}{model.format.name}#{there}", f"{EXTENSION}{there}")
         assert model.source[model.map.nodes[value].whole].startswith(f"<{there}")
