@@ -12,7 +12,7 @@ from rdflib import RDFS, Graph, Literal, Namespace
 from rdflib.compare import isomorphic
 
 from kinlint.cli.main import main
-from kinlint.formats.turtle.tokens import tokens
+from kinlint.formats.turtle.turtle_tokens import tokens
 from kinlint.resources import data
 from kinlint.rule_formatting.formatter import QUERIES, WIDTH, formatted
 from kinlint.rule_formatting.sparql_layout import laid_out
