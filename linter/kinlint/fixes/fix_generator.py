@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint.catalogue.applicability import covers
 from kinlint.edits import Edit, Unsayable, overlap
-from kinlint.fixes.change import change
+from kinlint.fixes.dry_run import change
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.fixes.placing import placed
 from kinlint.model import Applicability, Finding, Fix, Repair
@@ -109,7 +109,7 @@ class FixGenerator(Generator):
 
 
 def _ordered(edits: Iterable[Edit]) -> tuple[Edit, ...]:
-    """*edits* of one text; raises Unsayable if its uses are to say different things."""
+    """Sort *edits* of one text; raise `Unsayable` if its uses are to say different things."""
     ordered = sorted(edits, key=lambda edit: edit.span)
     if any(overlap((one,), (other,)) for one, other in pairwise(ordered)):
         raise Unsayable("the text stands for several elements, which differ then")

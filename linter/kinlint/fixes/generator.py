@@ -35,7 +35,7 @@ class Candidate:
 
     finding: Finding
     repair: Repair
-    """What says how far the change may be trusted, and what it is called."""
+    """The title of the change, and how far it may be trusted."""
     rank: int
     """The place of the repair among those of the finding; the preferred has 0."""
     meant: Delta
@@ -74,7 +74,7 @@ class Generator(ABC):
     settings: Settings
     rulebook: Rulebook
     refused: list[Refusal] = field(default_factory=list)
-    """What could not be written down."""
+    """The changes that could not be written, with the reasons."""
     _editors: dict[Term, Editor] = field(default_factory=dict)
 
     remains: ClassVar[str] = "the finding would stay"

@@ -11,9 +11,9 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.fixes.generator import Candidate, Generator, Refusal
+from kinlint.fixes.sparql_update import update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, tried
-from kinlint.fixes.wording import update
 from kinlint.formats.dependencies.file_groups import models
 from kinlint.lint import examine
 from kinlint.model import Applicability, Finding, Fix
@@ -24,17 +24,17 @@ from kinlint.terms import Term
 from kinlint.text import SourceText
 
 Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
-"""What tells which of the findings of a run are to be mended."""
+"""Selects the findings of a run that are to be mended."""
 
 
 def every(findings: Sequence[Finding]) -> Sequence[Finding]:
-    """All *findings*."""
+    """Return all *findings*."""
     return findings
 
 
 @dataclass(frozen=True)
 class Offers:
-    """What can be done about the findings of an examination."""
+    """The candidates that hold, for the findings of an examination."""
 
     generator: Generator
     groups: Sequence[Group]

@@ -12,13 +12,13 @@ from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_literal
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
 FAR = 64
-"""How far from a blank node its surroundings are looked at, in steps."""
+"""The radius of the neighbourhood that tells blank nodes apart, in steps."""
 
 OF_THE_TEXT = f"<{SRC}"
 
 
 def proven(before: Document, after: Document, delta: Delta) -> bool:
-    """Whether *after* states exactly what *before* states with *delta*.
+    """Tell whether *after* states exactly what *before* states with *delta*.
 
     Blank nodes may be called otherwise, and numbers be spelled otherwise. Where *delta* mends what
     was lost in reading, nobody can tell beforehand what is found: then nothing may be missing,
@@ -43,12 +43,12 @@ def proven(before: Document, after: Document, delta: Delta) -> bool:
 
 
 def _means_nothing(triple: Triple) -> bool:
-    """Whether *triple* has a type that is none, which a context may yet give a meaning."""
+    """Tell whether *triple* has a type that is none, which a context may yet give a meaning."""
     return triple[1] == RDF_TYPE and triple[2].startswith(f"<{DOCUMENT_BASE}")
 
 
 def _of_the_text(triple: Triple) -> bool:
-    """Whether *triple* is about the writing, not about what is written."""
+    """Tell whether *triple* is about the writing, not about what is written."""
     _, predicate, value = triple
     return predicate.startswith(OF_THE_TEXT) or (
         predicate == RDF_TYPE and value.startswith(OF_THE_TEXT)
@@ -56,7 +56,7 @@ def _of_the_text(triple: Triple) -> bool:
 
 
 def _canonical(statements: Iterable[Triple]) -> Counter[Triple]:
-    """*statements* of the model, with blank nodes called by what is said of and about them.
+    """Return *statements* of the model, blank nodes named by the statements around them.
 
     That is the colour refinement of graphs: nodes keep one name only if nothing within `FAR`
     steps tells them apart, and then they are counted.

@@ -24,7 +24,7 @@ from kinlint.text import SourceText
 State: TypeAlias = frozenset[tuple[Path, str]]
 """The texts that differ from what they were at first, by their paths."""
 ROUNDS = 10
-"""How often mending may bring about something else to mend."""
+"""How many rounds of changes are made at most."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ def mended(  # noqa: PLR0913, PLR0917
 
 
 def _known(found: Offers, texts: Texts, errors: Collection[SourceError]) -> Examination | None:
-    """What was found in *texts* when they were tried, which is all unless there were *errors*."""
+    """Return what the trial of *texts* found; None if that is not all, as after *errors*."""
     if errors or found.latest is None or not found.latest[0].same(texts):
         return None
     return found.latest[1]

@@ -24,7 +24,7 @@ class Changes(Protocol):
 
     @property
     def edits(self) -> Mapping[Path, Sequence[Edit]]:
-        """What is to change in each."""
+        """The edits of each."""
         ...
 
 
@@ -43,21 +43,21 @@ class Texts:
     _paths: dict[str, Path] = field(default_factory=dict, repr=False)
 
     def same(self, other: Texts) -> bool:
-        """Whether all that is given and changed reads as in *other*."""
+        """Tell whether all that is given and changed reads as in *other*."""
         return list(self.given) == list(other.given) and self.changed == other.changed
 
     def path(self, source: SourceText) -> Path:
-        """The file that holds *source*, with all links followed."""
+        """Return the file that holds *source*, with all links followed."""
         if source.name not in self._paths:
             self._paths[source.name] = real(source.name)
         return self._paths[source.name]
 
     def paths(self, document: Document) -> Iterable[Path]:
-        """The files that *document* is read from."""
+        """Return the files that *document* is read from."""
         return map(self.path, document.sources)
 
     def rewritten(self, batch: Iterable[Changes]) -> Texts:
-        """These texts with the edits of *batch*, those that several make once."""
+        """Return these texts with the edits of *batch*, those that several make once."""
         edits: dict[Path, dict[Edit, None]] = {}
         sources: dict[Path, SourceText] = {}
         for each in batch:

@@ -15,7 +15,7 @@ from kinlint.files.pathname import real
 from kinlint.fixes.texts import Texts
 
 SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))
-"""Where files are installed, wherever kinlint runs."""
+"""Directories of installed files, on any system."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class WritableFiles:
 
 
 def _holds(root: Path, path: Path) -> bool:
-    """Whether *path* lies below *root*, and is neither installed nor made there."""
+    """Tell whether *path* lies below *root*, and is neither installed nor made there."""
     if not path.is_relative_to(root) or any(path.is_relative_to(each) for each in SYSTEM):
         return False
     return SKIPPED.isdisjoint(path.relative_to(root).parts)

@@ -17,7 +17,7 @@ STRANGE = re.compile(r"--|-$|[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ff
 
 
 def comment(source: SourceText, element: Span, codes: Iterable[str], reason: str | None) -> Edit:
-    """What silences *codes* in the element that *element* covers.
+    """Return the edit that silences *codes* in the element that *element* covers.
 
     It joins a comment that is there for the same reason; else it is a line above the element, or
     follows the element if that does not begin its line.
@@ -42,14 +42,14 @@ def comment(source: SourceText, element: Span, codes: Iterable[str], reason: str
 
 
 def _beginning(text: str, at: int) -> tuple[int, str | None]:
-    """Where the line of *at* begins, and what is before it; None if that is more than space."""
+    """Return where the line of *at* begins, and its indentation; None if *at* is further in."""
     start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
     before = text[start:at]
     return start, before if not before.strip(" \t") else None
 
 
 def _above(text: str, at: int) -> re.Match[str] | None:
-    """The comment for kinlint on a line of its own that nothing but space parts from *at*."""
+    """Return the comment for kinlint on its own line that only space parts from *at*."""
     end = _trimmed(text, at)
     begin = text.rfind("<!--", 0, end)
     if begin < 0 or not text.startswith("-->", end - 3):
@@ -66,7 +66,7 @@ def _trimmed(text: str, at: int) -> int:
 
 
 def _same(found: re.Match[str], reason: str) -> bool:
-    """Whether the comment *found* gives *reason* and no other, for a list of rules."""
+    """Tell whether the comment *found* gives *reason* and no other, for a list of rules."""
     said = found[3]
     introduction = INTRODUCTION.match(said)
     told = " ".join(said[introduction.end() if introduction else 0 :].split())
@@ -74,7 +74,7 @@ def _same(found: re.Match[str], reason: str) -> bool:
 
 
 def _line_end(text: str, at: int) -> str:
-    """How lines end before *at*, or else behind it."""
+    """Return the line end before *at*, or else the first one."""
     if at:
         return "\r\n" if text[at - 2 : at] == "\r\n" else text[at - 1]
     found = LINE_END.search(text)

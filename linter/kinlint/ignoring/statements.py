@@ -16,7 +16,7 @@ LINE_END = re.compile(r"\r\n?|\n")
 
 
 def delta(document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None) -> Delta:
-    """What *document* is to say so that of each node its *codes* are silent, for *reason*."""
+    """Return the statements that silence the *codes* of each node of *document*, for *reason*."""
     return Delta(added=tuple(_said(document, codes, reason)))
 
 
@@ -37,7 +37,7 @@ def _said(
 
 
 def appended(document: Document, change: Delta) -> Edit:
-    """The statements of *change* at the end of *document*.
+    """Return the edit that writes the statements of *change* at the end of *document*.
 
     Raises Unsayable for a node that has no name in the text.
     """
@@ -65,6 +65,6 @@ def appended(document: Document, change: Delta) -> Edit:
 
 
 def _free(text: str) -> int:
-    """A number that no label of ours in *text* has."""
+    """Return a number that no label of ours in *text* has."""
     taken = {int(number) for number in re.findall(r"_:kinlint(\d+)x", text)}
     return max(taken, default=0) + 1

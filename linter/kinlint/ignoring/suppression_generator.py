@@ -43,7 +43,7 @@ class SuppressionGenerator(Generator):
     """Writes suppressions of what an examination found in texts."""
 
     reason: str | None = None
-    """What each suppression gives as its reason."""
+    """The reason that each suppression gives."""
     _nests: dict[Term, Mapping[str, IntervalIndex[Location]]] = field(default_factory=dict)
 
     remains: ClassVar[str] = "it would be found all the same"

@@ -1,1 +1,1 @@
-"""Examines a model again after a small change, and looks only at what the change touches."""
+"""Follows a small change of a model through the stages of its analysis."""

@@ -18,7 +18,7 @@ Node: TypeAlias = ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple
 Fact: TypeAlias = tuple[Node, ox.NamedNode, Node]
 
 THIS = "?this"
-"""What targets are called where they are chosen."""
+"""The variable of targets where they are chosen."""
 MOST = 60
 """More nodes are as well found by a query about all."""
 
@@ -46,7 +46,7 @@ class AffectedNodes:
         self._reached: dict[tuple[Node, Path, bool], tuple[Node, ...]] = {}
 
     def is_target(self, node: Node, targets: Sequence[Triple]) -> bool:
-        """Whether one of the patterns *targets* chooses *node*."""
+        """Tell whether one of the patterns *targets* chooses *node*."""
         return any(self._known_to_choose(way, node) for way in targets)
 
     def _known_to_choose(self, way: Triple, node: Node) -> bool:
@@ -70,7 +70,7 @@ class AffectedNodes:
         return any(value in self._changes.above(quad.object) for quad in found)
 
     def nodes(self, pattern_paths: Sequence[PatternPath]) -> set[Node]:
-        """The target nodes that any of *pattern_paths* leads to from what changed.
+        """Return the target nodes that any of *pattern_paths* leads to from what changed.
 
         Raises `TooMany`.
         """
@@ -109,7 +109,7 @@ class AffectedNodes:
         return (fact for term in path.terms for fact in self._by_property.get(term, ()))
 
     def _step(self, nodes: Collection[Node], path: Path, back: bool) -> set[Node]:  # noqa: FBT001
-        """The nodes that *path* leads to from *nodes*, *back* or not."""
+        """Return the nodes that *path* leads to from *nodes*, *back* or not."""
         if path.plain:
             return self._bounded(end for node in nodes for end in self._near(node, path, back))
         found, waiting = set(nodes), list(nodes)
@@ -132,7 +132,7 @@ class AffectedNodes:
         return found
 
     def _near(self, node: Node, path: Path, back: bool) -> tuple[Node, ...]:  # noqa: FBT001
-        """What *path* leads to from *node* in one step, *back* or not."""
+        """Return what *path* leads to from *node* in one step, *back* or not."""
         key = node, path, back
         if key not in self._reached:
             self._reached[key] = tuple(islice(self._ends(node, path, (back,)), MOST + 1))
@@ -166,12 +166,12 @@ def _fact(quad: ox.Quad) -> Fact:
 
 
 def _fixed(end: str) -> str:
-    """What is written at an end of a pattern, but the name of a variable."""
+    """Return the term at an end of a pattern, `?` for any variable."""
     return "?" if is_variable(end) else end
 
 
 def _matches(edge: Edge, fact: Fact) -> bool:
-    """Whether *fact* may match *edge*, by the terms that are written in it."""
+    """Tell whether *fact* may match *edge*, by the terms that are written in it."""
     if not edge.path.plain:
         return True
     return all(

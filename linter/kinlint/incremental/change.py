@@ -1,4 +1,4 @@
-"""What changed in the graphs of a store, and the terms by which others may care."""
+"""Changes of the graphs of a store, with the terms by which queries may depend on them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TYPE = ox.NamedNode(iri_value(RDF_TYPE))
 
 
 def quads(triples: Iterable[Triple], name: Term) -> list[ox.Quad]:
-    """*triples* in the graph *name*, less those that no RDF store accepts."""
+    """Return *triples* in the graph *name*, less those that no RDF store accepts."""
     lines = [f"{s} {p} {o} {name} .\n" for s, p, o in triples]
     return list(_parsed(lines)) if lines else []
 
@@ -35,25 +35,24 @@ def _parsed(lines: list[str]) -> Iterator[ox.Quad]:
 
 @dataclass
 class Changes:
-    """All that changed in *store* since its model was last examined.
-
-    `properties` and `classes` are those of the triples that did, with what these classes are below.
-    `rewritten` tells that a file says something else, or in another order.
-    """
+    """The changes of a store since its model was last analysed."""
 
     store: Store
     removed: list[ox.Quad] = field(default_factory=list)
     added: list[ox.Quad] = field(default_factory=list)
     properties: set[Term] = field(default_factory=set)
+    """The properties of the triples that changed."""
     classes: set[Term] = field(default_factory=set)
+    """The classes of the types that changed, and those above them."""
     rewritten: bool = False
+    """Whether a file says something else, or in another order."""
     _above: dict[Kind, frozenset[Term]] = field(default_factory=dict)
 
     def __bool__(self) -> bool:
         return bool(self.removed or self.added)
 
     def make(self, removed: Iterable[ox.Quad], added: Iterable[ox.Quad]) -> Changes:
-        """Remove and add to the store what it has and has not; answers what that changed."""
+        """Remove and add to the store what it has and has not; return what that changed."""
         store = self.store.oxigraph
         gone = [quad for quad in dict.fromkeys(removed) if quad in store]
         for quad in gone:
@@ -79,7 +78,7 @@ class Changes:
         self.classes = set().union(*map(self.above, kinds))
 
     def above(self, kind: Kind) -> frozenset[Term]:
-        """The class *kind* and all that it is a subclass of."""
+        """Return the class *kind* and all that it is a subclass of."""
         if kind not in self._above:
             found, waiting = {kind}, [kind]
             while waiting:

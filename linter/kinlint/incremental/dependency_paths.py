@@ -1,4 +1,4 @@
-"""From where in a query its target node can be reached: which nodes a triple may concern."""
+"""Dependency paths of a query: from each of its patterns to the target node."""
 
 from __future__ import annotations
 
@@ -29,17 +29,16 @@ REQUIRED = frozenset({"LATERAL", "GRAPH"})
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """The edges that a property path takes: of `terms`, None for any.
-
-    `plain` ones take one edge from subject to object, others any number of them in any direction.
-    """
+    """The edges that a property path takes."""
 
     terms: frozenset[Term] | None
+    """The properties of the edges; None for any."""
     plain: bool
+    """Whether it takes one edge from subject to object; else any number in any direction."""
 
     @classmethod
     def of(cls, words: Sequence[str]) -> Path:
-        """The edges of the path that is spelled by *words*."""
+        """Return the edges of the path that is spelled by *words*."""
         named = frozenset(word for word in words if PLAIN.fullmatch(word))
         if is_variable(words[0]):
             return cls(None, plain=True)
@@ -58,20 +57,18 @@ class Edge:
 
 @dataclass(frozen=True, slots=True)
 class PatternPath:
-    """A pattern, and how the target is reached from its subject or else from its object.
-
-    Each step is a path, and whether it is taken from object to subject. There is no way where
-    `steps` is None.
-    """
+    """A pattern of a query, and how the target is reached from it."""
 
     edge: Edge
     from_object: bool
+    """Whether the way begins at the object of the pattern; else at its subject."""
     steps: tuple[tuple[Path, bool], ...] | None
+    """The paths taken, and whether each is taken from object to subject; None for no way."""
 
 
 @lru_cache(maxsize=512)
 def pattern_paths(select: str) -> tuple[PatternPath, ...] | None:
-    """How each pattern of the query *select* leads to its target; None where that is no matter.
+    """Return how each pattern of *select* leads to its target; None where that does not matter.
 
     Where the target node is chosen by others than its own triples, each triple concerns all.
     """
@@ -81,7 +78,7 @@ def pattern_paths(select: str) -> tuple[PatternPath, ...] | None:
 
 
 def ways(group: Group, root: str) -> tuple[PatternPath, ...] | None:
-    """How each pattern of *group* leads to its variable *root*; None where that is no matter."""
+    """Return how each pattern of *group* leads to *root*; None where that does not matter."""
     reader = _Reader(root)
     try:
         reader.read(group, (), _Scope())
@@ -103,7 +100,7 @@ def _root(query: Select) -> str | None:
 
 
 class _Scope:
-    """What the variables of a sub-select are called outside: those that it does not show, nothing.
+    """Names of the variables of a sub-select outside it; hidden ones have none.
 
     The names of the whole query are its own.
     """
@@ -113,13 +110,13 @@ class _Scope:
         self._known = {each: outer.name(each) for each in shown} if outer is not None else {}
 
     def name(self, variable: str) -> str:
-        """The name of *variable* that no other one has in the whole query."""
+        """Return the name of *variable* that no other one has in the whole query."""
         if self._outer is None:
             return variable
         return self._known.setdefault(variable, f"{variable} {id(self)}")
 
     def name_end(self, end: str) -> str:
-        """The same of a term, which is its own name."""
+        """Return the name of a variable, or a term itself."""
         return self.name(end) if is_variable(end) else end
 
 
@@ -187,7 +184,7 @@ class _Reader:
 
 
 def _sight(edge: Edge, context: Sequence[Edge], root: str) -> PatternPath:
-    """The shortest way from *edge* to *root* by what *context* has."""
+    """Return the shortest way from *edge* to *root* by what *context* has."""
     waiting = deque[tuple[str, tuple[tuple[Path, bool], ...], bool]]()
     for end, from_object in ((edge.subject, False), (edge.object, True)):
         if is_variable(end):

@@ -1,4 +1,4 @@
-"""What one list of statements has that another has not."""
+"""The difference of two lists of statements."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import NamedTuple
 from kinlint.terms import Triple
 
 AHEAD = 48
-"""So far is looked for the place where two lists agree again."""
+"""How many statements ahead the place is looked for where two lists agree again."""
 
 
 class Difference(NamedTuple):
-    """What must be removed from statements, and added, to have others."""
+    """The statements to remove from a list, and to add, to have another."""
 
     removed: frozenset[Triple]
     added: frozenset[Triple]
@@ -25,7 +25,7 @@ NONE = Difference(frozenset(), frozenset())
 
 
 def difference(old: Sequence[Triple], new: Sequence[Triple]) -> Difference:
-    """What turns the statements *old* into *new*, each of which has a triple once.
+    """Return what turns the statements *old* into *new*, each of which has a triple once.
 
     As fast as comparing them where they differ in a few places.
     """
@@ -50,7 +50,7 @@ def difference(old: Sequence[Triple], new: Sequence[Triple]) -> Difference:
 def _meeting(
     old: Sequence[Triple], at: int, new: Sequence[Triple], to: int
 ) -> tuple[int, int] | None:
-    """How far to go on in both until they agree; None if that is further than `AHEAD`."""
+    """Return how far to go on in both until they agree; None if that is further than `AHEAD`."""
     ahead = {triple: step for step, triple in enumerate(new[to : to + AHEAD])}
     steps = (
         (step + ahead[triple], step, ahead[triple])

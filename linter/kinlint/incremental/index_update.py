@@ -1,4 +1,4 @@
-"""Brings tables that were read of a store in step with it, where something changed."""
+"""Updates tables that were read from a store, where something changed."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def update_index(
 
 
 def _table(old: Table, found: Values) -> Table:
-    """*old* with the values that are *found* of some subjects, by subject as all tables are."""
+    """Return *old* with the values that are *found* of some subjects, sorted by subject."""
     new = Table()
     one, several = dict(old.one), dict(old.several)
     for subject, values in found.items():
@@ -70,14 +70,14 @@ def _table(old: Table, found: Values) -> Table:
 
 
 def _sorted(table: dict[Term, Value], old: Mapping[Term, Value]) -> dict[Term, Value]:
-    """*table* by subject, as it still is unless it has subjects that the *old* one had not."""
+    """Return *table* by subject; it is sorted still unless it has more than the *old* one."""
     if table.keys() <= old.keys():
         return table
     return {subject: table[subject] for subject in sorted(table)}
 
 
 def _numbers(table: Table, old: Mapping[Term, float], found: Values) -> dict[Term, float]:
-    """The numbers of *table*, whose subjects other than those *found* have *old* ones."""
+    """Return the numbers of *table*, whose subjects other than those *found* have *old* ones."""
     subjects: Iterable[Term] = (*table.one, *table.several)
     numbers = (
         (each, number_of(table.of(each)) if each in found else old.get(each)) for each in subjects

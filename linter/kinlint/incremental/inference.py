@@ -70,7 +70,7 @@ class Inference:
         return new
 
     def _doubtful(self, lost: Sequence[Fact]) -> list[Fact]:
-        """What was inferred and may follow from what is *lost*, which is put back for this."""
+        """Return what was inferred and may follow from what is *lost*, put back for this."""
         store = self.store.oxigraph
         store.extend([_in(SCRATCH, fact) for fact in lost])
         found: dict[Fact, None] = {}
@@ -85,7 +85,7 @@ class Inference:
         return list(found)
 
     def _from(self, fact: Fact) -> Iterator[Fact]:
-        """What follows from *fact*, together with what else holds."""
+        """Yield what follows from *fact*, together with what else holds."""
         for number, place in self._premises.get(_key(fact), ()):
             body, head = self._rules[number]
             known = _matched(body[place], fact, {})
@@ -100,7 +100,7 @@ class Inference:
                     yield subject, predicate, value
 
     def _follows(self, fact: Fact) -> bool:
-        """Whether *fact* follows from what holds in one step."""
+        """Tell whether *fact* follows from what holds in one step."""
         for number in self._heads.get(_key(fact), ()):
             body, head = self._rules[number]
             known = _matched(head, fact, {})
@@ -139,7 +139,7 @@ def _in(graph: ox.NamedNode, fact: Fact) -> ox.Quad:
 
 
 def _pattern(pattern: tuple[str, str, str]) -> Pattern:
-    """*pattern* with its tokens as terms of the store."""
+    """Return *pattern* with its tokens as terms of the store."""
     subject, predicate, value = pattern
     return _part(subject), _part(predicate), _part(value)
 
@@ -149,7 +149,7 @@ def _part(token: str) -> Part:
 
 
 def _key(pattern: Pattern | Fact) -> Key:
-    """The property of *pattern*, and the class if it says that something is of one."""
+    """Return the property of *pattern*, and the class if it says that something is of one."""
     _, predicate, value = pattern
     assert not isinstance(predicate, str)
     return predicate, value if predicate == TYPE and not isinstance(value, str) else None
@@ -160,7 +160,7 @@ def _bound(part: Part, bindings: Bindings) -> Part:
 
 
 def _matched(pattern: Pattern, fact: Fact, known: Bindings) -> Bindings | None:
-    """*known* with what the variables of *pattern* must be to give *fact*; None if it cannot."""
+    """Bind the variables of *pattern*, some *known*, so that it gives *fact*; None if none do."""
     bindings = dict(known)
     for part, term in zip(pattern, fact, strict=True):
         if isinstance(part, str):
@@ -172,6 +172,6 @@ def _matched(pattern: Pattern, fact: Fact, known: Bindings) -> Bindings | None:
 
 
 def followable(axioms: Iterable[Axiom]) -> bool:
-    """Whether `Inference` can follow *axioms*: each pattern names its property and its class."""
+    """Tell whether `Inference` can follow *axioms*: all name their properties and classes."""
     patterns = (pattern for axiom in axioms for pattern in (*axiom.body, axiom.head))
     return not any(is_variable(p) or (_part(p) == TYPE and is_variable(o)) for _, p, o in patterns)

@@ -1,4 +1,4 @@
-"""What a query looks at: the terms by which it finds triples."""
+"""Dependencies of a query: the terms by which it finds triples."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Dependencies:
     any_property: bool
 
     def looks_at(self, properties: Collection[Term], classes: Collection[Term]) -> bool:
-        """Whether triples of *properties*, and of being of *classes*, may matter.
+        """Tell whether triples of *properties*, and of being of *classes*, may matter.
 
         *classes* have those with them that they are below.
         """
@@ -39,7 +39,7 @@ class Dependencies:
 
 @lru_cache(maxsize=1024)
 def dependencies(select: str) -> Dependencies:
-    """What the query *select* looks at, at most; of what it does not find, that it is not there."""
+    """Return all that the query *select* may look at, be it there or not."""
     query = parse(tokens(select, {}))
     found = triple_patterns(query)
     return Dependencies(

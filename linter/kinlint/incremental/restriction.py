@@ -1,4 +1,4 @@
-"""Asks a lifting query for what it finds with some values of one of its variables."""
+"""Restricts a lifting query to some values of one of its variables."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Restriction:
 
 @lru_cache(maxsize=512)
 def restriction(select: str) -> Restriction | None:
-    """The variable of the query *select* to which the most of its patterns lead.
+    """Return the variable of the query *select* to which the most of its patterns lead.
 
     It is one for elements; of several, the last: fewer solutions have the same. None where
     solutions depend on each other, or where nothing says that a variable is bound in each.
@@ -58,6 +58,6 @@ def _elements(first: Triples) -> Iterator[str]:
 
 
 def restricted(select: str, root: str, values: Iterable[Term]) -> str:
-    """*select*, whose first brace opens its group, where *root* has one of *values*."""
+    """Return *select*, whose first brace opens its group, where *root* has one of *values*."""
     head, brace, group = select.partition("{")
     return f"{head}{brace} VALUES {root} {{ {' '.join(sorted(values))} }} {group}"

@@ -18,7 +18,7 @@ from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 
 Row = Mapping[str, Term]
 GIVEN = f"VALUES ?this {{ {FOCUS} }}"
-"""How the query about one target node is given it."""
+"""The clause by which the query about one target node is given it."""
 LITTLE = 1e-4
 """Seconds: what takes less is not worth to be taken apart."""
 
@@ -56,7 +56,7 @@ class TrackedChecking:
             self._note(number, found)
 
     def _all(self, number: int) -> list[Row]:
-        """All violations of a constraint, timed."""
+        """Return all violations of a constraint; note how long that took."""
         constraint = self.constraints[number]
         started = time.perf_counter()
         found = list[Row](rows(self.store, constraint))
@@ -72,7 +72,7 @@ class TrackedChecking:
         self._rows[number] = found
 
     def _concerned(self, number: int, affected: AffectedNodes) -> frozenset[Term] | None:
-        """The target nodes that may violate the constraint anew or no more; None for all."""
+        """Return the target nodes that may violate it anew or no more; None for all."""
         if number not in self._rows or self._seconds.get(number, 0.0) < LITTLE:
             return None
         paths = pattern_paths(self.constraints[number].select)
@@ -91,7 +91,7 @@ class TrackedChecking:
         )
 
     def _checked(self, number: int, nodes: frozenset[Term]) -> list[Row] | None:
-        """The violations with those of *nodes* anew; None if one of these cannot be asked for."""
+        """Return the violations, those of *nodes* anew; None if one cannot be asked for."""
         ways = [
             f"VALUES ?this {{ {' '.join(sorted(each for each in nodes if not is_blank(each)))} }}"
         ]
@@ -116,7 +116,7 @@ class TrackedChecking:
 
     @property
     def results(self) -> Iterator[Result]:
-        """All that was found, in the order of the constraints."""
+        """The violations, in the order of the constraints."""
         for _, found in sorted(self._results.items()):
             yield from found
 

@@ -19,13 +19,13 @@ from kinlint.terms import Term, Triple
 
 @dataclass
 class Reads:
-    """What was asked of a store: of which nodes, and by which queries."""
+    """The nodes and queries that a store was asked about."""
 
     nodes: set[Term] = field(default_factory=set)
     queries: set[Dependencies] = field(default_factory=set)
 
     def meet(self, changes: Changes, nodes: set[Term]) -> bool:
-        """Whether *changes*, which are about *nodes*, may answer otherwise."""
+        """Tell whether *changes*, which are about *nodes*, may answer otherwise."""
         return not self.nodes.isdisjoint(nodes) or any(
             each.looks_at(changes.properties, changes.classes) for each in self.queries
         )
@@ -66,7 +66,7 @@ class TrackedStore(Store):
 
 
 class Explanations:
-    """What the results of a model rest on."""
+    """The derivations of the results of a model."""
 
     def __init__(self, store: TrackedStore, axioms: Sequence[Axiom]) -> None:
         self._store = store
@@ -84,7 +84,7 @@ class Explanations:
         }
 
     def because(self, constraint: Constraint, result: Result) -> tuple[Step, ...]:
-        """What *result* rests on, as `kinlint.engine.explanation.because` says."""
+        """Return what *result* rests on, as `kinlint.engine.explanation.because` does."""
         known = self._known.get(id(result))
         if known is None:
             looks = self._store.looks = Reads()

@@ -1,4 +1,4 @@
-"""Reads a model by predicate, keeps what does not change, and knows what was looked at."""
+"""An index by predicate that outlives changes, and knows who read what of it."""
 
 from __future__ import annotations
 
@@ -19,21 +19,20 @@ Order: TypeAlias = tuple[tuple[Term, ...], ...]
 
 @dataclass
 class Reads:
-    """What part of the work looked at.
-
-    `nodes` are those of which it read all that is said, `places` tells that it sorted nodes by
-    where they are described, `files` that it read the documents themselves.
-    """
+    """What a part of the computation of facts read."""
 
     properties: set[Term] = field(default_factory=set)
     classes: set[Term] = field(default_factory=set)
     nodes: set[Term] = field(default_factory=set)
+    """The nodes of which it read all statements."""
     places: bool = False
+    """Whether it sorted nodes by where they are described."""
     files: bool = False
+    """Whether it read the documents themselves."""
 
 
 class TrackedIndex(Scan):
-    """A scan that lasts from one examination to the next.
+    """An index that lasts from one analysis to the next.
 
     `looks` has what each part of the work looked at, `below` which other parts it uses.
     """
@@ -45,13 +44,13 @@ class TrackedIndex(Scan):
         self._order: Order | None = None
 
     def part(self, name: str, *below: str) -> Scan:
-        """What reads the model for a part of the work, which uses those parts *below*."""
+        """Return an index that notes what a part of the computation reads; it uses *below*."""
         self.below[name] = below
         looks = self.looks.setdefault(name, Reads())
         return Part(self, looks)
 
     def forget(self, changes: Changes) -> set[str]:
-        """Read again what *changes* are about; the parts of the work that looked at that."""
+        """Read again what *changes* are about; return the parts that had read that."""
         update_index(changes, self._tables, self._numbers, self._instances)
         for name in ("_first", "_rest", "_home", "documents"):
             self.__dict__.pop(name, None)
@@ -76,7 +75,7 @@ class TrackedIndex(Scan):
         return touched
 
     def _moved(self) -> bool:
-        """Whether nodes come in another order than when this was asked last."""
+        """Tell whether nodes come in another order than when this was asked last."""
         before, self._order = self._order, tuple(map(_in_order, self.documents))
         return before != self._order
 
@@ -113,7 +112,7 @@ class Part(Scan):
         return super().inferred(kind)
 
     def about(self, node: Term) -> Mapping[Term, list[Term]]:
-        """All that is said of an IRI, by property."""
+        """Return all that is said of an IRI, by property."""
         self._looks.nodes.add(node)
         return super().about(node)
 

@@ -44,7 +44,7 @@ class Unit:
 
     @classmethod
     def of(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
-        """What makes all that *lifting* makes, or what of it is *kept*."""
+        """Return what makes all that *lifting* makes, or what of it is *kept*."""
         made, where = lifting.part(kept)
         used = set[str]().union(*(each.variables for each in made))
         names = tuple(sorted(name[1:] for name in used))
@@ -126,7 +126,7 @@ class TrackedLifting:
             yield tuple(None if term is None else token(term) for term in terms)
 
     def _filled(self, unit: Unit, row: Row) -> Iterator[Triple]:
-        """What the template of *unit* says for *row*, less what is unbound or no triple."""
+        """Yield what the template of *unit* says for *row*, less what is unbound or no triple."""
         known = dict(zip(unit.names, row, strict=True))
         for subject, predicate, value in unit.template:
             if isinstance(value, str):

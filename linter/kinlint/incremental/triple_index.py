@@ -1,4 +1,4 @@
-"""What documents and vocabulary say, without a store of it all."""
+"""An index of the triples of documents and vocabulary, without a store of it all."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from kinlint.terms import RDF_TYPE, Term, is_iri
 
 
 class Vocabulary:
-    """What vocabulary files say, which no edit changes."""
+    """The statements of vocabulary files, which no edit changes."""
 
     def __init__(self, files: Sequence[Path]) -> None:
         self._store = Store()
@@ -32,7 +32,7 @@ class Vocabulary:
         return self._store.oxigraph
 
     def subjects(self, predicate: Term, value: Term | None = None) -> tuple[Term, ...]:
-        """What has *predicate*, with *value* if one is given."""
+        """Return what has *predicate*, with *value* if one is given."""
         key = predicate, value
         if key not in self._known:
             self._known[key] = tuple(self._store.subjects(predicate, value))
@@ -41,7 +41,7 @@ class Vocabulary:
 
 @lru_cache(maxsize=4)
 def vocabulary_of(files: tuple[Path, ...]) -> Vocabulary:
-    """What *files* say."""
+    """Return the statements of *files*."""
     return Vocabulary(files)
 
 
@@ -54,7 +54,7 @@ class Signature(NamedTuple):
 
 
 def signature(documents: Sequence[Document], valued: Collection[Term]) -> Signature:
-    """What *documents* state, with what IRIs the properties have that are *valued*."""
+    """Return the signature of *documents*, with the IRIs that *valued* properties have."""
     properties, pairs = set[Term](), set[tuple[Term, Term]]()
     for document in documents:
         properties.update([predicate for _, predicate, _ in document.statements])
@@ -70,21 +70,21 @@ def signature(documents: Sequence[Document], valued: Collection[Term]) -> Signat
 
 
 def valued(constraints: Iterable[Constraint]) -> frozenset[Term]:
-    """The properties that have to have a certain value for some of *constraints* to be violated."""
+    """Return the properties that need a certain value for some of *constraints* to be violated."""
     ways = (way for each in constraints for way in (*each.targets, *each.premises))
     paths = (predicate for _, predicate, value in ways if is_iri(value))
     return frozenset({RDF_TYPE, *(step for path in paths for step in path.split("|"))})
 
 
 class TripleIndex:
-    """What documents and vocabulary say, looked up by property and value."""
+    """The triples of documents and vocabulary, looked up by property and value."""
 
     def __init__(self, documents: Sequence[Document], vocabulary: Vocabulary) -> None:
         self._documents = documents
         self._vocabulary = vocabulary
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
-        """What has *predicate*, with *value* if one is given; but for subclasses, one of it."""
+        """Yield what has *predicate*, and *value* if given; but for subclasses, one of it."""
         found = self._values.get(predicate, {})
         if predicate == SUBCLASS:
             yield from self._below(value) if found else ()

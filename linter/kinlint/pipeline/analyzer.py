@@ -43,13 +43,13 @@ class Examination:
 
     report: Report
     documents: Sequence[Document]
-    """All that was read, companions too."""
+    """All documents that were read, companions too."""
     store: Store
-    """What the documents say, with all that the stages made of it."""
+    """The statements of the documents, with all that the stages made of them."""
     account: Account
     """The results that the findings were made from."""
     options: ReadOptions
-    """How the documents were read."""
+    """The options that the documents were read with."""
 
 
 class Analyzer:

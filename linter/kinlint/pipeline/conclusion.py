@@ -20,7 +20,7 @@ from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
 KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
 IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "ContextUse"))
-"""What the source layer says of every file, whatever it speaks of."""
+"""Classes of the source layer that every file has."""
 
 
 def concluded(
@@ -30,7 +30,7 @@ def concluded(
     inquiry: Inquiry,
     failed: Sequence[SourceError],
 ) -> Report:
-    """What *account* says of *documents*, which *joined* has with their companions."""
+    """Return the report on *documents*, which *joined* has with their companions."""
     policies = inquiry.policies
     judged = policies.judged(_meant(account.brief(), documents, joined))
     silenced = suppress.apply(judged, documents, policies, complete=not failed)
@@ -50,7 +50,7 @@ def concluded(
 
 
 def drawn(store: Store, documents: Sequence[Document], report: Report) -> tuple[Structure, ...]:
-    """The robots in *store*, with what *report* has found in each."""
+    """Return the robots in *store*, with what *report* has found in each."""
     from kinlint.kinematics.extraction import structures  # noqa: PLC0415  few outputs draw
 
     told = sorted((*report.findings, *report.suppressed), key=lambda each: each.sort_key)
@@ -60,7 +60,7 @@ def drawn(store: Store, documents: Sequence[Document], report: Report) -> tuple[
 def _meant(
     found: Iterable[Finding], documents: Sequence[Document], joined: Sequence[Document]
 ) -> Iterable[Finding]:
-    """Those of *found* that do not lie in companions, which *joined* has beside *documents*."""
+    """Return those of *found* outside of companions, which *joined* has beside *documents*."""
     if len(joined) == len(documents):
         return found
     companions = set(_names(joined[len(documents) :])) - set(_names(documents))
@@ -68,7 +68,7 @@ def _meant(
 
 
 def _reused(documents: Iterable[Document]) -> set[str]:
-    """The texts that may stand in a robot several times: macros, and what is included."""
+    """Return the texts that may stand in a robot several times: macros, and what is included."""
     return {
         source.name
         for document in documents
@@ -82,7 +82,7 @@ def _names(documents: Iterable[Document]) -> Iterator[str]:
 
 
 def speaks(document: Document, rulebook: Rulebook) -> bool:
-    """Whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
+    """Tell whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
     return document.format.is_tree or any(
         o.startswith(KNOWN) or o in rulebook.terms
         if p == RDF_TYPE

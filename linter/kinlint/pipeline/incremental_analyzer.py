@@ -94,7 +94,7 @@ class IncrementalAnalyzer(Analyzer):
         return kept.run, kept.run.because
 
     def _inquiry(self, documents: Sequence[Document], *, repairing: bool) -> Inquiry:
-        """What is asked of *documents*, which names and formats decide."""
+        """Select what is asked of *documents*, which names and formats decide."""
         named = tuple((document.source.name, document.format) for document in documents)
         if (named, repairing) not in self._inquiries:
             self._inquiries.clear()
@@ -104,7 +104,7 @@ class IncrementalAnalyzer(Analyzer):
         return self._inquiries[named, repairing]
 
     def _possible(self, inquiry: Inquiry, documents: Sequence[Document]) -> list[Constraint]:
-        """What of *inquiry* may be violated, which is the same for documents of one signature."""
+        """Return the constraints that may be violated: those of one signature share them."""
         if self._asked is not inquiry:
             self._asked, self._signatures = inquiry, {}
             self._valued = valued(inquiry.constraints)
@@ -126,7 +126,7 @@ class IncrementalAnalyzer(Analyzer):
 
     @cached_property
     def _can_follow(self) -> bool:
-        """Whether all that judges can be told what changed."""
+        """Whether all stages can follow changes, by these settings and rules."""
         settings, rulebook = self._settings, self._rulebook
         return (
             settings.engine == "oxigraph"

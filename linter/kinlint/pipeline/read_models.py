@@ -17,7 +17,9 @@ def gathered(
     settings: Settings,
     reading: Callable[[SourceText], Document],
 ) -> tuple[list[Document], list[Document]]:
-    """What *sources* say to *reading*, without companions and with them, SRDF joined to its URDF.
+    """Read *sources* by *reading*: return the documents without companions, and with them.
+
+    SRDF is joined to its URDF.
 
     The errors of those that cannot be read go to *failed*, unless they are companions.
     """
@@ -33,7 +35,7 @@ def _documents(
     reading: Callable[[SourceText], Document],
     failed: list[SourceError],
 ) -> Iterator[Document]:
-    """What *sources* say; the errors of those that cannot be read go to *failed*."""
+    """Yield the documents of *sources*; the errors of those that cannot be read go to *failed*."""
     for source in sources:
         try:
             yield reading(source)

@@ -10,7 +10,7 @@ from kinlint.terms import Term, Triple, is_blank
 
 
 def update(delta: Delta) -> str:
-    """*delta* as one operation.
+    """Return *delta* as one operation.
 
     SPARQL cannot name blank nodes: those that lose something are variables, found by what they
     lose. Elements of files have IRIs relative to where kinlint runs.

@@ -1,4 +1,4 @@
-"""What a repair does to the graph: its SPARQL Update, carried out on paper."""
+"""Dry run of a repair: the change of the graph that its SPARQL Update would make."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_iri, is_literal
 
 
 def change(store: Store, repair: Repair, results: Sequence[Result]) -> Delta:
-    """What *repair* removes and adds for all of *results*, in the terms of *store*.
+    """Return what *repair* removes and adds for all of *results*, in the terms of *store*.
 
     What is removed is there, and what is added is not; both are empty where the update matches
     nothing. New nodes are blank, one for each solution that the update tells from others. Before
@@ -77,7 +77,7 @@ def _bound(repair: Repair, result: Result) -> Mapping[str, Term]:
 
 
 def _filled(templates: Sequence[Triple], row: Mapping[str, Term], fresh: str) -> Iterator[Triple]:
-    """*templates* with the values of *row*; those that are no triple then are left out."""
+    """Return *templates* with the values of *row*; those that are no triple then are left out."""
     for template in templates:
         terms = [_term(term, row, fresh) for term in template]
         subject, predicate, value = terms
