@@ -7,6 +7,7 @@ import pytest
 from support.linting import findings
 
 from kinlint.catalogue import compilation, rulebook
+from kinlint.catalogue.compiled_store import KEPT
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
@@ -161,11 +162,11 @@ def test_a_cache_that_cannot_be_written_is_done_without(tmp_path):
 
 def test_a_cache_does_not_grow_for_ever(tmp_path):
     """Catalogues of other rules are dropped, the oldest first."""
-    for number in range(rulebook.KEPT + 2):
+    for number in range(KEPT + 2):
         (tmp_path / f"catalogue-{number}.json").write_text("{}")
     rulebook.load(cache=tmp_path)
 
-    assert len(list(tmp_path.iterdir())) == rulebook.KEPT
+    assert len(list(tmp_path.iterdir())) == KEPT
 
 
 def test_users_add_rules(tmp_path):

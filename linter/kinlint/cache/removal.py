@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint.cache.directory_store import DirectoryStore
 from kinlint.cache.report_cache import FOLDER
-from kinlint.catalogue.rulebook import STORED
+from kinlint.catalogue.compiled_store import STORED
 
 
 @dataclass(frozen=True)

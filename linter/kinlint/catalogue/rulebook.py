@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import json
-import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cache as memoised
 from functools import cached_property
@@ -15,10 +12,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kinlint import __version__, resources
+from kinlint.catalogue.compiled_store import newest, read_catalogue, rule_from_json, write_catalogue
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
-from kinlint.model import Applicability, Example, Repair, Rule, Severity, SeverityFor
+from kinlint.model import Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 from kinlint.vocabulary import FACT, SRC
 
@@ -26,12 +24,8 @@ PREFIXES = "prefixes.ttl"
 SHIPPED = Path(__file__).parent / "compiled"
 """Where a wheel carries the compiled built-in catalogue; a checkout has none."""
 
-STORED = ("catalogue-*.json", "catalogue-*.tmp")
-"""How compiled catalogues in a cache are called, and those that are being written."""
-KEPT = 8
-"""How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
 ASKED = 2
-"""How many of them, the newest, are asked for what they have of another set of rules."""
+"""How many catalogues of a cache, the newest, are asked for units of another set of rules."""
 OWN = (f"<{SRC}", f"<{FACT}")
 """How what kinlint itself says of a model begins."""
 
@@ -93,17 +87,17 @@ def load(
     digest = _digest(inputs)
     name = f"catalogue-{digest}.json"
     places = [SHIPPED, *([cache] if cache is not None else [])]
-    compiled = next(filter(None, (_read(place / name) for place in places)), None)
+    compiled = next(filter(None, (read_catalogue(place / name) for place in places)), None)
     homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
     recalled = compiled is not None
     if compiled is None:
         compiled = _compile((*files, *extra), (ontology, others), ours / PREFIXES, places)
     units = (*compiled["units"], compiled["shapes"])
-    found = [_rule(values, homes) for unit in units for values in unit["rules"]]
+    found = [rule_from_json(values, homes) for unit in units for values in unit["rules"]]
     if not recalled:
         _distinct(found)
         if cache is not None:
-            _write(cache / name, compiled)
+            write_catalogue(cache / name, compiled)
     constraints = (values for unit in compiled["units"] for values in unit["constraints"])
     return Rulebook(
         rules=tuple(sorted(found, key=lambda rule: rule.code)),
@@ -158,8 +152,8 @@ def _compile(
     """Return *files* and *vocabulary* compiled, as far as the catalogues in *places* lack them."""
     from kinlint.catalogue.compilation import Units  # noqa: PLC0415
 
-    stored = [each for place in places for each in _newest(place)[:ASKED]]
-    kept = (each for each in map(_read, stored) if each and "units" in each)
+    stored = [each for place in places for each in newest(place)[:ASKED]]
+    kept = (each for each in map(read_catalogue, stored) if each and "units" in each)
     known = (unit for each in kept for unit in (*each["units"], each["axioms"]))
     units = Units(known, _code(), prefixes)
     made = units.compiled(files)
@@ -205,40 +199,6 @@ def _distinct(rules: Iterable[Rule]) -> None:
                 raise RuleInvalid(f"{rule.path}: {identity} is taken by {other.path}")
 
 
-def _rule(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
-    """The rule that was compiled; its file, of *homes*, is where it is now, not where it was."""
-    plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list | tuple)}
-    changed = {
-        "examples": tuple(
-            Example(
-                **{
-                    **each,
-                    "beside": tuple(each["beside"]),
-                    "companions": tuple(map(tuple, each["companions"])),
-                }
-            )
-            for each in values["examples"]
-        ),
-        "severity": Severity(values["severity"]),
-        "severity_for": tuple(
-            SeverityFor(Severity(each["severity"]), tuple(each["targets"]), tuple(each["formats"]))
-            for each in values["severity_for"]
-        ),
-        "also": tuple(map(Severity, values["also"])),
-        "facts": tuple(map(tuple, values["facts"])),
-        "repairs": tuple(map(_repair, values["repairs"])),
-        "path": homes.get(values["name"], ""),
-    }
-    return Rule(**{**values, **plural, **changed})
-
-
-def _repair(values: dict[str, Any]) -> Repair:
-    plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list)}
-    triples = {name: tuple(map(tuple, values[name])) for name in ("removed", "added")}
-    claimed = Applicability(values["applicability"])
-    return Repair(**{**values, **plural, **triples, "applicability": claimed})
-
-
 def _turtle(directory: Path) -> list[Path]:
     return sorted(directory.rglob("*.ttl"))
 
@@ -278,38 +238,10 @@ def _code() -> str:
     """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
     folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
-    extra = (package / name for name in ("model.py", "terms.py", "facts/compute.py"))
+    extra = (package / name for name in ("model.py", "terms.py", "facts/kinds.py"))
     files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
     for file in sorted([*files, *extra]):
         digest.update(f"\0{file.name}\0".encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:24]
-
-
-def _read(stored: Path) -> dict[str, Any] | None:
-    try:
-        compiled: dict[str, Any] = json.loads(stored.read_bytes())
-    except (OSError, ValueError):
-        return None
-    return compiled
-
-
-def _write(stored: Path, compiled: dict[str, Any]) -> None:
-    """Keep *compiled*; a cache that cannot be written costs time, never the run."""
-    import tempfile  # noqa: PLC0415  a run that finds its catalogue does without
-
-    with suppress(OSError):
-        stored.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(json.dumps(compiled, separators=(",", ":")))
-        Path(temporary).replace(stored)
-        for stale in _newest(stored.parent)[KEPT:]:
-            stale.unlink()
-
-
-def _newest(place: Path) -> list[Path]:
-    """Return the compiled catalogues in *place*, the newest first."""
-    found = place.glob(STORED[0])
-    return sorted(found, key=lambda each: each.stat().st_mtime, reverse=True)
