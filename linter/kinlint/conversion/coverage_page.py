@@ -23,7 +23,9 @@ paper out of what a file in an XML format says: bodies, frames and poses, joints
 limits on what drives them, inertias, couplings, references to shapes. What the documentation of
 the format implies stands in the query and is explicit in the result: metres, kilograms and
 radians, the frames that numbers are seen by, turns about fixed axes, the values of what is not
-written. Every node says by `src:from` which element it comes from.
+written. Every node says by `src:from` which element it comes from, and the patterns that bind a
+value say which attribute it was read from (`kinlint.engine.provenance`). What a reader works out
+itself, such as the direction of an axis in SDF, and from what, is listed in `worked-out.tsv`.
 
 What formats share is written once. A query of a format may be a *reading*: it makes records of the
 intermediate vocabulary (`ir:`, below), each with one value at most for a property, and each value

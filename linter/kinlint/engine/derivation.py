@@ -94,9 +94,8 @@ class Derivations:
     def stated(self) -> Sequence[Stated]:
         """The template triples that some text has the value of."""
         found = []
-        for made in self.lifting.made:
-            if made.predicate in (FROM, RDF_TYPE):
-                continue
+        values = (each for each in self.lifting.made if each.predicate not in {FROM, RDF_TYPE})
+        for made in values:
             members = tuple(self._term(each) for each in made.items or (made.object,))
             if any(reads(each) for each in members):
                 found.append(Stated(made, members))
@@ -166,14 +165,13 @@ class Derivations:
     def _probe(self, argument: Expression) -> str:
         """Return the variable that is bound if *argument* has a value; "" for a constant."""
         words = _bare(argument)
-        if not variables(words):
-            return ""
-        return str(words[0]) if len(words) == 1 else self._noted(render(argument))
+        named = self._noted(render(argument)) if len(words) > 1 else str(words[0])
+        return named if variables(words) else ""
 
     def _noted(self, text: str) -> str:
         """Return the variable that stands for the expression *text*."""
-        known = (name for name, each in self.probes.items() if each == text)
-        name = next(known, None) or f"?p_{len(self.probes)}"
+        names = {each: name for name, each in self.probes.items()}
+        name = names.get(text) or f"?p_{len(names)}"
         self.probes[name] = text
         return name
 
