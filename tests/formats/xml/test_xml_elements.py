@@ -68,6 +68,11 @@ def test_elements_attributes_and_text_are_stated() -> None:
         ("#/gazebo", "ext:drake:x", "#/gazebo/drake:x"),
         ("#/gazebo/drake:x", "@drake:y", "2"),
         ("#/gazebo", "ref:reference", "#/link/base"),
+        ("#/gazebo", "src:dangling", "#/gazebo;reference"),
+        ("#/gazebo;reference", "src:property", "@reference"),
+        ("#/gazebo;reference", "src:written", "base"),
+        ("#/gazebo;reference", "src:tag", "link"),
+        ("#/gazebo;reference", "src:target", "#/link/base"),
     ]
 
 

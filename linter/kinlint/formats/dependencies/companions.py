@@ -184,7 +184,7 @@ def _joined(srdf: Document, urdf: Document) -> Document:
     """Return *srdf* with the root of *urdf* that it is joined to, and what it refers to there."""
     joined = root_of(urdf.graph)
     found = resolved(names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes))
-    leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *found))
+    leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *dict(found)))
     return replace(srdf, statements=(*srdf.statements, *leading))
 
 

@@ -54,11 +54,10 @@ def _read(source: SourceText, form: Format) -> Document:
         state_spacing(layer, places, nodes, elements.statements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
-    if table.flat:
-        found = [*names(statements, table)]
-        statements += dict.fromkeys(resolved(found, table, elements.index))
+    leading = dict(resolved(names(statements, table), table, elements.index) if table.flat else ())
+    statements += leading
     statements += layer.triples
-    spans = TripleSpans(places, statements, layer.triples)
+    spans = TripleSpans(places, statements, layer.triples, leading)
     described = ElementSpans(places, layer.nodes)
     return Document(source, graph, statements, SourceMap(spans, described), format=form)
 

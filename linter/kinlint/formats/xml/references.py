@@ -85,8 +85,10 @@ def resolved(
     table: Schema,
     known: Collection[Term],
     joined: tuple[Term, Collection[Term]] | None = None,
-) -> Iterator[Triple]:
+) -> Iterator[tuple[Triple, Triple]]:
     """Yield what leads from the elements of the names *found* to what they name, there or not.
+
+    With each statement comes the one that has the name, and so its place.
 
     Names are of what stands right below a root: of the file itself, whose nodes are *known*, or of
     the one that it is *joined* to, with its nodes. What may be of another file is left out without
@@ -107,9 +109,10 @@ def resolved(
             if reference.optional:
                 target = None
         if target is not None:
-            yield each.element, reference.predicate, target
+            said = each.element, each.place, each.value
+            yield (each.element, reference.predicate, target), said
             if target not in nodes:
-                yield from _dangling(each, tag, target)
+                yield from ((gap, said) for gap in _dangling(each, tag, target))
 
 
 def _dangling(name: Name, tag: str, target: Term) -> Iterator[Triple]:

@@ -151,10 +151,20 @@ class Places:
 
 
 class TripleSpans(Mapping[Triple, Span]):
-    """The spans of triples: those of elements by looking, all others as given."""
+    """The spans of triples: those of elements by looking, all others as given.
 
-    def __init__(self, places: Places, statements: list[Triple], given: dict[Triple, Span]) -> None:
+    What is *derived* from another triple is where that one is.
+    """
+
+    def __init__(
+        self,
+        places: Places,
+        statements: list[Triple],
+        given: dict[Triple, Span],
+        derived: Mapping[Triple, Triple],
+    ) -> None:
         self._places, self._statements, self._given = places, statements, given
+        self._derived = derived
 
     @cached_property
     def _known(self) -> frozenset[Triple]:
@@ -166,7 +176,7 @@ class TripleSpans(Mapping[Triple, Span]):
             return given
         if triple not in self._known:
             raise KeyError(triple)
-        return self._places.said(*triple)
+        return self._places.said(*self._derived.get(triple, triple))
 
     def __contains__(self, triple: Any) -> bool:
         return triple in self._known
