@@ -16,6 +16,8 @@ from kinlint.formats.dependencies.file_groups import models
 from kinlint.parallel import processes
 from kinlint.text import SourceText
 
+pytestmark = pytest.mark.slow
+
 XMLNS = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 JOINT = '<joint name="j{0}" type="revolute"><parent link="base"/><child link="hed"/></joint>'
 MEMBERS = '<link name="base"/>\n' + "\n".join(map(JOINT.format, range(3)))

@@ -11,6 +11,8 @@ import pytest
 from kinlint.cli.main import main
 from kinlint.files import environment
 
+pytestmark = pytest.mark.slow
+
 SAMPLES = Path(__file__).parents[2] / "samples"
 ROBOT = '<robot name="{0}"><link name="a"/><link name="b"/>{1}</robot>\n'
 JOINT = '<joint name="j" type="revolute"><parent link="a"/><child link="{0}"/></joint>'

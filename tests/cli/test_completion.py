@@ -15,6 +15,8 @@ import pytest
 from kinlint.cli.completion.grammar import SHELLS, words
 from kinlint.configuration.keys import KEYS, OUTPUT_FORMATS
 
+pytestmark = pytest.mark.external
+
 SOON = 60
 STEERING = re.compile(r"\x1b\[[\d;?]*[A-Za-z]|\x1b[=>]|[\x07\r]")
 LINES = {

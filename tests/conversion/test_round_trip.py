@@ -42,6 +42,7 @@ def test_samples(name, form):
     assert WRITERS[form](composed(SAMPLES / f"{name}.urdf")) == text
 
 
+@pytest.mark.corpus
 @pytest.mark.parametrize(("folder", "pattern"), [("urdf", "*.urdf"), ("sdf", "*.sdf")])
 def test_real_robots(folder, pattern):
     tried = 0

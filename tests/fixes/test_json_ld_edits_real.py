@@ -16,6 +16,8 @@ from kinlint.formats.jsonld.editing.editor import Editor
 from kinlint.formats.jsonld.reader import read
 from kinlint.text import SourceText
 
+pytestmark = pytest.mark.corpus
+
 SAMPLES = Path(__file__).parents[2] / "samples"
 
 

@@ -138,6 +138,7 @@ def _lines(text: str) -> list[str]:
     return [line for line in text.splitlines() if line.strip()]
 
 
+@pytest.mark.corpus
 @pytest.mark.parametrize("kind", ["urdf", "srdf", "sdf"])
 def test_any_change_of_real_robots(kind: str) -> None:
     random, said, all_ = Random(kind), 0, 0  # noqa: S311  no secrets

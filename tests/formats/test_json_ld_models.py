@@ -16,6 +16,8 @@ from kinlint.terms import literal_value
 from kinlint.text import Span
 from kinlint.vocabulary import SRC
 
+pytestmark = pytest.mark.corpus
+
 
 def models(*parts: str) -> list[Path]:
     top = locate_data("comp-rob2b", *parts)

@@ -17,6 +17,8 @@ from kinlint.pipeline.analyzer import Cancelled
 from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
 from kinlint.text import SourceText, Span
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = sorted(
     file

@@ -18,6 +18,8 @@ from kinlint.formats.registry import decode
 from kinlint.model import Rule
 from kinlint.text import SourceText, Span
 
+pytestmark = pytest.mark.slow
+
 BROKEN = Path(__file__).parents[2] / "samples" / "broken"
 
 

@@ -27,7 +27,10 @@ OPTIONS = (
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
     *("--hide-scrollbars", "--virtual-time-budget=2000", "--enable-logging=stderr"),
 )
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")
+pytestmark = [
+    pytest.mark.external,
+    pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed"),
+]
 ARM = chain("base", "upper", "lower", close=True)
 PROBE = """<script>
 const said = { shown: document.getElementById("shown")?.textContent, titles: document.title,

@@ -35,6 +35,8 @@ from kinlint.reporters import reporter_registry
 from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import Location, SourceText, Span
 
+pytestmark = pytest.mark.external
+
 TOOL = os.environ.get("KINLINT_SARIF_MULTITOOL", "")
 OFFLINE, OUTSIDE_GIT = "SARIF2006", "SARIF2003"
 needs_tool = pytest.mark.skipif(not TOOL, reason="KINLINT_SARIF_MULTITOOL names no validator")

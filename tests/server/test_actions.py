@@ -7,7 +7,7 @@ from editor import KINLINT
 from lsprotocol import types
 from robots import LEG, XACRO
 
-pytestmark = pytest.mark.asyncio
+pytestmark = [pytest.mark.slow, pytest.mark.asyncio]
 FIX_ALL = "source.fixAll.kinlint"
 AXIS = LEG.replace('    <axis xyz="0 1 0"/>\n', "").replace('lower="2"', 'lower="0"')
 """What is left out can be added without changing what is meant."""

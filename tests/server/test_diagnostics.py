@@ -3,7 +3,7 @@
 import pytest
 from robots import GOOD, LEG
 
-pytestmark = pytest.mark.asyncio
+pytestmark = [pytest.mark.slow, pytest.mark.asyncio]
 
 
 async def test_columns_count_in_the_units_of_the_client(editor, profile):

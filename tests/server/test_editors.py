@@ -19,6 +19,8 @@ from robots import LEG
 
 from kinlint.formats.records import FORMATS
 
+pytestmark = pytest.mark.external
+
 HERE = Path(__file__).parent
 README = HERE.parents[1] / "linter" / "README.md"
 SCRIPTS = sysconfig.get_path("scripts")

@@ -6,7 +6,7 @@ import pytest
 from lsprotocol import types
 from robots import GOOD, LEG
 
-pytestmark = pytest.mark.asyncio
+pytestmark = [pytest.mark.slow, pytest.mark.asyncio]
 
 WIDE = "🤖𝔄é"
 """Characters of two, two and one units in UTF-16, and of four, four and two in UTF-8."""

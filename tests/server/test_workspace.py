@@ -9,7 +9,7 @@ from editor import KINLINT, Editor, started
 from lsprotocol import types
 from robots import GOOD, LEG, XACRO
 
-pytestmark = pytest.mark.asyncio
+pytestmark = [pytest.mark.slow, pytest.mark.asyncio]
 SRDF = """<?xml version="1.0"?>
 <robot name="leg"><group name="all"><chain base_link="hip" tip_link="shin"/></group></robot>
 """

@@ -25,6 +25,7 @@ def models(kind: str) -> list[Path]:
     return [path for path in sorted(locate_data("robots", kind).rglob("*")) if path.is_file()]
 
 
+@pytest.mark.corpus
 @pytest.mark.parametrize("form", ["urdf", "srdf", "sdf"])
 def test_every_triple_of_the_robots_is_where_its_span_says(form: str) -> None:
     for path in models(form):
@@ -70,6 +71,7 @@ def said(there: str, value: Term) -> bool:
     return SAME.get(there.lower(), there) == literal_value(value)
 
 
+@pytest.mark.corpus
 @pytest.mark.parametrize("form", ["urdf", "srdf", "sdf"])
 def test_every_element_of_the_robots_is_whole(form: str) -> None:
     for path in models(form):
