@@ -148,7 +148,7 @@ def test_files_that_include_others_many_times_over_end(folder):
         ("nowhere", "no such file"),
         ("model://nowhere-at-all", "no such file"),
         ("empty", "model.config"),
-        ("notes.sdf", "no SDF"),
+        ("notes.sdf", "is not SDF"),
         ("broken.sdf", "cannot be read"),
     ],
 )

@@ -43,7 +43,7 @@ FAILURES = {
     ),
     "unknown substitution": (
         ['<link name="$(anon x)"/>'],
-        "substitution '$(anon x)' has no value: '$(anon x)' is no substitution that xacro knows",
+        "substitution '$(anon x)' has no value: '$(anon x)' is not a substitution that xacro knows",
         "main.xacro:2:13 $(anon x)",
     ),
     "unset variable": (
@@ -94,7 +94,7 @@ FAILURES = {
     ),
     "bad name": (
         ['<xacro:property name="1a" value="0"/>'],
-        "'1a' is no name for a property",
+        "'1a' is not a valid property name",
         "main.xacro:2:23 1a",
     ),
     "two values": (
@@ -102,9 +102,9 @@ FAILURES = {
         "property 'p' has more than one of default, value and remove",
         "main.xacro:2:23 p",
     ),
-    "nothing to hand on": (
+    "nothing to forward": (
         ['<xacro:macro name="m" params="a:=^"/>', "<xacro:m/>"],
-        "there is no property 'a' to hand on",
+        "there is no property 'a' to forward",
         "main.xacro:3:2 xacro:m",
     ),
     "outermost scope": (
