@@ -28,6 +28,7 @@ HERE = {
     *(("CONTRIBUTING.md", language) for language in ("turtle", "json", "toml")),
     *(("linter/README.md", language) for language in ("toml", "json", "xml", "text", "")),
     ("README.md", ""),
+    ("linter/README.md", "mermaid"),
 }
 
 
@@ -36,6 +37,16 @@ def test_every_example_is_tried():
     for block in blocks():
         claimed = block.language == "sh" or (block.page, block.language) in {*HERE, *ELSEWHERE}
         assert claimed, f"{block}: no test tries this {block.language or 'text'}"
+
+
+def test_the_picture_of_the_stages_names_packages():
+    """Each stage is done where the picture says."""
+    (picture,) = blocks("linter/README.md", language="mermaid")
+    packages = re.findall(r"(\w+)/", picture.text)
+
+    assert packages
+    for package in packages:
+        assert (ROOT / "linter/kinlint" / package).is_dir(), package
 
 
 def test_the_readme_opens_with_what_is_found_in_the_tutorial(capsys, monkeypatch):
