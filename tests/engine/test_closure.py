@@ -181,7 +181,7 @@ EVERYTHING = """
 """
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     st.lists(st.tuples(NODES, TYPES), max_size=4),
     st.lists(st.tuples(NODES, ARCS, NODES), max_size=8),

@@ -37,9 +37,8 @@ def solutions(graph: tuple[Triple, ...], query: str) -> list[str]:
 
 
 @settings(
-    deadline=None,
     max_examples=300,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+    suppress_health_check=[HealthCheck.filter_too_much],
 )
 @given(triples, groups, groups)
 def test_rewritten_exists_has_the_same_solutions(
@@ -51,7 +50,7 @@ def test_rewritten_exists_has_the_same_solutions(
     assert solutions(graph, rewritten(query)) == expected
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=200)
 @given(triples, st.sampled_from(PATHS), st.booleans())
 def test_reach_from_a_computed_anchor_has_the_same_solutions(
     graph: tuple[Triple, ...],
@@ -67,7 +66,7 @@ def test_reach_from_a_computed_anchor_has_the_same_solutions(
     assert solutions(graph, rewritten(query)) == solutions(graph, query)
 
 
-@settings(deadline=None, max_examples=200)
+@settings(max_examples=200)
 @given(triples, st.sampled_from(PATHS), groups)
 def test_reach_from_the_focus_node_has_the_same_solutions(
     graph: tuple[Triple, ...], path: str, other: str

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from small_graphs import shapes, simple_groups, triples
 from w3c import normal
@@ -46,7 +46,7 @@ def told(results: list[Result]) -> Counter[tuple[str | None, ...]]:
     )
 
 
-@settings(deadline=None, max_examples=120, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=120)
 @given(triples, shapes)
 def test_core_shapes_have_the_same_results(graph: tuple[Triple, ...], shape: str) -> None:
     """Every component, nested in each other, over every kind of path.
@@ -59,7 +59,7 @@ def test_core_shapes_have_the_same_results(graph: tuple[Triple, ...], shape: str
     assert told([*check(store, constraints)]) == told(check_store(store, files))
 
 
-@settings(deadline=None, max_examples=80, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=80)
 @given(triples, simple_groups, simple_groups)
 def test_sparql_constraints_have_the_same_results(
     graph: tuple[Triple, ...], outer: str, body: str
@@ -82,7 +82,7 @@ def test_sparql_constraints_have_the_same_results(
     assert {*told([*check(store, constraints)])} == {*told(check_store(store, files))}
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(triples, shapes, st.sampled_from(["<urn:a>", "<urn:b>", "_:d"]))
 def test_one_focus_node_has_its_share_of_all_results(
     graph: tuple[Triple, ...], shape: str, focus: str

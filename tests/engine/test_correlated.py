@@ -123,7 +123,7 @@ def groups(draw: st.DrawFn) -> str:
     return " ".join(parts)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(groups())
 def test_no_rewriting_changes_a_solution(text: str) -> None:
     """Whatever stands in the group, as often as it stands there."""

@@ -152,7 +152,7 @@ ARCS = (
 NODES = st.sampled_from(["ex:a", "ex:b", "ex:c"])
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     st.lists(st.tuples(NODES, st.sampled_from(TYPES)), max_size=4),
     st.lists(st.tuples(NODES, st.sampled_from(ARCS), NODES), max_size=5),

@@ -191,7 +191,7 @@ def written(matrix: Matrix, vector: Vector) -> Node:
     return turn(*transpose(matrix)) | shift(*vector)
 
 
-@settings(deadline=None, max_examples=25)
+@settings(max_examples=25)
 @given(st.lists(st.tuples(angles, vectors, st.booleans()), min_size=2, max_size=8))
 def test_any_loop_of_rigid_motions_closes(
     steps: list[tuple[Vector, Vector, bool]],

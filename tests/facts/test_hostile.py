@@ -136,7 +136,7 @@ nodes = st.fixed_dictionaries(
 )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.lists(nodes, max_size=5))
 def test_any_model_has_facts(model: list[Node]) -> None:
     """Or none, but no error; and the same ones every time."""

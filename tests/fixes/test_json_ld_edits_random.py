@@ -95,7 +95,7 @@ def laid_out(content: dict[str, Any], manner: str, newline: str, last: bool) -> 
     return (text + ("\n" if last else "")).replace("\n", newline)
 
 
-@settings(deadline=None, max_examples=300)
+@settings(max_examples=300)
 @given(texts(), st.integers(0, 2**32).map(random.Random))
 def test_what_is_written_is_what_was_to_be_said(text: str, chance: random.Random) -> None:
     before = document(text)

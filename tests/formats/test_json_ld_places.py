@@ -137,13 +137,13 @@ def theirs(content: Any, contexts: Contexts | None = None) -> str:
     return canonical(jsonld.JsonLdProcessor.to_nquads({"@default": triples}))
 
 
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 @given(TEXTS)
 def test_every_place_says_what_is_there(text: str) -> None:
     check_places(document(text))
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(TEXTS)
 def test_the_triples_are_those_of_pyld(text: str) -> None:
     assert ours(document(text)) == theirs(json.loads(text))

@@ -123,7 +123,7 @@ def test_logs_are_valid_by_the_schema(case: str, schema: dict[str, Any]) -> None
 def test_any_log_is_valid_by_the_schema(schema: dict[str, Any]) -> None:
     validator = jsonschema.Draft202012Validator(schema)
 
-    @settings(max_examples=25, deadline=None)
+    @settings(max_examples=25)
     @given(reports())
     def valid(made: Report) -> None:
         validator.validate(log(made))
