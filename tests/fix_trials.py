@@ -19,10 +19,11 @@ from support.linting import book
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.edits import Edit, applied
 from kinlint.files.packages import Packages
+from kinlint.finding import Finding, Fix
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.dependencies.file_groups import models
-from kinlint.model import Applicability, Finding, Fix
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 TOGETHER = "all safe fixes together"

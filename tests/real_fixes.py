@@ -18,7 +18,7 @@ from fix_trials import TOGETHER, Outcome, Trial, faults, shares, tried
 from real_robots import FORMATS
 from support.linting import book
 
-from kinlint.model import Applicability
+from kinlint.rule import Applicability
 
 LEVELS = tuple(each.label for each in sorted(Applicability, reverse=True))
 INTRODUCTION = """\

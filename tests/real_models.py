@@ -16,7 +16,7 @@ from pathlib import Path
 from data import locate_data
 from support.linting import lint
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 
 MODELS = {
     "tutorial": "modelling-tutorial/models",

@@ -17,9 +17,10 @@ from statistics import median
 from data import locate_data
 from support.linting import lint
 
+from kinlint.finding import Finding
 from kinlint.formats.registry import decode
-from kinlint.model import Finding, Rule, Severity
 from kinlint.report import Report
+from kinlint.rule import Rule, Severity
 from kinlint.text import SourceText
 
 FORMATS = {

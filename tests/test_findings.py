@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from support.linting import lint
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.term_format import LONGEST, Display
 from kinlint.terms import XSD, iri, literal
 

@@ -8,7 +8,7 @@ from data import locate_data
 from real_models import MODELS, findings, page
 from support.linting import lint
 
-from kinlint.model import Severity
+from kinlint.rule import Severity
 
 pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("published models")]
 

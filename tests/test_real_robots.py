@@ -13,8 +13,8 @@ import pytest
 from data import locate_data
 from real_robots import files, findings, is_robot, page, short, warnings, with_error
 
-from kinlint.model import Severity
 from kinlint.resources import data
+from kinlint.rule import Severity
 
 pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("public robots")]
 

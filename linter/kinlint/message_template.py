@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from kinlint.model import PLACEHOLDER
+from kinlint.rule import PLACEHOLDER
 
 VARIABLE = re.compile(rf"(?:(\w+) )?('?){PLACEHOLDER.pattern}('?)")
 """A variable of a template, with the word before it and the quotes around it."""

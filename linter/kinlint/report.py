@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 from kinlint import __version__
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Repair, Rule
+from kinlint.finding import Finding
+from kinlint.rule import Repair, Rule
 from kinlint.structure import Structure
 
 STDIN_NAMES = frozenset({"", "-", "<stdin>"})

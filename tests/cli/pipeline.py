@@ -8,8 +8,9 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli import check_command
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Rule, Severity
+from kinlint.finding import Finding
 from kinlint.report import Report
+from kinlint.rule import Rule, Severity
 from kinlint.text import Location, SourceText, Span
 
 RULES = tuple(

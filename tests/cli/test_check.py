@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from kinlint.configuration.settings import Choice
-from kinlint.model import Severity
+from kinlint.rule import Severity
 
 
 @pytest.mark.parametrize(

@@ -11,8 +11,9 @@ from kinlint.cli import fix_files
 from kinlint.cli.check_options import parser
 from kinlint.cli.overrides import overrides
 from kinlint.cli.report_outputs import Outputs
-from kinlint.model import Applicability, Finding, Fix, TextEdit
+from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.report import Report
+from kinlint.rule import Applicability
 from kinlint.text import Location, SourceText, Span
 
 SOURCE = SourceText("arm.jsonld", '{"@id": "x"}')

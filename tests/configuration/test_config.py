@@ -5,7 +5,7 @@ import pytest
 from kinlint.configuration.config_file import Config, Configs, config_of, load
 from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError
-from kinlint.model import Severity
+from kinlint.rule import Severity
 
 
 def write(path, text):

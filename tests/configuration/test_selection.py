@@ -6,7 +6,8 @@ from kinlint.configuration.selection import Policies, policy
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.errors import UsageError
-from kinlint.model import Finding, Rule, Severity
+from kinlint.finding import Finding
+from kinlint.rule import Rule, Severity
 from kinlint.text import Location, SourceText, Span
 
 W = Severity.WARNING

@@ -9,8 +9,8 @@ from kinlint.configuration.selection import Policies, policy
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError
-from kinlint.model import Rule, Severity, SeverityFor
 from kinlint.reporters import rule_page
+from kinlint.rule import Rule, Severity, SeverityFor
 
 WARNING, ERROR, INFO = Severity.WARNING, Severity.ERROR, Severity.INFO
 

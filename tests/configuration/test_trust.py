@@ -10,7 +10,8 @@ from kinlint.configuration.selection import Policies
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import ConfigError, UsageError
-from kinlint.model import Applicability, Fix, Rule, Severity
+from kinlint.finding import Fix
+from kinlint.rule import Applicability, Rule, Severity
 
 DISPLAY, UNSAFE, SAFE = Applicability
 

@@ -11,7 +11,7 @@ from support.linting import book
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.schema import TEXT, ElementType, Reference, Schema, schema
-from kinlint.model import Rule
+from kinlint.rule import Rule
 from kinlint.rule_testing.promises import unmarked
 from kinlint.terms import iri_value
 

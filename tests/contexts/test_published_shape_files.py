@@ -9,7 +9,7 @@ import pytest
 from data import locate_data
 from support.linting import findings
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 
 COORDINATES = "geometry/coordinates.ttl"
 OPERATORS = "geometry/spatial-operators.ttl"

@@ -12,7 +12,7 @@ from kinlint.conversion.composition import compose
 from kinlint.conversion.output import jsonld
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.model import Rule
+from kinlint.rule import Rule
 from kinlint.text import SourceText
 
 BOOK = book()

@@ -27,7 +27,7 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
 from kinlint.missing_files import references
-from kinlint.model import Rule
+from kinlint.rule import Rule
 from kinlint.rule_testing import promises
 from kinlint.terms import RDF_TYPE, Term
 

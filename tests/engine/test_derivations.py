@@ -15,10 +15,10 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.explanation import premises_of
 from kinlint.engine.store import Store
 from kinlint.facts.compute import facts
+from kinlint.finding import Finding
 from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.model import Finding
 from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import SourceText
 

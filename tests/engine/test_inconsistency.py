@@ -16,8 +16,8 @@ from support.linting import book, lint
 
 from kinlint import resources
 from kinlint.engine.reference.owl import owlrl_complaints
+from kinlint.finding import Finding
 from kinlint.formats.registry import decode
-from kinlint.model import Finding
 from kinlint.terms import Triple
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS, OWL

@@ -10,7 +10,7 @@ from support.linting import lint
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.model import Premise
+from kinlint.finding import Premise
 
 pytestmark = pytest.mark.xdist_group("faults")
 

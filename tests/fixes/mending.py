@@ -10,7 +10,7 @@ from kinlint.catalogue.rule_file import read_rules
 from kinlint.configuration.settings import Settings
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.fixes.rounds import linted, mended
-from kinlint.model import Applicability
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 RULE = """

@@ -13,8 +13,8 @@ from kinlint.configuration.settings import Settings
 from kinlint.fixes import writable
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.decoding import decode
-from kinlint.model import Applicability
 from kinlint.project.discovery import Input
+from kinlint.rule import Applicability
 
 ROBOT = """<?xml version="1.0"?>
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -6,7 +6,7 @@ from mending import book, mend, offered, outcome, repair
 from kinlint.fixes import offers as offers_module
 from kinlint.fixes.rounds import ROUNDS
 from kinlint.lint import examine
-from kinlint.model import Applicability
+from kinlint.rule import Applicability
 
 ARM = """<robot name="arm">
   <link name="base"/>  <!-- stays -->

@@ -4,7 +4,7 @@ from support.linting import book
 
 from kinlint.configuration.settings import Settings
 from kinlint.fixes.rounds import mended
-from kinlint.model import Applicability
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 MASS = """{

@@ -7,8 +7,9 @@ from typing import Any
 
 from reported import report, unit_finding
 
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.report import Report
+from kinlint.rule import Severity
 from kinlint.structure import Coupling, Frame, Joint, Link, Origin, Structure
 from kinlint.text import Location, SourceText, Span
 

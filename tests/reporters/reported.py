@@ -7,19 +7,10 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from kinlint.model import (
-    Applicability,
-    Example,
-    Finding,
-    Fix,
-    Premise,
-    Related,
-    Rule,
-    Severity,
-    TextEdit,
-)
+from kinlint.finding import Finding, Fix, Premise, Related, TextEdit
 from kinlint.report import Report
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Applicability, Example, Rule, Severity
 from kinlint.text import Location, SourceText, Span
 
 INERTIA = Rule(

@@ -15,7 +15,7 @@ from support.linting import book
 from kinlint.cli.main import main
 from kinlint.edits import Edit, applied
 from kinlint.formats.registry import decode
-from kinlint.model import Rule
+from kinlint.rule import Rule
 from kinlint.text import SourceText, Span
 
 pytestmark = pytest.mark.slow

@@ -8,7 +8,7 @@ from hypothesis import given
 from reported import BOTH, DYNAMICS, INERTIA_FINDING, PLAIN, at, here, report, reports, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Premise, Related
+from kinlint.finding import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.display_width import shown, width
 from kinlint.reporters.full import render

@@ -7,10 +7,11 @@ from hypothesis import given
 from reported import BOTH, here, report, reports, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.github import render
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 
 @pytest.fixture(autouse=True)

@@ -25,7 +25,7 @@ from reported import (
 )
 
 from kinlint.edits import Edit, applied
-from kinlint.model import Fix, TextEdit
+from kinlint.finding import Fix, TextEdit
 from kinlint.reporters.full import render
 from kinlint.reporters.hunk import hunks, lines
 from kinlint.reporters.terminal_style import Style

@@ -13,11 +13,11 @@ import pytest
 from drawn import HOSTILE, about, chain, picture
 from reported import INERTIA_FINDING, UNIT_FINDING, UNSAFE, unit_finding
 
-from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters.html.page import render
 from kinlint.reporters.picture.formats import pieces
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None

@@ -28,10 +28,11 @@ from reported import (
 )
 
 from kinlint.errors import SourceError
-from kinlint.model import Related, Severity
+from kinlint.finding import Related
 from kinlint.report import Report
 from kinlint.reporters.html.page import render
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 from kinlint.text import Location, SourceText, Span
 
 VOID = {"meta", "input", "br", "hr"}

@@ -8,11 +8,11 @@ from xml.etree import ElementTree as ET
 import pytest
 from drawn import HOSTILE, about, chain, picture, place
 
-from kinlint.model import Severity
 from kinlint.reporters.picture.finding_badges import CODES, badge, marks, paired
 from kinlint.reporters.picture.formats import FORMATS, pieces
 from kinlint.reporters.picture.labels import heading, number
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 from kinlint.structure import Joint, Link, Structure
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -10,10 +10,10 @@ import pytest
 from reported import BOTH, INERTIA_FINDING, SAFE, UNSAFE, here, report, unit_finding
 
 from kinlint.errors import UsageError
-from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters import reporter_registry
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 
 def written(made: Report, name: str, *, summarise: bool = True) -> str:

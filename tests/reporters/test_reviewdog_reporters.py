@@ -32,7 +32,7 @@ from reported import (
 
 from kinlint.edits import Edit, applied
 from kinlint.errors import SourceError
-from kinlint.model import Fix, TextEdit
+from kinlint.finding import Fix, TextEdit
 from kinlint.report import Report
 from kinlint.reporters.excerpt import bounds
 from kinlint.reporters.reviewdog import diagnostic_result, lines

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from reported import INERTIA, RULES
 
-from kinlint.model import Applicability, Example, Repair
 from kinlint.reporters import rule_page, rule_pages
 from kinlint.reporters.rule_example import marked
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Applicability, Example, Repair
 from kinlint.text import Span
 
 

@@ -34,7 +34,7 @@ from sarif_reader import (
 )
 
 from kinlint.edits import Edit, applied
-from kinlint.model import Fix, TextEdit
+from kinlint.finding import Fix, TextEdit
 from kinlint.reporters.sarif.sarif_fix import anchored
 from kinlint.reporters.sarif.sarif_log import log
 from kinlint.text import Location, SourceText, Span

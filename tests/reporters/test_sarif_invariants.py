@@ -22,7 +22,7 @@ from sarif_reader import (
     rules,
 )
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.sarif_log import log, render

@@ -22,11 +22,12 @@ from reported import (
 from sarif_reader import results, rules
 
 from kinlint.errors import SourceError
-from kinlint.model import Premise, Related, Severity
+from kinlint.finding import Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.sarif.rule_descriptors import friendly_name
 from kinlint.reporters.sarif.sarif_log import log
+from kinlint.rule import Severity
 
 
 def run(made: Report) -> dict[str, Any]:

@@ -29,7 +29,7 @@ from reported import (
 )
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters import reporter_registry
 from kinlint.reporters.sarif.sarif_log import log

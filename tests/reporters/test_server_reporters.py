@@ -29,10 +29,10 @@ from reported import (
 )
 
 from kinlint.errors import SourceError
-from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters import azure, checkstyle, gitlab, grouped, junit
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 ASCII = Style(unicode=False)
 ERRORS = (SourceError("gone, [b]; 5%.urdf", "no <such>\x00 file", 3, 4), SourceError("-", "no"))

@@ -6,11 +6,12 @@ import pytest
 from reported import BOTH, DISPLAY, INERTIA_FINDING, RULES, SAFE, UNSAFE, here, report, unit_finding
 
 from kinlint.errors import SourceError
-from kinlint.model import Fix, Severity
+from kinlint.finding import Fix
 from kinlint.report import Report
 from kinlint.reporters.applied_fixes import listing, verdict
 from kinlint.reporters.summary import hint, summary
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 UNREAD = SourceError("bad.jsonld", "no JSON")
 WARNING = unit_finding(here("x", 0, 1))

@@ -12,10 +12,10 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
+from kinlint.finding import Finding
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode, read
-from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.text import SourceText
 

@@ -5,8 +5,9 @@ from datetime import date
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.finding import Finding
 from kinlint.formats.turtle.format import TURTLE
-from kinlint.model import Finding, Rule, Severity
+from kinlint.rule import Rule, Severity
 from kinlint.suppression import suppress
 from kinlint.terms import iri, literal
 from kinlint.text import Location, SourceText, Span

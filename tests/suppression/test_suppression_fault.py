@@ -5,7 +5,7 @@ from suppressing import ARM, DROPPED, LEG, UNIT, applied, document, finding, kl,
 
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Choice, FileSettings, Settings
-from kinlint.model import Severity
+from kinlint.rule import Severity
 from kinlint.suppression import suppress
 from kinlint.terms import iri, literal
 from kinlint.text import Span

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from kinlint.addresses import is_address, without_file
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import STDIN_NAMES
 from kinlint.terms import is_blank
 from kinlint.text import Span

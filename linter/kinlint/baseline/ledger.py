@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from kinlint.baseline.entry_identity import Known, Names, known
-from kinlint.model import Finding
+from kinlint.finding import Finding
 
 
 def _nothing(_path: str) -> bool:

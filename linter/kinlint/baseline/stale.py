@@ -7,8 +7,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from kinlint.baseline.baseline_file import Baseline
 from kinlint.baseline.entry_identity import Known
 from kinlint.baseline.ledger import Ledger
-from kinlint.model import Finding, Rule
+from kinlint.finding import Finding
 from kinlint.report import Report
+from kinlint.rule import Rule
 from kinlint.suppression.diagnostics import UNUSED, filled
 from kinlint.text import Location
 

@@ -15,14 +15,14 @@ from typing import Any, TypeAlias
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.errors import SourceError
-from kinlint.model import Applicability, Repair, Rule, Severity
 from kinlint.report import Report
+from kinlint.rule import Applicability, Repair, Rule, Severity
 from kinlint.text import SourceText, Span
 
 Json: TypeAlias = Any
 
 CLASSES = {
-    **dict.fromkeys(("Finding", "Fix", "Premise", "Related", "TextEdit"), "kinlint.model"),
+    **dict.fromkeys(("Finding", "Fix", "Premise", "Related", "TextEdit"), "kinlint.finding"),
     "Location": "kinlint.text",
     **dict.fromkeys(
         ("Coupling", "Frame", "Joint", "Link", "Origin", "Structure"), "kinlint.structure"

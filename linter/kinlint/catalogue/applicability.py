@@ -15,7 +15,7 @@ from kinlint.engine.result import Result
 from kinlint.facts.compute import sources
 from kinlint.file_format import Format
 from kinlint.formats.records import FORMATS
-from kinlint.model import Repair, Rule
+from kinlint.rule import Repair, Rule
 from kinlint.terms import Term, is_iri
 
 COMPOSABLE = frozenset(each.name for each in FORMATS if not each.is_tree)

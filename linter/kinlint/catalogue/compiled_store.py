@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from kinlint.model import Applicability, Example, Repair, Rule, Severity, SeverityFor
+from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
 STORED = ("catalogue-*.json", "catalogue-*.tmp")
 """How compiled catalogues in a cache are called, and those that are being written."""

@@ -12,7 +12,7 @@ from kinlint.engine.compiler.graph import ShapesGraph, read
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.prefixes import namespaces
 from kinlint.engine.compiler.probe import refused_update
-from kinlint.model import KNOWN, Applicability, Repair
+from kinlint.rule import KNOWN, Applicability, Repair
 from kinlint.sparql.ast import Update, render
 from kinlint.sparql.parser import parse_update
 from kinlint.sparql.patterns import template

@@ -12,7 +12,7 @@ from kinlint.catalogue.repair_file import prefixes, read_repairs
 from kinlint.engine.compiler.graph import ShapesFile, ShapesGraph, parse
 from kinlint.engine.compiler.names import RULE_CLASS, TYPE, sh
 from kinlint.errors import RuleInvalid
-from kinlint.model import Example, Rule, Severity, SeverityFor
+from kinlint.rule import Example, Rule, Severity, SeverityFor
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_datatype, literal_value
 from kinlint.vocabulary import KL, RDFS, SH
 

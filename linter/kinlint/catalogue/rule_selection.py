@@ -12,7 +12,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.constraint import Constraint
 from kinlint.file_format import Format
-from kinlint.model import Repair, Rule
+from kinlint.rule import Repair, Rule
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from kinlint.catalogue.compiled_store import newest, read_catalogue, rule_from_j
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.errors import RuleInvalid
-from kinlint.model import Rule, Severity
+from kinlint.rule import Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 from kinlint.vocabulary import FACT, SRC
 
@@ -238,7 +238,7 @@ def _code() -> str:
     """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
     folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
-    extra = (package / name for name in ("model.py", "terms.py", "facts/kinds.py"))
+    extra = (package / name for name in ("rule.py", "terms.py", "facts/kinds.py"))
     files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
     for file in sorted([*files, *extra]):

@@ -15,11 +15,11 @@ from kinlint.errors import SourceError
 from kinlint.fixes.offers import Sieve
 from kinlint.fixes.rounds import Mended, mended
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
-from kinlint.model import Applicability
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.reporters.summary import counted
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 

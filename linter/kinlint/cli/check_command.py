@@ -26,11 +26,11 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.model import Severity
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
+from kinlint.rule import Severity
 
 if TYPE_CHECKING:
     from kinlint.cli.new_findings import KnownFindings

@@ -13,14 +13,15 @@ from kinlint.errors import SourceError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.environment import WRITING
 from kinlint.files.pathglob import absolute
+from kinlint.finding import Finding
 from kinlint.fixes.offers import every
 from kinlint.fixes.rounds import Mended, mended
 from kinlint.formats.decoding import decode, encode
-from kinlint.model import Applicability, Finding
 from kinlint.project.discovery import Input
 from kinlint.report import Report
 from kinlint.reporters.diff import unified
 from kinlint.reporters.terminal_style import When, style_of
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 __all__ = ["every", "least", "mended", "pass_on", "show", "unending", "written"]

@@ -19,13 +19,13 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.model import Severity
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.picture.formats import FORMATS, SUFFIXES, pieces
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, style_of
+from kinlint.rule import Severity
 
 STDOUT = "-"
 PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")

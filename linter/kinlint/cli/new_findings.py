@@ -18,9 +18,10 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real, shown
-from kinlint.model import Finding, Rule
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.summary import counted
+from kinlint.rule import Rule
 from kinlint.text import SourceText
 
 

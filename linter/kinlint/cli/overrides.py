@@ -23,7 +23,7 @@ from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import NOTHING, missing
-from kinlint.model import Severity
+from kinlint.rule import Severity
 
 ORIGIN = "command line"
 

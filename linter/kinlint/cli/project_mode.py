@@ -12,8 +12,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.settings import Settings
+from kinlint.finding import Finding
 from kinlint.formats.records import JSON
-from kinlint.model import Finding
 from kinlint.project.discovery import Found, Input, speaks_of_context
 from kinlint.report import Report
 from kinlint.text import SourceText

@@ -15,12 +15,12 @@ from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.pathglob import absolute
-from kinlint.model import Rule
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages
 from kinlint.reporters.terminal_style import style_of
+from kinlint.rule import Rule
 
 FORMATS = ("text", "markdown", "json", "turtle")
 

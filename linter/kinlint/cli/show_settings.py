@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.files.pathname import shown
-from kinlint.model import Rule
 from kinlint.project.discovery import Input
+from kinlint.rule import Rule
 
 
 def pages(

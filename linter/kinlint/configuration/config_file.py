@@ -20,7 +20,7 @@ from kinlint.configuration.value_kinds import ALIASES
 from kinlint.errors import ConfigError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import missing, shown
-from kinlint.model import Severity
+from kinlint.rule import Severity
 from kinlint.text import SourceText, Span
 
 NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")

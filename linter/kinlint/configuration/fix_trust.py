@@ -12,7 +12,8 @@ from dataclasses import replace as changed
 
 from kinlint.configuration.selectors import ALL, Catalogue, Rank, narrowed
 from kinlint.configuration.settings import Choice
-from kinlint.model import Applicability, Fix, Rule
+from kinlint.finding import Fix
+from kinlint.rule import Applicability, Rule
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,8 @@ from functools import cached_property
 from kinlint.configuration.fix_trust import Trust, trust
 from kinlint.configuration.selectors import Catalogue, narrowed
 from kinlint.configuration.settings import Choice, Settings
-from kinlint.model import Finding, Rule, Severity
+from kinlint.finding import Finding
+from kinlint.rule import Rule, Severity
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import TypeAlias
 
 from kinlint.configuration.keys import TARGETS
 from kinlint.errors import UsageError
-from kinlint.model import Rule
+from kinlint.rule import Rule
 from kinlint.suggestion import did_you_mean
 
 ALL = "ALL"

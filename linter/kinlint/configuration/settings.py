@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, TypeAlias
 
-from kinlint.model import Severity
+from kinlint.rule import Severity
 from kinlint.text import SourceText, Span
 
 Engine: TypeAlias = Literal["oxigraph", "pyshacl"]

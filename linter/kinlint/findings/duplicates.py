@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.addresses import is_address
-from kinlint.model import Finding
+from kinlint.finding import Finding
 
 
 def identity(finding: Finding) -> tuple[object, ...]:

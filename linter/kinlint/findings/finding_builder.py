@@ -18,12 +18,13 @@ from kinlint.engine.explanation import Step, because
 from kinlint.engine.provenance import Provenance
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
+from kinlint.finding import Finding, Premise, Related
 from kinlint.findings.duplicates import identity
 from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
 from kinlint.findings.wording import Wording
 from kinlint.message_template import counted, filled
-from kinlint.model import Finding, Premise, Related, Rule, Severity
+from kinlint.rule import Rule, Severity
 from kinlint.term_format import Display
 from kinlint.terms import (
     RDF_TYPE,

@@ -6,8 +6,8 @@ from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 
 from kinlint.addresses import is_address, split
+from kinlint.finding import Finding, Related
 from kinlint.message_template import VARIABLE, counted, filled
-from kinlint.model import Finding, Related
 
 COUNT = "count"
 """The placeholder in the message of such a rule that says how many places there are."""

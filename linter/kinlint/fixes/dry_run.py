@@ -8,7 +8,7 @@ from kinlint.edits import Delta
 from kinlint.engine.math_functions import MATH
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank
-from kinlint.model import KNOWN, Repair
+from kinlint.rule import KNOWN, Repair
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_iri, is_literal
 
 

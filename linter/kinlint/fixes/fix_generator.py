@@ -8,10 +8,11 @@ from pathlib import Path
 
 from kinlint.catalogue.applicability import covers
 from kinlint.edits import Edit, Unsayable, overlap
+from kinlint.finding import Finding, Fix
 from kinlint.fixes.dry_run import change
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.fixes.placing import placed
-from kinlint.model import Applicability, Finding, Fix, Repair
+from kinlint.rule import Applicability, Repair
 from kinlint.text import SourceText
 
 

@@ -15,11 +15,12 @@ from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, homes
 from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.writable import WritableFiles
 from kinlint.formats.registry import Editor, editor
-from kinlint.model import Applicability, Finding, Fix, Repair, TextEdit
 from kinlint.pipeline.analyzer import Examination
+from kinlint.rule import Applicability, Repair
 from kinlint.terms import Term
 from kinlint.text import Location, SourceText
 

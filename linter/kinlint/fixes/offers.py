@@ -10,16 +10,17 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
+from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.sparql_update import update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, tried
 from kinlint.formats.dependencies.file_groups import models
 from kinlint.lint import examine
-from kinlint.model import Applicability, Finding, Fix
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Examination
 from kinlint.report import Report
+from kinlint.rule import Applicability
 from kinlint.terms import Term
 from kinlint.text import SourceText
 

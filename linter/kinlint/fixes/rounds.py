@@ -10,15 +10,16 @@ from typing import TypeAlias
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
+from kinlint.finding import Finding
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.generator import Candidate, MakeGenerator
 from kinlint.fixes.offers import Offers, Sieve, every, examined, offers
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
-from kinlint.model import Applicability, Finding
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import NOTHING, Examination
 from kinlint.report import Report
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 State: TypeAlias = frozenset[tuple[Path, str]]

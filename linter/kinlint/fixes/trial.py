@@ -13,8 +13,8 @@ from kinlint.edits import Delta, Unsayable
 from kinlint.fixes.generator import Candidate, FileKind, Generator, counts
 from kinlint.fixes.proof import proven
 from kinlint.fixes.texts import Texts
-from kinlint.model import Applicability
 from kinlint.pipeline.analyzer import Examination
+from kinlint.rule import Applicability
 from kinlint.terms import Term
 from kinlint.text import SourceText
 

@@ -11,10 +11,11 @@ from typing import ClassVar
 from kinlint.addresses import is_address
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.ignoring.comments import ELEMENT, comment
 from kinlint.ignoring.statements import appended, delta
-from kinlint.model import Applicability, Finding, Fix, Repair
+from kinlint.rule import Applicability, Repair
 from kinlint.suppression.diagnostics import FAULTS
 from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.terms import Term, is_blank, is_iri

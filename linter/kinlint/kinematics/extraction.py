@@ -13,13 +13,13 @@ from kinlint.facts.arrangement import Edge, arranged
 from kinlint.facts.mechanism import Mechanism, model_of, named
 from kinlint.facts.names import attribute
 from kinlint.facts.scan import Scan
+from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.couplings import Couplings
 from kinlint.kinematics.naming import Names, element_name
 from kinlint.kinematics.numbers import Numbers
 from kinlint.kinematics.owners import Owners
 from kinlint.kinematics.robots import Robots
-from kinlint.model import Finding
 from kinlint.structure import Frame, Joint, Link, Structure
 from kinlint.terms import Term, literal_value
 

@@ -11,7 +11,7 @@ from kinlint.addresses import enclosing, is_address, is_within, lifted
 from kinlint.engine.store import Store, statement, token
 from kinlint.facts.component import JOINTS
 from kinlint.facts.mechanism import ATTACHMENTS
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.terms import RDF_TYPE, Term, is_literal
 from kinlint.vocabulary import FACT, KIN, KL, METAMODELS, REFERENCE, RULE, SRC
 

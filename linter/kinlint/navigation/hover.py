@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kinlint.model import Finding, Rule
+from kinlint.finding import Finding
 from kinlint.reporters import rule_page
+from kinlint.rule import Rule
 from kinlint.suppression.directive import Directive
 from kinlint.text import Span
 

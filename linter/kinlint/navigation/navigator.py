@@ -8,9 +8,9 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
+from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.extraction import structures
-from kinlint.model import Finding
 from kinlint.navigation.entity_hover import EntityPages
 from kinlint.navigation.file_links import Link, links
 from kinlint.navigation.graph_model import GraphModel

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from kinlint.errors import SourceError
+from kinlint.finding import Finding
 from kinlint.findings.duplicates import identity
-from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.structure import Structure
 

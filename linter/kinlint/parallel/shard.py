@@ -12,10 +12,11 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.files.tracked_io import Record, recorded
-from kinlint.model import Finding, Rule
+from kinlint.finding import Finding
 from kinlint.parallel.partition import Model
 from kinlint.phases import Phases
 from kinlint.report import Report
+from kinlint.rule import Rule
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
+from kinlint.finding import Finding
 from kinlint.findings.finding_builder import Account
 from kinlint.findings.grouping import grouped
-from kinlint.model import Finding
 from kinlint.report import Report
 from kinlint.structure import Structure
 from kinlint.suppression import suppress

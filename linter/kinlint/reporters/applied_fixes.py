@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from kinlint.model import Rule
 from kinlint.report import Report
 from kinlint.reporters.display_width import shown
 from kinlint.reporters.fixability import fixable
 from kinlint.reporters.summary import counts
 from kinlint.reporters.terminal_style import INK_OF, Style
+from kinlint.rule import Rule
 
 
 def listing(report: Report, style: Style, *, would: bool = False) -> Iterator[str]:

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.model import Severity
 from kinlint.report import STDIN_NAMES, Report
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 _TYPES = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "warning"}
 

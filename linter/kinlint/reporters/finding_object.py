@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Fix, Premise, Related, TextEdit
+from kinlint.finding import Finding, Fix, Premise, Related, TextEdit
 from kinlint.text import Location, Position
 
 

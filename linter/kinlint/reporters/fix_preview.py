@@ -6,12 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 
-from kinlint.model import Applicability, Finding, Fix
+from kinlint.finding import Finding, Fix
 from kinlint.reporters.display_width import folded, shown
 from kinlint.reporters.excerpt import bounds, line_text
 from kinlint.reporters.hunk import Hunk, common, edits_of, hunks
 from kinlint.reporters.summary import counted
 from kinlint.reporters.terminal_style import Ink, Style
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 FIXES_SHOWN = 3

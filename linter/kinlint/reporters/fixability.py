@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from kinlint.model import Applicability, Finding
+from kinlint.finding import Finding
+from kinlint.rule import Applicability
 
 FIXABLE, WITH_CARE, PARTLY = "[*]", "[*!]", "[-]"
 """`--fix` mends it; it does with `--unsafe-fixes`; it mends some of them."""

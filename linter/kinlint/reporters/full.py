@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Finding, Premise, Related
+from kinlint.finding import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded, shown
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows

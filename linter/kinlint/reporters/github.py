@@ -13,9 +13,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.report import STDIN_NAMES, Report
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 ANNOTATIONS_OF_A_KIND = 10
 MESSAGE_LENGTH = 4_096

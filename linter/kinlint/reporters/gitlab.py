@@ -14,12 +14,13 @@ from typing import Any
 
 from kinlint.addresses import is_address, split
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded
 from kinlint.reporters.json_escape import json_text
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 UNREADABLE = "kinlint"
 """The name of the check that a file which cannot be read fails."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kinlint.edits import Edit, applied
-from kinlint.model import Fix
+from kinlint.finding import Fix
 from kinlint.reporters.excerpt import bounds
 from kinlint.text import SourceText, Span
 

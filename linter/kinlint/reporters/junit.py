@@ -11,12 +11,12 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
 from kinlint.reporters.xml_text import HEAD, content, tag
+from kinlint.rule import Severity
 
 PACKAGE = "org.kinlint"
 _TIME = {"time": "0"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeAlias
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import STDIN_NAMES, Report
 from kinlint.reporters.markdown_text import address, escaped, link, table
 from kinlint.reporters.repository_paths import Paths

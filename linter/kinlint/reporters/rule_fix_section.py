@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from kinlint.model import Applicability, Repair, Rule
+from kinlint.rule import Applicability, Repair, Rule
 
 _TRUST = {
     Applicability.SAFE: "safe, so `--fix` makes it",

@@ -9,12 +9,12 @@ from typing import Any
 from urllib.parse import quote
 
 from kinlint.formats.records import FORMATS
-from kinlint.model import Example, Rule
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_example import Marked, marked
 from kinlint.reporters.rule_fix_section import heading, repair_object
 from kinlint.reporters.symptoms import SYMPTOMS
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Example, Rule
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {each.name: each.fence for each in FORMATS}

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from kinlint import resources
-from kinlint.model import Rule
 from kinlint.reporters.rule_fix_section import furthest
 from kinlint.reporters.rule_page import section, title_of
 from kinlint.reporters.symptoms import symptom_table
+from kinlint.rule import Rule
 
 INTRODUCTION = """\
 # The rules of kinlint

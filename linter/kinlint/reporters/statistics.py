@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.fixability import FIXABLE, PARTLY, WITH_CARE, fixable
 from kinlint.reporters.terminal_style import INK_OF, Style

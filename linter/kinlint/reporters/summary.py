@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.display_width import shown
 from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from kinlint.format_profile import profile
 from kinlint.formats.records import GRAPHS, LIFTED
-from kinlint.model import Rule
+from kinlint.rule import Rule
 
 SYMPTOMS = {
     "AP1.1": "an entity has no identifier",

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, TextIO, TypeAlias
 
-from kinlint.model import Severity
+from kinlint.rule import Severity
 
 When: TypeAlias = Literal["auto", "always", "never"]
 Ink: TypeAlias = Literal["error", "warning", "info", "place", "note", "strong", "removed", "added"]

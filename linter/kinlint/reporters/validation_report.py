@@ -13,10 +13,11 @@ from urllib.parse import quote
 
 from kinlint.addresses import document_iri
 from kinlint.errors import SourceError
-from kinlint.model import Applicability, Finding, Fix, Severity
+from kinlint.finding import Finding, Fix
 from kinlint.report import Report
 from kinlint.reporters.display_width import sound
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Applicability, Severity
 from kinlint.terms import Term, Triple, is_blank, is_iri, literal
 from kinlint.text import Position
 from kinlint.vocabulary import DASH, KL, RDFS, SH

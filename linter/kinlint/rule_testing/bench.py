@@ -22,10 +22,10 @@ from kinlint.findings.finding_builder import findings
 from kinlint.formats.dependencies.companions import joined
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.model import Rule
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import through
+from kinlint.rule import Rule
 from kinlint.rule_testing.mutants import mutants, repeats
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse

@@ -17,10 +17,11 @@ from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
+from kinlint.finding import Finding
 from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
-from kinlint.model import Example, Finding, Rule
+from kinlint.rule import Example, Rule
 from kinlint.rule_testing.bench import Bench, idle
 from kinlint.sparql.tokens import tokens
 from kinlint.text import SourceText, Span

@@ -11,7 +11,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.fixes.offers import Offers
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.records import BY_NAME
-from kinlint.model import Applicability, Example, Repair, Rule
+from kinlint.rule import Applicability, Example, Repair, Rule
 from kinlint.text import SourceText
 
 Shown = tuple[int, Example, Sequence[SourceText]]

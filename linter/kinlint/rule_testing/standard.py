@@ -16,8 +16,8 @@ from kinlint.catalogue.repair_file import prefixes
 from kinlint.engine.compiler.graph import ShapesGraph, parse
 from kinlint.engine.compiler.names import sh
 from kinlint.engine.compiler.prefixes import declared
-from kinlint.model import Rule
 from kinlint.resources import data
+from kinlint.rule import Rule
 from kinlint.terms import literal_value
 
 PATH = re.compile(r"[$?]PATH\b")

@@ -8,8 +8,9 @@ from functools import partial
 from lsprotocol import types
 
 from kinlint.edits import Unsayable
+from kinlint.finding import Finding
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
-from kinlint.model import Applicability, Finding
+from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
 from kinlint.server.diagnostics import diagnostic
 from kinlint.server.quick_fixes import MOST, all_safe, remedies

@@ -7,8 +7,8 @@ from functools import partial
 
 from lsprotocol import types
 
-from kinlint.model import Applicability
 from kinlint.reporters.summary import counted
+from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
 from kinlint.server.quick_fixes import remedies
 from kinlint.server.request_context import RequestContext

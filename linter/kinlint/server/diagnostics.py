@@ -11,9 +11,10 @@ from pathlib import Path
 from lsprotocol import types
 
 from kinlint.errors import SourceError
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.sarif.rule_descriptors import web_address
+from kinlint.rule import Severity
 from kinlint.server.request_context import Places
 from kinlint.server.session import Session
 from kinlint.text import Location, SourceText, Span

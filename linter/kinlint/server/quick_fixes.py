@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.offers import offers
 from kinlint.fixes.rounds import mended
-from kinlint.model import Applicability, Finding, Fix, TextEdit
+from kinlint.rule import Applicability
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.request_context import RequestContext
 from kinlint.server.session import named

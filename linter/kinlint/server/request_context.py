@@ -13,7 +13,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.files.pathglob import absolute
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.pipeline.analyzer import Examination
 from kinlint.server.buffers import Buffer, uri_of
 from kinlint.server.frozen_state import FrozenState

@@ -10,9 +10,9 @@ from typing import TypeAlias
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.files.pathname import real
+from kinlint.finding import Finding, Fix
 from kinlint.fixes.texts import Texts
 from kinlint.lint import examine
-from kinlint.model import Finding, Fix
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Cancelled, Examination
 from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer

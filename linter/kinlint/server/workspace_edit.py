@@ -8,7 +8,7 @@ from difflib import SequenceMatcher
 from lsprotocol import types
 
 from kinlint.edits import Edit
-from kinlint.model import TextEdit
+from kinlint.finding import TextEdit
 from kinlint.server.request_context import Places
 from kinlint.text import Location, SourceText, Span
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 from kinlint.addresses import is_address
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Ignore
-from kinlint.model import Finding, Rule
+from kinlint.finding import Finding
+from kinlint.rule import Rule
 from kinlint.suppression import json_pointer
 from kinlint.suppression.diagnostics import UNUSED, filled
 from kinlint.terms import iri

@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kinlint.configuration.selection import Policies
-from kinlint.model import PLACEHOLDER, Finding, Rule
+from kinlint.finding import Finding
+from kinlint.rule import PLACEHOLDER, Rule
 from kinlint.suggestion import nearest
 from kinlint.suppression.directive import Directive
 from kinlint.terms import iri_value, is_iri

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from kinlint.configuration.selection import Policies
 from kinlint.document import Document
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.suppression.config_ignores import ConfigIgnores
 from kinlint.suppression.diagnostics import FAULTS, UNUSED, SuppressionFault, faults, reported
 from kinlint.suppression.directive import Directive, directives

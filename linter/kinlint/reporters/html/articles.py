@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Finding, Premise
+from kinlint.finding import Finding, Premise
 from kinlint.report import Report
 from kinlint.reporters.display_width import folded
 from kinlint.reporters.fixability import sign

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.reporters.display_width import folded
 from kinlint.reporters.excerpt import CONTEXT_LINES, Cut, Mark, bounds, cut
 from kinlint.reporters.picture.escape import element, text

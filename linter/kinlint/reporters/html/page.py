@@ -7,7 +7,6 @@ import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from kinlint.model import Severity
 from kinlint.report import Report
 from kinlint.reporters.html.articles import Articles
 from kinlint.reporters.html.robot_pictures import robots
@@ -18,6 +17,7 @@ from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.picture.finding_badges import sign
 from kinlint.reporters.summary import counted, verdict
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 HERE = Path(__file__).parent
 

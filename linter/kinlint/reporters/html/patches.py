@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.model import Applicability, Finding, Fix
+from kinlint.finding import Finding, Fix
 from kinlint.reporters.diff import NO_LINE_END
 from kinlint.reporters.display_width import folded, shown
 from kinlint.reporters.hunk import Hunk, edits_of, hunks
 from kinlint.reporters.picture.escape import element, text
+from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 KINDS = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.picture import svg, text_tree
 from kinlint.reporters.picture.escape import element, text

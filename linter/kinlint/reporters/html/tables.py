@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.fixability import fixable
 from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.picture.finding_badges import sign
+from kinlint.rule import Severity
 
 FILES = 200
 """Number of files above which only those with the most findings have a row."""

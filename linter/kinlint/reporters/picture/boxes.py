@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.reporters.display_width import shown, width
 from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import limits, mimics, origin

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kinlint.model import Severity
 from kinlint.reporters.display_width import shown
 from kinlint.reporters.picture.finding_badges import Marks, badge
 from kinlint.reporters.picture.labels import heading, limits, mimics, origin
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 from kinlint.structure import Link, Part, Structure
 
 BEYOND = re.compile("[^\u0000-\uffff]")

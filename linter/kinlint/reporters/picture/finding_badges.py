@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from kinlint.model import Finding, Severity
+from kinlint.finding import Finding
+from kinlint.rule import Severity
 from kinlint.structure import Structure
 from kinlint.text import Location
 

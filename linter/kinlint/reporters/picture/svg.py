@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from kinlint.model import Finding
+from kinlint.finding import Finding
 from kinlint.reporters.picture.boxes import (
     CLEAR,
     LABEL_LINE,

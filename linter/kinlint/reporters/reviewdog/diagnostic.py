@@ -15,9 +15,10 @@ from typing import Any
 
 from kinlint.edits import Edit, applied
 from kinlint.errors import SourceError
-from kinlint.model import Applicability, Finding, Fix, Severity
+from kinlint.finding import Finding, Fix
 from kinlint.reporters.excerpt import bounds
 from kinlint.reporters.hunk import edits_of
+from kinlint.rule import Applicability, Severity
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import KINLINT
 

@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import replace
 
 from kinlint.addresses import is_address
-from kinlint.model import Finding
+from kinlint.finding import Finding
 
 
 class Fingerprints:

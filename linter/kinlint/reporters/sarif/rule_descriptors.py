@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from typing import Any
 from urllib.parse import quote
 
-from kinlint.model import Rule, Severity
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_page import help_markdown, help_text, paragraphs
 from kinlint.reporters.sarif.sarif_message import message_template
+from kinlint.rule import Rule, Severity
 from kinlint.vocabulary import KINLINT, RULE
 
 TAXONOMY = "kinlint-antipatterns"

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from kinlint.edits import Edit
-from kinlint.model import Fix
+from kinlint.finding import Fix
 from kinlint.reporters.sarif.sarif_message import escaped
 from kinlint.text import Span
 

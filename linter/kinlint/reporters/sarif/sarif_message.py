@@ -10,8 +10,9 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from kinlint.finding import Finding
 from kinlint.message_template import bare, filled
-from kinlint.model import PLACEHOLDER, Finding
+from kinlint.rule import PLACEHOLDER
 
 RELATED_LOCATIONS = 10
 """Number of related locations that are linked; GitHub shows no others."""

@@ -8,7 +8,7 @@ from typing import Any
 from kinlint.addresses import is_address
 from kinlint.edits import Edit
 from kinlint.errors import SourceError
-from kinlint.model import Applicability, Finding, Premise
+from kinlint.finding import Finding, Premise
 from kinlint.reporters.hunk import edits_of
 from kinlint.reporters.sarif.artifact_location import Artifacts
 from kinlint.reporters.sarif.fingerprint import Fingerprints
@@ -17,6 +17,7 @@ from kinlint.reporters.sarif.region import Regions
 from kinlint.reporters.sarif.rule_descriptors import LEVELS, Catalogue, taxon_references
 from kinlint.reporters.sarif.sarif_fix import anchored, fix_object
 from kinlint.reporters.sarif.sarif_message import RELATED_LOCATIONS, escaped, message_of
+from kinlint.rule import Applicability
 from kinlint.text import Location, SourceText, Span
 
 FLOW_LOCATIONS = 100

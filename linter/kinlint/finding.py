@@ -1,0 +1,150 @@
+"""A finding, and its parts: related places, premises, fixes. All of it frozen."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+
+from kinlint.addresses import is_address, readable
+from kinlint.rule import Applicability, Rule, Severity
+from kinlint.terms import Term, Triple
+from kinlint.text import Location, SourceText
+
+
+@dataclass(frozen=True, slots=True)
+class TextEdit:
+    """Replacement of the text at a place."""
+
+    location: Location
+    """The place."""
+    text: str
+    """The new text."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A repair of one finding as text edits."""
+
+    title: str
+    """Imperative, placeholders filled in."""
+    applicability: Applicability
+    """What the repair claims and the proof allows."""
+    edits: tuple[TextEdit, ...]
+    """Edits, ascending and without overlap in each text."""
+    update: str
+    """The change of the graph as a SPARQL Update without variables."""
+    why: str = ""
+    """Reason why it is not safe, if it is not."""
+    removed: tuple[Triple, ...] = ()
+    """Triples that the fix deletes."""
+    added: tuple[Triple, ...] = ()
+    """Triples that the fix inserts."""
+
+    @property
+    def sources(self) -> tuple[SourceText, ...]:
+        """The texts that are changed, each once."""
+        return tuple({id(one.location.source): one.location.source for one in self.edits}.values())
+
+
+@dataclass(frozen=True, slots=True)
+class Related:
+    """Another place that a finding is about."""
+
+    location: Location
+    """The place."""
+    message: str
+    """Role of the place; empty for one more of the same kind."""
+
+
+@dataclass(frozen=True, slots=True)
+class Premise:
+    """A statement that a finding rests on: asserted at a place, or inferred."""
+
+    statement: str
+    """The statement, for people."""
+    location: Location | None = None
+    """Place of an asserted statement."""
+    axiom: str = ""
+    """The axiom by which it was inferred, or what it was computed from, in words; empty if
+    asserted.
+    """
+    depth: int = 0
+    """0 for a triple that the rule matched; the premises of each follow it, one deeper."""
+
+    @property
+    def inferred(self) -> bool:
+        """Whether the statement was derived rather than written."""
+        return bool(self.axiom)
+
+    @property
+    def computed(self) -> bool:
+        """Tell whether it follows by arithmetic from the statements below it, and by no axiom."""
+        return self.axiom.startswith("computed from")
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """A defect at a place."""
+
+    rule: Rule
+    """The rule that was violated."""
+    severity: Severity
+    """Severity here, after configuration."""
+    message: str
+    """`template` with its `arguments` filled in."""
+    location: Location
+    """Place of the defect."""
+    iri: str
+    """The entity concerned: an absolute IRI or a blank node label."""
+    focus: Term
+    """The focus node (SHACL)."""
+    path: Term | None = None
+    """The property, where the rule names one."""
+    value: Term | None = None
+    """The value, where the rule names one."""
+    template: str = ""
+    """Message with placeholders."""
+    arguments: tuple[str, ...] = ()
+    """Values of the placeholders, abbreviated as in the file."""
+    meant: tuple[str, ...] = ()
+    """The same, independent of abbreviations."""
+    related: tuple[Related, ...] = ()
+    """Other places it is about."""
+    because: tuple[Premise, ...] = ()
+    """What it rests on."""
+    suppressed: str | None = field(default=None)
+    """Why it is suppressed; None if it is not."""
+    group: tuple[str, ...] = ()
+    """What it shares with the findings grouped with it (`Rule.group_by`)."""
+    members: tuple[Finding, ...] = ()
+    """The findings grouped in this one."""
+    fixes: tuple[Fix, ...] = ()
+    """Alternative fixes, the preferred first."""
+
+    def fix(self, least: Applicability) -> Fix | None:
+        """The first of the fixes that may be trusted at least so far: what `--fix` makes."""
+        return next((each for each in self.fixes if each.applicability >= least), None)
+
+    @property
+    def entity(self) -> str:
+        """Return `iri` for people: for an element, the file and the path to it.
+
+        A lifted node is named like an element: `arm.urdf#/link/base/inertia`.
+        """
+        return readable(self.iri) if is_address(self.iri) else self.iri
+
+    @property
+    def fingerprint(self) -> str:
+        """An identity that survives moving and re-indenting: rule, entity, path and value.
+
+        Of a group: rule and what it has in common, whoever is in it.
+        """
+        alone = self.iri, self.path or "", *(self.meant or self.arguments)
+        what = [self.rule.code, *(self.group if self.rule.group_by else alone)]
+        return hashlib.sha256("\x1f".join(what).encode("utf-8", "surrogatepass")).hexdigest()[:32]
+
+    @property
+    def sort_key(self) -> tuple[str, int, int, str, str]:
+        """Findings are reported by file, place and code."""
+        source, span = self.location.source, self.location.span
+        return source.name, span.start, span.end, self.rule.code, self.message
