@@ -229,3 +229,20 @@ def test_numbers_of_sdf_are_shown_at_their_elements() -> None:
     assert {("base/inertia/moments iyy 1", 4), ("base/inertia/moments izz 3", 5)} <= {
         (statement.removeprefix("arm/"), line) for statement, line in shown
     }
+
+
+def test_a_cycle_of_joints_rests_on_no_placement() -> None:
+    """Poses in the frame of another body are resolved by the reader: no file states them."""
+    joints = "".join(
+        f'<joint name="{name}" type="fixed"><parent>{parent}</parent><child>{child}</child></joint>'
+        for name, parent, child in (("one", "inner::a", "b"), ("two", "b", "inner::a"))
+    )
+    inner = '<model name="inner"><pose>1 0 0 0 0 0</pose><link name="a"/></model>'
+    model = f'<model name="arm">{inner}<link name="b"/>{joints}</model>'
+
+    report = lint(f'<sdf version="1.9">{model}</sdf>', "arm.sdf", rules=rulebook.load())
+    (finding,) = (each for each in report.findings if each.rule.code == "TOP003")
+
+    assert finding.severity.label == "warning"
+    (premise,) = told(finding.because)
+    assert premise == (0, "arm circle arm/one", "computed from the elements")

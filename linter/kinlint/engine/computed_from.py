@@ -17,10 +17,11 @@ from kinlint.terms import (
     is_literal,
     literal_datatype,
 )
-from kinlint.vocabulary import FACT, QUDT
+from kinlint.vocabulary import FACT, QUDT, SRC
 
 COMPUTED, COMPUTED_TOO = "computed from", "computed from the same"
-"""Stand in place of an axiom."""
+COMPUTED_ALONE = "computed from the elements"
+"""What stands in place of an axiom: numbers follow, were shown before, or there are none."""
 
 DERIVED_FROM = iri(f"{FACT}derived-from")
 TYPE_FACTS = frozenset(iri(f"{FACT}{name}") for name in ("excluded-type", "entailed-type"))
@@ -32,6 +33,10 @@ UNIT = iri(f"{QUDT}unit")
 FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
 FEW = 3
 """Of so many sources all numbers are told; of each of more, only one."""
+
+RESOLVED = f"<{SRC}"
+"""How the properties begin that readers resolve, such as poses in the frame of a body: no file
+states their numbers."""
 
 NODE = "<urn:kinlint:fact:"
 """How the names of computed nodes begin."""
@@ -83,6 +88,7 @@ def _told(store: Store, node: Term, most: int) -> Sequence[Triple]:
     ranked = sorted(
         (_rank(store, value, predicate), predicate, value)
         for predicate, value in islice(store.described(node), MOST_READ)
+        if not predicate.startswith(RESOLVED)
     )
     numbers = [(node, predicate, value) for rank, predicate, value in ranked if rank < KIND_OF]
     kinds = [(node, predicate, value) for rank, predicate, value in ranked if rank == KIND_OF]

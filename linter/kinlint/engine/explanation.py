@@ -8,6 +8,7 @@ from typing import NamedTuple
 from kinlint.engine.axioms import Axiom, Pattern, instantiate, is_variable, match
 from kinlint.engine.computed_from import (
     COMPUTED,
+    COMPUTED_ALONE,
     COMPUTED_TOO,
     CONTRADICTED,
     TYPE_FACTS,
@@ -65,7 +66,9 @@ def premises_of(
     known = {f"?{name}": term for name, term in result.bindings.items()}
     known["?this"] = result.focus
     matched = tuple(each for each in constraint.premises if CHOSEN.isdisjoint(each))
-    for patterns in (*((way, *matched) for way in constraint.targets), constraint.premises):
+    # A target that the constraint asks for itself adds nothing to what it rests on.
+    ways = sorted(constraint.targets, key=lambda way: way[1] not in {each[1] for each in matched})
+    for patterns in (*((way, *matched) for way in ways), constraint.premises):
         bindings = next(_solutions(store, patterns, known), None)
         if bindings is not None:
             break
@@ -97,7 +100,9 @@ def because(
         if is_fact(triple):
             found = (Step(each, depth=1) for each in statements(store, sources(store, triple)))
             origin = [step for step in found if step not in steps]
-            steps += (Step(triple, COMPUTED if origin else COMPUTED_TOO), *origin)
+            shown = any(step.axiom == COMPUTED for step in steps)
+            axiom = COMPUTED if origin else COMPUTED_TOO if shown else COMPUTED_ALONE
+            steps += (Step(triple, axiom), *origin)
             continue
         proof = explain(store, axioms, triple) if store.is_inferred(triple) else (Step(triple),)
         if proof and proof[0] not in steps:

@@ -119,7 +119,7 @@ def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
     for premise in premises[:PREMISES_SHOWN]:
         text = folded(premise.statement, unicode=style.unicode)
         if premise.computed:
-            text += f", {premise.axiom}" + ":" * (not premise.axiom.endswith("same"))
+            text += f", {premise.axiom}" + ":" * premise.axiom.endswith("from")
         elif premise.inferred:
             text += f", inferred: {folded(premise.axiom, unicode=style.unicode)}"
         if premise.location is not None:
