@@ -17,11 +17,11 @@ class Shape(Enum):
 
 @dataclass(frozen=True)
 class Format:
-    """One file format: how its files are recognised, read, written and shown.
+    """File format: how its files are recognised, read, written and shown.
 
-    Each record stands beside the reader of its format; `kinlint.formats.records` collects them.
-    Modules are named, not imported, so that a run loads only the readers that it needs. Two
-    records of one name are equal, also when one of them comes from another process.
+    Each record is kept in the package of its format, next to the reader; `kinlint.formats.records`
+    collects them. Modules are named, not imported, so that a run loads only the readers that it
+    needs. Two records of one name are equal, also when one of them comes from another process.
     """
 
     name: str
@@ -31,7 +31,7 @@ class Format:
     suffixes: tuple[str, ...] = field(compare=False, repr=False)
     """The ends of the names of its files, with their dots, the usual one first."""
     shape: Shape = field(compare=False, repr=False)
-    """Whether its files are graphs of statements or trees of elements."""
+    """Content of its files: graphs of statements or trees of elements."""
     reader: str = field(compare=False, repr=False)
     """The dotted name of the module whose `read(source, options)` makes a document of a text."""
     editor: str | None = field(default=None, compare=False, repr=False)
@@ -48,29 +48,32 @@ class Format:
     schema: str | None = field(default=None, compare=False, repr=False)
     """The table of its elements and attributes, a file below `shapes/`."""
     block_comment: tuple[str, str] | None = field(default=None, compare=False, repr=False)
-    """How comments begin and end, if comments carry suppressions; else statements do."""
+    """Delimiters of comments, if comments carry suppressions; statements carry them otherwise."""
     expands_to: str | None = field(default=None, compare=False, repr=False)
     """The name of the format that its files are macros of; that one's queries, rules and profile
     hold for them."""
     speaks_of: str | None = field(default=None, compare=False, repr=False)
     """The name of the format of the robots that its files annotate without describing them."""
     includes: bool = field(default=False, compare=False, repr=False)
-    """Whether what a file states depends on files that it names."""
+    """True if the statements of a file depend on files that it names."""
     searched: bool = field(default=True, compare=False, repr=False)
-    """Whether directories are searched for its files; others have to be named, or match a glob."""
+    """True if directories are searched for its files; others have to be named, or match a glob."""
     convertible: bool = field(default=False, compare=False, repr=False)
-    """Whether `kinlint convert` writes it."""
+    """True if `kinlint convert` writes it."""
     appendable: bool = field(default=False, compare=False, repr=False)
-    """Whether statements may be added at the end of a file without a look at the rest."""
+    """True if statements may be appended to a file without regard to the rest."""
 
     @property
     def is_tree(self) -> bool:
-        """Whether files are trees of elements, which are lifted to the composable metamodels."""
+        """Tell whether files are trees of elements.
+
+        These are lifted to the composable metamodels.
+        """
         return self.shape is Shape.TREE
 
     @property
     def describes_robots(self) -> bool:
-        """Whether each file describes robots of its own, apart from what is in other files."""
+        """Tell whether each file describes complete robots, independently of other files."""
         return self.is_tree and self.speaks_of is None
 
     @property

@@ -34,5 +34,5 @@ class BlankNodes:
 
     @property
     def labels(self) -> Mapping[Term, str]:
-        """What the text calls those of its blank nodes that it names."""
+        """Labels that the text gives to its blank nodes."""
         return {node: label for label, node in self._written.items()}

@@ -66,7 +66,7 @@ def encode(source: SourceText) -> bytes:
 
 
 def _looks_like_xml(head: bytes) -> bool:
-    """Whether a text in whatever encoding begins with a tag."""
+    """Tell whether a text in any encoding begins with a tag."""
     plain = head.removeprefix(codecs.BOM_UTF8).replace(b"\0", b"")
     for mark, _ in _MARKS:
         plain = plain.removeprefix(mark.replace(b"\0", b""))

@@ -8,16 +8,16 @@ from math import isinf
 from kinlint.terms import XSD, Term, literal_value
 
 TOO_LARGE = "it is too large for a double"
-"""What is said of such a number."""
+"""Message about such a number."""
 _DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
 _DOUBLE = f"^^<{XSD}double>"
 
 
 def beyond(written: str) -> bool:
-    """Whether *written* is a number, and larger than all doubles."""
+    """Tell whether *written* is a number larger than all doubles."""
     return _DECIMAL.fullmatch(written) is not None and isinf(float(written))
 
 
 def lost(term: Term) -> bool:
-    """Whether *term* is a literal for such a number."""
+    """Tell whether *term* is a literal for such a number."""
     return term.endswith(_DOUBLE) and beyond(literal_value(term))

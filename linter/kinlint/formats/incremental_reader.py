@@ -29,11 +29,11 @@ class Rereader:
         """The last reading that others can be made of, and not always that of `_last`."""
 
     def read(self, source: SourceText, options: ReadOptions) -> Document:
-        """What *source* states.
+        """Return the document of *source*.
 
         That is the same document if nothing has changed and it depends on *source* alone. Raises
-        SourceError as `registry.read` does; the next text is compared with the last one that
-        could be read.
+        SourceError as `registry.read` does; the next text is compared with the last one that could
+        be read.
         """
         last = self._last
         unchanged = last is not None and (source, options) == (last.source, self._options)

@@ -1,4 +1,4 @@
-"""What reading a file may depend on besides its text."""
+"""Options of reading: all inputs of a reader besides the text."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ def _no_arguments(_name: str) -> Mapping[str, str]:
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """How to read.
+    """Options of reading.
 
-    `releases` are all releases to which a lost term is compared. `base` is what relative IRIs
-    are resolved against; an IRI below the default was relative where it was written. `memory` is
-    what a front end keeps from one file for the next. `packages_of` and `xacro_arguments_of` have
-    the packages and the arguments for the source of a name. `overlay` has the texts that files are
-    taken to hold where others include them, by their paths with all links followed.
+    `releases` are all releases to which a lost term is compared. `base` is what relative IRIs are
+    resolved against; an IRI below the default was relative in the text. `memory` is what a front
+    end keeps from one file for the next. `packages_of` and `xacro_arguments_of` return the packages
+    and the arguments for the source of a name. `overlay` holds texts that replace the content of
+    included files, by their paths with all links followed.
     """
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
@@ -62,12 +62,15 @@ class ReadOptions:
     overlay: Mapping[Path, SourceText] = field(default_factory=dict, repr=False, compare=False)
 
     def laid_over(self, path: Path) -> SourceText | None:
-        """What the file at *path* is taken to hold; None if that is what it holds."""
+        """Return the text that replaces the content of the file at *path*.
+
+        None if there is none.
+        """
         return self.overlay.get(real(path)) if self.overlay else None
 
     @classmethod
     def of(cls, settings: Settings) -> ReadOptions:
-        """How *settings* want files to be read.
+        """Return the options that *settings* ask for.
 
         Raises UsageError or ConfigError where they name no release or no context.
         """
@@ -80,7 +83,7 @@ class ReadOptions:
 
 
 def _packages_of(settings: Settings) -> Callable[[str], Packages]:
-    """What tells the packages of a source by its name; what it found it keeps."""
+    """Return a function that finds the packages of a source by its name, and caches them."""
     known: dict[tuple[Hashable, ...], Packages] = {}
 
     def packages(name: str) -> Packages:

@@ -1,4 +1,4 @@
-"""What Oxigraph's parsers make of a text, in kinlint's terms."""
+"""Results of Oxigraph's parsers, as kinlint's terms."""
 
 from __future__ import annotations
 

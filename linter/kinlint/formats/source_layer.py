@@ -31,7 +31,7 @@ def src(name: str) -> Term:
 
 
 DESCRIBED = src("describedIn")
-"""What leads from a node to the document that describes it."""
+"""Property from a node to the document that describes it."""
 
 
 @dataclass
@@ -124,6 +124,6 @@ def terms(stated: Mapping[Triple, Span]) -> dict[Term, Span]:
 
 
 def _namespace_end(name: str) -> int:
-    """Where the last part of *name* begins; of a URN, if it has more than one."""
+    """Return the offset of the last part of *name*; of a URN, if it has more than one."""
     end = max(name.rfind("#"), name.rfind("/")) + 1
     return end if end or name.count(":") < URN_PARTS else name.rfind(":") + 1

@@ -36,15 +36,15 @@ LOSSES = frozenset(
     iri(f"{SRC}{name}")
     for name in ("Unexpanded", "ExpansionFailure", "UnknownPackage", "UnknownArgument")
 )
-"""What says that a robot may have more than was read of it."""
+"""Types of statements which imply that the robot may have parts that were not read."""
 UNREAD = frozenset({iri(f"{SRC}unread")})
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 FOLDERS = (".", "..", "urdf", "../urdf", "robots", "../robots")
-"""Where to look for a URDF, from the directory of an SRDF, the most likely first."""
+"""Directories searched for a URDF, relative to that of the SRDF, the most likely first."""
 PATTERNS = ("*.urdf", "*.urdf.xacro")
 ENDING = SRDF.suffixes[0]
 MOST = 0.5
-"""How much of what an SRDF names a URDF has to know to be taken for the one that is meant."""
+"""Share of the names in an SRDF that a URDF must define to be taken for its companion."""
 
 
 @dataclass(frozen=True)
@@ -72,25 +72,25 @@ class Description:
 
     @property
     def generated(self) -> bool:
-        """Whether its names are made up when it is expanded."""
+        """Tell whether its names are made up when it is expanded."""
         return self.source.format is not None and self.source.format.expands_to is not None
 
     @property
     def varies(self) -> bool:
-        """Whether arguments that nobody knows decide what is in it."""
+        """Tell whether arguments without known values decide its content."""
         return self.generated and self.mentions.has_arguments
 
     @property
     def unexpanded(self) -> bool:
-        """Whether names are left in it that only an expansion would make up."""
+        """Tell whether it contains names that only an expansion would make up."""
         return not self.generated and any("$" in name for name in (self.robot, *self.names))
 
     def knows(self, names: frozenset[str]) -> float:
-        """How much of *names* it has, from 0 to 1."""
+        """Return the share of *names* that it defines, from 0 to 1."""
         return len(names & self.names) / len(names) if names else 1.0
 
     def may_mean(self, urdf: Description, *, alone: bool = False) -> bool:
-        """Whether this SRDF may be about *urdf*: the robot's name and most others are there.
+        """Tell whether this SRDF may refer to *urdf*: it defines the robot's name and most others.
 
         Either will do if the two are *alone*.
         """
@@ -100,7 +100,7 @@ class Description:
 
 
 def describe(source: SourceText) -> Description | None:
-    """What *source* is; None for what is neither SRDF nor URDF."""
+    """Return the description of *source*; None if it is neither SRDF nor URDF."""
     source = recognised(source)
     kind = source.format
     if kind is not None and kind.expands_to == URDF.name:
@@ -109,7 +109,7 @@ def describe(source: SourceText) -> Description | None:
 
 
 def may_be_srdf(source: SourceText) -> bool:
-    """Whether *source* is an SRDF, or may expand to one."""
+    """Tell whether *source* is an SRDF, or may expand to one."""
     return recognised(source).format == SRDF or ENDING in source.name
 
 
@@ -139,7 +139,7 @@ def partners(
 
 
 def _fitness(srdf: Description, urdf: Description) -> tuple[float, int]:
-    """How well the two go together: by their names, then by the folders they share."""
+    """Return the share of common names, and then the number of common directories."""
     steps = zip(_path(srdf).split("/"), _path(urdf).split("/"), strict=False)
     return urdf.knows(srdf.names), sum(1 for _ in takewhile(lambda step: step[0] == step[1], steps))
 

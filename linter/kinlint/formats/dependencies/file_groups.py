@@ -13,7 +13,7 @@ from kinlint.text import SourceText
 
 
 class Ties(NamedTuple):
-    """What may join a file to others: its format, its robots by their names, what it includes."""
+    """Properties that may join a file to others: format, names of robots, included files."""
 
     format: Format | None
     robots: frozenset[str] = frozenset()
@@ -21,7 +21,7 @@ class Ties(NamedTuple):
 
 
 def ties(source: SourceText) -> Ties:
-    """What may join *source* to others."""
+    """Return the ties of *source*."""
     form = recognised(source).format
     if form is None or not form.describes_robots:
         return Ties(form)
@@ -32,13 +32,13 @@ def ties(source: SourceText) -> Ties:
 def models(
     sources: Sequence[SourceText], known: Callable[[SourceText], Ties] = ties
 ) -> Iterator[list[SourceText]]:
-    """*sources* in groups that say nothing of each other, in the order of their first ones.
+    """Yield *sources* in independent groups, in the order of their first members.
 
-    Composable files make one model, and one with all others, since names may join them. Files
-    of elements belong together if they describe robots of one name, or if one may include the
-    other, or both the same file. An SRDF, which need not name its robot rightly, joins all; so
-    does a robot whose name is worked out, where robots in another format may be the same. *known*
-    are the ties of each.
+    Composable files make one model, together with all others, since names may join them. Files of
+    elements belong together if they describe robots of one name, or if one may include the other,
+    or both the same file. An SRDF, which need not name its robot correctly, joins all; so does a
+    robot whose name is computed, where robots in another format may be the same. *known* returns
+    the ties of a source.
     """
     tied = [known(source) for source in sources]
     forms = {each.format for each in tied}

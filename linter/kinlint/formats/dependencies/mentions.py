@@ -68,17 +68,17 @@ class Mentions:
 
     @property
     def has_arguments(self) -> bool:
-        """Whether values that nobody gave decide what it expands to."""
+        """Tell whether arguments without known values affect its expansion."""
         return _ARGUMENT in self._text
 
 
 def is_pattern(name: str) -> bool:
-    """Whether the *name* of a file may stand for any, since it is not written out."""
+    """Tell whether the *name* of a file contains an expression and may stand for any file."""
     return not {"$", "}", ")", "*", "?"}.isdisjoint(name)
 
 
 def includes_nothing(source: SourceText) -> bool:
-    """Whether *source* surely depends on no other file."""
+    """Tell whether *source* certainly depends on no other file."""
     form = recognised(source).format
     plain = form is not None and form.describes_robots and not form.expands_to
     return plain and "include" not in source.text

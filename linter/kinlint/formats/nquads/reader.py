@@ -22,7 +22,7 @@ _LINE = re.compile(
 
 
 def read(source: SourceText, _options: ReadOptions) -> Document:
-    """What an N-Triples or N-Quads file states, its named graphs flattened.
+    """Read the statements of an N-Triples or N-Quads file, its named graphs flattened.
 
     Raises SourceError with line and column when it is neither.
     """

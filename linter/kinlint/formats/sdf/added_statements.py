@@ -53,7 +53,7 @@ class _Nodes(Mapping[Term, NodeSpans]):
 
 
 def stated(document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()) -> Document:
-    """*document* with the statements of *layer*, and *triples* that follow from its own."""
+    """Return *document* with the statements of *layer*, and *triples* that follow from its own."""
     if not layer.triples and not triples:
         return document
     added: dict[Triple, Span | None] = {**dict.fromkeys(triples), **layer.triples}
@@ -63,7 +63,10 @@ def stated(document: Document, layer: SourceLayer, triples: Sequence[Triple] = (
 
 
 def place(document: Document, node: Term, ways: Iterable[Term], written: str) -> Span:
-    """Where *node* says *written*, by one of the properties *ways*; else where it is."""
+    """Return the span of *written* as value of *node* by one of the properties *ways*.
+
+    Else that of *node*.
+    """
     said = literal(written)
     for way in ways:
         found = document.map.triples.get((node, way, said))

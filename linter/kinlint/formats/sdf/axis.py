@@ -1,4 +1,4 @@
-"""Which way the axes of joints point."""
+"""Directions of the axes of joints."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ AXES = ("axis", "axis2")
 JOINT_FRAME = (1, 5)
 """The version since which an axis is given in the joint frame, and not in that of the model."""
 UPWARD: Vector = (0.0, 0.0, 1.0)
-"""Where an axis points that says nothing."""
+"""Direction of an axis without `xyz`, which is the default of SDF."""
 
 
 def direction(frames: Frames, joint: Element, axis: Element) -> Vector | None:
@@ -41,7 +41,7 @@ def _old(joint: Element) -> bool:
 
 
 def in_world(frames: Frames, joint: Element, tag: str) -> Vector | None:
-    """Where the axis of *joint* called *tag* points while no joint has moved, seen by the world."""
+    """Return the axis of *joint* called *tag*, in the zero configuration and the world's frame."""
     axis, place = joint.first(tag), frames.place(joint)
     said = axis.first("xyz") if axis is not None else None
     own = direction(frames, joint, axis) if axis is not None and said is not None else UPWARD

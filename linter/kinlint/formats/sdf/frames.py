@@ -1,6 +1,6 @@
-"""What the frames of an SDF file are attached to, and where they are when no joint has moved.
+"""Bodies that the frames of an SDF file are attached to, and poses in the zero configuration.
 
-Everything is worked out along the references from frame to frame, once for each frame.
+Everything is computed along the references from frame to frame, once for each frame.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Frames:
     _told: set[tuple[Element, str]] = field(default_factory=set)
 
     def named(self, name: str, owner: Element, carrier: Element, role: str) -> Found:
-        """What *owner* calls *name* in its scope."""
+        """Return the element that *owner* calls *name* in its scope."""
         return self._checked(self.scopes.find(name, owner), name, owner, carrier, role)
 
     def _checked(
@@ -95,7 +95,7 @@ class Frames:
         return self.named(name, joint, said, tag)
 
     def place(self, element: Element) -> Transform | None:
-        """Where *element* is in its world, if that can be told."""
+        """Return the pose of *element* in its world, if it can be computed."""
         path: dict[Element, None] = {}
         at: Found = element
         while at is not None and at not in self._places:
@@ -170,7 +170,7 @@ class Frames:
         return self._bodies[element]
 
     def _carrier(self, element: Element) -> Found:
-        """What *element* is attached to."""
+        """Return the element that *element* is attached to."""
         if element.tag == "joint":
             return self.end(element, "child")
         if element.tag == "model":
@@ -233,7 +233,7 @@ def _from(first: Element, path: Iterable[Element]) -> list[Element]:
 
 
 def written(pose: Element | None) -> Transform | None:
-    """What *pose* says; no pose at all, and an empty one, move nothing."""
+    """Return the transform of *pose*; a missing pose and an empty one are the identity."""
     if pose is None or not (pose.numbers or pose.text.strip()):
         return IDENTITY
     degrees = pose.attributes.get("degrees", "").lower() in ("true", "1")

@@ -1,6 +1,6 @@
-"""Which hinges the gearboxes of SDF couple.
+"""Hinges that the gearboxes of SDF couple.
 
-A gearbox relates two angles: of its parent and of its child, each as the reference body sees it.
+A gearbox relates two angles: of its parent and of its child, each measured from the reference body.
 The hinges between these bodies have the same angles, but for their signs.
 """
 
@@ -17,7 +17,7 @@ from kinlint.formats.sdf.sdf_elements import Element
 
 HINGES = ("revolute", "continuous")
 ALIGNED = 1e-6
-"""How much the scalar product of two unit vectors of the same direction is below one at most."""
+"""Tolerance of the scalar product of two unit vectors of the same direction."""
 
 Ends: TypeAlias = tuple[Element | None, Element | None]
 
@@ -32,7 +32,7 @@ class Gear(NamedTuple):
 
 
 def gears(frames: Frames, joints: Iterable[Element]) -> Iterator[Gear]:
-    """What each gearbox among *joints* couples, where two hinges turn about its axes."""
+    """Yield the couplings of gearboxes among *joints* whose axes two hinges turn about."""
     every = [*joints]
     boxes = [each for each in every if each.attributes.get("type") == "gearbox"]
     if not boxes:

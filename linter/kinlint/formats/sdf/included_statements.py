@@ -31,7 +31,7 @@ class Graft:
     start: int
 
     def out(self, term: Term) -> Term:
-        """What is called *term* in the included file, as the whole calls it."""
+        """Return the name in the whole document of *term* of the included file."""
         if term.startswith(self._own):
             return f"{self.include[:-1]}/sdf{term[len(self._own) :]}"
         if is_blank(term):
@@ -39,7 +39,7 @@ class Graft:
         return self.onto if term == self.document.graph else term
 
     def back(self, term: Term) -> Term | None:
-        """What the whole calls *term*, as the included file calls it; None if it is not in it."""
+        """Return the name in the included file of *term* of the whole; None if it is not in it."""
         if term == self.onto:
             return self.document.graph
         if term.startswith(self._moved) and term[len(self._moved)] in "/;>":
@@ -58,7 +58,7 @@ class Graft:
         return f"{self.include[:-1]}/sdf"
 
     def statements(self) -> Iterator[Triple]:
-        """What the included file says, except of the file itself."""
+        """Yield the statements of the included file, without those about the file itself."""
         for subject, predicate, value in self.document.statements:
             if subject == self.document.graph:
                 if predicate == _ROOT:
@@ -70,7 +70,7 @@ class Graft:
                 yield self.out(subject), predicate, self.out(value)
 
     def original(self, triple: Triple) -> Triple | None:
-        """*triple* as the included file says it."""
+        """Return *triple* with the names of the included file."""
         subject, predicate, value = triple
         if predicate == _ROOT and subject == self.include:
             inside = self.back(value)
@@ -85,12 +85,12 @@ class Graft:
         return None if inside is None else (own, predicate, inside)
 
     def moved(self, span: Span) -> Span:
-        """*span* of the included file as a span of the whole."""
+        """Return *span* of the included file as a span of the whole."""
         return Span(span.start + self.start, span.end + self.start)
 
 
 class _Joined(Mapping[K, V], Generic[K, V]):
-    """One mapping of a document together with those of what is grafted onto it."""
+    """Mapping of a document together with those of the documents that are grafted onto it."""
 
     def __init__(self, base: Mapping[K, V], grafts: Sequence[Graft]) -> None:
         self.base, self.grafts = base, grafts
@@ -143,7 +143,7 @@ class _Nodes(_Joined[Term, NodeSpans]):
 
 
 def length(document: Document) -> int:
-    """How far the spans of *document* reach."""
+    """Return the upper limit of the spans of *document*."""
     if not document.pieces:
         return len(document.source.text)
     start, last = document.pieces[-1]
@@ -151,7 +151,7 @@ def length(document: Document) -> int:
 
 
 def grafted(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
-    """*document* with each of the documents *included* at the node of its include."""
+    """Return *document* with each of the documents *included* at the node of its include."""
     grafts: list[Graft] = []
     pieces: list[tuple[int, SourceText]] = list(document.pieces or [(0, document.source)])
     end = length(document) + 1

@@ -32,14 +32,18 @@ MOST_DEEP = 16
 MOST_INCLUDED = 1_000
 MOST_STATED = 500_000
 LARGEST = 1 << 26
-"""How deep files include each other, how many times in all, how many statements those that are
-included make together, and how many bytes a file has."""
+"""Limits of included files.
+
+These are the depth of includes, their number, the statements that the included files make together,
+and the bytes of a file.
+"""
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
-    """What an SDF file states, what it includes as if it were written in it.
+    """Read the statements of an SDF file, including those of the files that it includes.
 
-    Raises SourceError for a file that cannot be read; one that is included and cannot is stated.
+    Raises SourceError for a file that cannot be read; an included one that cannot be read is
+    stated.
     """
     inclusion = _Inclusion(options, options.packages_of(source.name))
     whole = inclusion.read(source, (absolute(Path(source.name)),))
@@ -63,7 +67,7 @@ class _Inclusion:
     stated: int = 0
 
     def read(self, source: SourceText, chain: tuple[Path, ...]) -> Document:
-        """*source* with what it includes; *chain* are the files that include each other."""
+        """Read *source* with its includes; *chain* are the files that include each other."""
         document = xml.read(source, self.options)
         self.stated += len(document.statements) if len(chain) > 1 else 0
         root = tree(document.graph, document.statements)
@@ -129,7 +133,7 @@ def _includes(root: Element) -> Iterator[Element]:
 def _with_names(
     document: Document, triples: Sequence[Triple], problems: Sequence[Problem]
 ) -> Document:
-    """*document* with what was found out of it."""
+    """Return *document* with what was derived from it."""
     layer = SourceLayer(document.graph, BlankNodes(f"{document.source.name}#names"))
     for problem in problems:
         carrier, role = problem.carrier.node, problem.role

@@ -1,4 +1,4 @@
-"""What elements of SDF refer to by name, in the scopes of worlds and models."""
+"""References by name in SDF, resolved in the scopes of worlds and models."""
 
 from __future__ import annotations
 

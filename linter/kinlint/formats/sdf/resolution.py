@@ -27,7 +27,7 @@ COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
 def resolved(root: Element, statements: Sequence[Triple]) -> tuple[list[Triple], list[Problem]]:
-    """What follows from all below *root*, each triple about the element it is from.
+    """Return the triples and the problems that follow from *root* and all elements below it.
 
     The *statements* of the document have the names by which elements refer to others.
     """
@@ -45,11 +45,11 @@ class _Resolution:
         self.earth = f"{root.node[:-1]}/world>"
 
     def node(self, element: Element) -> Term:
-        """What stands for *element*; for the world of a file that describes none, as well."""
+        """Return the node of *element*; that of the world also for a file that describes none."""
         return self.earth if element.tag == "sdf" else element.node
 
     def statements(self) -> Iterator[Triple]:
-        """Everything there is to say."""
+        """Yield all derived triples."""
         yield from self._left_out()
         for element, scope in self.scopes.around.items():
             yield element.node, src("scope"), self.node(scope.element)
@@ -73,7 +73,10 @@ class _Resolution:
             yield box.node, src("sense"), _number(sense)
 
     def _left_out(self) -> Iterator[Triple]:
-        """What stands beside the one model, actor or light that readers take from a file."""
+        """Yield the entities that readers ignore.
+
+        They take one model, actor or light from a file.
+        """
         files = [self.root, *(m.parent for m in self.scopes.included if m.parent is not None)]
         for root in dict.fromkeys(files):
             entities = [each for each in root.children if each.tag in ENTITIES]
@@ -83,7 +86,10 @@ class _Resolution:
     def _seen(
         self, element: Element, body: Element | None, base: Element | None, place: Transform | None
     ) -> Iterator[Triple]:
-        """Where *element* is on its *body*: as written, if *base*, which sees it, is on it, too."""
+        """Yield the pose of *element* on its *body*.
+
+        As written, if its *base* is on the body, too.
+        """
         seer = self._seat(base) if base is not None else None
         pose = self.frames.pose(element)
         if body is None or place is None:
@@ -99,11 +105,14 @@ class _Resolution:
             yield from _pose(element.node, "placed", between(on, place))
 
     def _fixed(self, element: Element, seer: Element, body: Element) -> bool:
-        """Whether *element* and *seer*, which sees its pose, are both fixed to *body*."""
+        """Tell whether *element* and *seer*, in whose frame its pose is, are fixed to *body*."""
         return element.tag != "model" and self.frames.body(seer) is body
 
     def _seat(self, element: Element) -> Element | None:
-        """What has the frame of *element*: a joint without a pose has that of its child."""
+        """Return the element with the frame of *element*.
+
+        A joint without a pose has that of its child.
+        """
         at: Element | None = element
         seen = set()
         while at is not None and at.tag == "joint" and not self._moved(at):

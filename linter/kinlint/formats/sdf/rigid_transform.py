@@ -10,7 +10,7 @@ Vector: TypeAlias = tuple[float, float, float]
 Quaternion: TypeAlias = tuple[float, float, float, float]
 """x, y, z, w."""
 Transform: TypeAlias = tuple[Vector, Quaternion]
-"""Where the origin of a frame is and how it is turned, as another frame sees it, in metres."""
+"""Position of the origin of a frame, in metres, and its orientation, in another frame."""
 
 IDENTITY: Transform = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
 EULER, QUATERNION = 6, 7
@@ -76,5 +76,5 @@ def between(a: Transform, b: Transform) -> Transform:
 
 
 def rounded(values: Sequence[float]) -> list[float]:
-    """*values* without the dust that arithmetic leaves."""
+    """Return *values* without rounding errors of the arithmetic."""
     return [round(each, DIGITS) + 0.0 for each in values]

@@ -1,4 +1,4 @@
-"""Which names an SDF file may use where, and what they stand for."""
+"""Scopes of names in SDF, and the elements that names refer to."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class Scopes:
                     scope.unread.add(None if merged else name or None)
 
     def find(self, name: str, user: Element) -> Element | Unknown:
-        """What *name* stands for where *user*, something in a scope, uses it."""
+        """Return the element that *name* refers to where *user*, an element in a scope, uses it."""
         scope = self.around[user]
         if name == WORLD and name not in scope.names and scope.element.tag != "model":
             return scope.element
@@ -103,7 +103,7 @@ class Scopes:
         return scope.element
 
     def inside(self, name: str, model: Element) -> Element | Unknown:
-        """What *name* stands for inside *model*."""
+        """Return the element that *name* refers to inside *model*."""
         return self._found(name, self.of[model], model)
 
     def _found(self, name: str, scope: Scope, home: Element) -> Element | Unknown:

@@ -30,7 +30,7 @@ class Element:
 
     @property
     def name(self) -> str:
-        """What it is called, or nothing."""
+        """Return its name, or an empty text."""
         return self.attributes.get("name", "")
 
     def all(self, tag: str) -> Iterator[Element]:
@@ -47,7 +47,7 @@ class Element:
         return found.text.strip() if found else ""
 
     def truth(self, tag: str) -> bool:
-        """Whether the first child with *tag* says true."""
+        """Tell whether the first child with *tag* is true."""
         return self.said(tag).lower() in ("true", "1")
 
     @property

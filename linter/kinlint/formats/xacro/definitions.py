@@ -1,4 +1,7 @@
-"""What xacro files define in vain or twice: parameters nobody uses, properties that hide others."""
+"""Unused and repeated definitions of xacro files.
+
+Parameters nobody uses, properties that hide others.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +29,9 @@ OWN = frozenset(
         "arg attribute element if include insert_block macro property unless".split()  # noqa: SIM905
     )
 )
-"""What `xacro:` elements there are that call no macro."""
+"""`xacro:` elements that call no macro."""
 OPEN = frozenset({"xacro:include", "xacro:call"})
-"""What brings into a macro what its text does not show."""
+"""Elements that bring into a macro what its text does not show."""
 
 
 @dataclass
@@ -53,7 +56,7 @@ class Macro:
 
     @cached_property
     def is_open(self) -> bool:
-        """Whether the body may use what its text does not name."""
+        """Tell whether the body may use names that are not in its text."""
         return any(each.tagName in OPEN for each in self.inside)
 
 

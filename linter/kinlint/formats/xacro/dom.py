@@ -17,7 +17,7 @@ from kinlint.text import Span
 
 
 class Watch:
-    """What xacro looked at last, so that a failure can be placed. It counts nodes made."""
+    """Record of what xacro looked at last, to locate a failure. It counts nodes made."""
 
     def __init__(self, bounds: Bounds) -> None:
         self.element: Element | None = None
@@ -197,12 +197,12 @@ class Element(Node):
             waiting.extend(reversed(list(element.elements)))
 
     def place(self, attribute: str | None = None) -> Span:
-        """Where the value of *attribute* is written, or else the tag."""
+        """Return the span of the value of *attribute*, or else of the tag."""
         spans = self.origin.attributes.get(attribute or "")
         return spans.value if spans else self.origin.tag
 
     def hasAttribute(self, name: str) -> bool:  # noqa: N802
-        """Whether it has the attribute *name*."""
+        """Tell whether it has the attribute *name*."""
         if name in self.values:
             self.watch.looked(self, name)
             return True

@@ -75,7 +75,7 @@ class _Writer:
                 self.node(node)
 
     def node(self, node: Node) -> None:
-        """What is no element."""
+        """Write a comment or a text."""
         assert isinstance(node, Character)
         origin, data = node.origin, node.data
         if data == node.written and origin.end > origin.start:

@@ -1,4 +1,4 @@
-"""What comes of expanding a file: the robot, and what there is to say on the way to it."""
+"""Result of expanding a file: the robot, and remarks about the expansion."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from kinlint.text import SourceText, Span
 
 @dataclass(frozen=True)
 class Remark:
-    """What xacro warns of: `message`, at `span` of `source`.
+    """Warning of xacro: `message`, at `span` of `source`.
 
-    `symbol` is what was redefined of xacro's own names, if it is about that.
+    `symbol` is the name of xacro's own that was redefined, if it is about that.
     """
 
     message: str
@@ -26,9 +26,9 @@ class Remark:
 
 @dataclass
 class Expansion:
-    """What a file expands to: `parsed` is the robot, unless there is a `fault`.
+    """Expansion of a file: `parsed` is the robot, unless there is a `fault`.
 
-    `files` are the files as they were before, the main one first. `includes` are the elements that
+    `files` are the files before the expansion, the main one first. `includes` are the elements that
     had files included, each with one of them.
     """
 

@@ -45,7 +45,7 @@ WORDS = (
     (r"'dict' object has no attribute '_setitem'", "there is no scope around this one"),
     (r"circular variable definition: (.*?) Consider.*", "properties define each other: {0}"),
 )
-"""What xacro says, and how it is said here."""
+"""Patterns of xacro's messages with the messages that replace them."""
 BY_NAME = ("grab_macro", "grab_property", "eval_all")
 """Functions of xacro that complain about what is in the attribute `name`."""
 MALFORMED = "malformed"
@@ -82,7 +82,7 @@ class Fault:
 
 
 def said(error: BaseException) -> str:
-    """What *error* says, in one line."""
+    """Return the message of *error*, in one line."""
     if isinstance(error, KeyError) and error.args:
         return f"there is no '{error.args[0]}'"
     if isinstance(error, SyntaxError):
@@ -97,7 +97,7 @@ def said(error: BaseException) -> str:
 
 
 def fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
-    """What *error*, which ended an expansion of *main*, is about."""
+    """Return the fault of *error*, which ended an expansion of *main*, with its place."""
     if isinstance(error, Malformed):
         end = min(error.offset + 1, len(error.source.text))
         return Fault(str(error), error.source, Span(error.offset, end), MALFORMED)
@@ -136,7 +136,7 @@ def _blamed(frames: list[FrameType], watch: Watch) -> Element | None:
 def _place(
     frames: list[FrameType], watch: Watch, main: SourceText, reason: str = ""
 ) -> tuple[SourceText, Span]:
-    """What the function that gave up was about, or else what was looked at last."""
+    """Return the place that the function that failed worked on, or else the one looked at last."""
     if frames and frames[-1].f_code.co_name == "eval_default_arg":
         frames = frames[:-1]
     if frames:
@@ -170,7 +170,7 @@ def _endless(calls: list[Element], watch: Watch, main: SourceText) -> Fault:
 
 
 def _through(calls: list[Element]) -> str:
-    """By which call of a macro the expansion came to where it failed."""
+    """Describe the innermost macro call that led to the failure."""
     if not calls:
         return ""
     origin = calls[-1].origin

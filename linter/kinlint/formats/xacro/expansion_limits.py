@@ -1,4 +1,4 @@
-"""How much an expansion may do: far more than any robot needs, far less than what hangs."""
+"""Limits of an expansion: far more than any robot needs, far less than what hangs."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ class TooMuch(Exception):
 
 @dataclass
 class Bounds:
-    """What is left of each allowance. Counts decide, so that results are the same everywhere.
+    """Remaining allowances. Counts decide, so that results are the same everywhere.
 
-    The clock is there for what no count foresaw.
+    The clock covers cases that no count foresees.
     """
 
     nodes: int = 150_000
@@ -40,13 +40,13 @@ class Bounds:
         self._until = monotonic() + self.seconds
 
     def node(self) -> None:
-        """One more element, text or comment."""
+        """Count another element, text or comment."""
         self.nodes -= 1
         if self.nodes < 0:
             raise TooMuch("it expands to far more elements than any robot has")
 
     def step(self) -> None:
-        """One more step of evaluating."""
+        """Count another step of evaluation."""
         self.steps -= 1
         if self.steps < 0:
             raise TooMuch("evaluating its expressions takes far longer than for any robot")
@@ -110,7 +110,7 @@ class Bounds:
             yield value
 
     def listed(self, values: Iterable[Any]) -> list[Any]:
-        """*values* as a list, unless it is a huge one."""
+        """Return *values* as a list, unless it is a huge one."""
         if isinstance(values, range) and len(values) > ITEMS:
             raise Refused("a huge range")
         return list(self.items(values))
@@ -128,7 +128,7 @@ class Bounds:
         return value
 
     def _weight(self, value: Any, limit: int) -> int:
-        """How much *value* would be if all that it shares were written out; at most *limit*."""
+        """Return the size of *value* with all that it shares written out; at most *limit*."""
         if isinstance(value, str):
             weight = 1 + len(value)
         elif isinstance(value, CONTAINERS):
@@ -143,7 +143,7 @@ class Bounds:
         return weight
 
     def method(self, owner: Any, method: Callable[..., Any]) -> Callable[..., Any]:
-        """*method* of *owner*, which counts what it looks at, and refuses to blow up a text."""
+        """Wrap *method* of *owner* to count its steps, and to refuse to blow up a text."""
 
         def call(*values: Any) -> Any:
             if hasattr(owner, "__len__"):

@@ -39,14 +39,14 @@ from kinlint.formats.xacro.xacro_parser import Parsed, parse
 from kinlint.text import SourceText
 
 INCLUDES = 40
-"""How deep files may include files."""
+"""Maximum depth of includes."""
 REDEFINED = "redefining global symbol: "
 _ONE_AT_A_TIME = Lock()
 
 
 @dataclass
 class Session:
-    """One expansion of the main file of `pieces` with `arguments`."""
+    """Expansion of the main file of `pieces` with `arguments`."""
 
     pieces: Pieces
     arguments: Mapping[str, str]
@@ -124,7 +124,7 @@ class Session:
         }
 
     def _own(self) -> Mapping[str, Any]:
-        """What files may call as `xacro.…`."""
+        """Return the functions that files may call as `xacro.…`."""
 
         def told(*words: Any, **_: Any) -> str:
             self._add_remark(" ".join(map(str, words)))
@@ -147,7 +147,7 @@ class Session:
         }
 
     def _directory(self) -> Path:
-        """Where the file at work lies."""
+        """Return the directory of the current file."""
         return Path(self._xacro.filestack[-1]).parent
 
     def _resolved(self, name: str) -> Path:
@@ -215,7 +215,10 @@ class Session:
         )
 
     def _required(self, tag: Element, names: list[str]) -> list[str]:
-        """As in xacro; moreover, the element that an `xacro:attribute` is for learns of it."""
+        """Check attributes as xacro does.
+
+        Record an `xacro:attribute` in the element that it is for.
+        """
         found = reqd_attrs(tag, names)
         if tag.tagName == "xacro:attribute" and tag.parentNode is not None:
             tag.parentNode.giver = tag.origin
@@ -239,7 +242,7 @@ class Session:
 
 @dataclass
 class _Included:
-    """As much of a document as xacro asks for."""
+    """Part of a document's interface that xacro uses."""
 
     documentElement: Element | None  # noqa: N815
 

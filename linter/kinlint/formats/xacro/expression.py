@@ -62,16 +62,16 @@ METHODS: Mapping[type, frozenset[str]] = {
     frozenset: frozenset({"union", "intersection", "difference", "issubset", "issuperset"}),
     float: frozenset({"is_integer"}),
 }
-"""What an expression may call on a value. None of it changes a value or formats one."""
+"""Methods that an expression may call on a value. None of them changes a value or formats one."""
 LENGTH = 4000
-"""How long an expression may be."""
+"""Maximum length of an expression, in characters."""
 
 
 class Members:
     """A value whose members expressions may name with a dot."""
 
     def member(self, name: str) -> Any:
-        """What it calls *name*; raises NameError if nothing."""
+        """Return the member *name*; raises NameError if there is none."""
         raise NotImplementedError
 
 

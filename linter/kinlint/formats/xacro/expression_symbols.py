@@ -1,4 +1,4 @@
-"""What expressions of xacro files may name besides properties: functions, `math` and `xacro`."""
+"""Symbols of xacro expressions besides properties: functions, `math` and `xacro`."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Namespace(Members):
         self._values = values
 
     def member(self, name: str) -> Any:
-        """What is called *name*; raises NameError if nothing."""
+        """Return the member *name*; raises NameError if there is none."""
         try:
             return self._values[name]
         except KeyError:
@@ -45,7 +45,10 @@ class Namespace(Members):
 
 
 def symbols(bounds: Bounds, own: Mapping[str, Any]) -> dict[str, Any]:
-    """What every expression may name; *own* is what xacro itself offers, such as `load_yaml`."""
+    """Return the symbols of every expression.
+
+    *own* are those of xacro itself, such as `load_yaml`.
+    """
     plain = {**PLAIN, **_Python(bounds).values}
     mathematics = _mathematics(bounds)
     direct = {name: plain[name] for name in (*PLAIN, "list", "map", "round", "sorted", "range")}
@@ -144,7 +147,7 @@ def tokenize(text: str, separators: str = ",; ", skip_empty: bool = True) -> lis
 
 
 def dotted(value: Any) -> Any:
-    """*value* with its tables as such whose entries may be named with a dot, at every depth."""
+    """Return *value* with tables whose entries may be named with a dot, at every depth."""
     if isinstance(value, dict):
         return Entries({key: dotted(each) for key, each in value.items()})
     return [dotted(each) for each in value] if isinstance(value, list) else value

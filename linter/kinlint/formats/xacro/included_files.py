@@ -67,7 +67,7 @@ class Pieces:
         self._end += len(source.text) + 1
 
     def _name(self, path: Path) -> str:
-        """What the file at *path* is called: as if named in the way of the main file."""
+        """Return the name of the file at *path*: relative or absolute as that of the main file."""
         given = os.path.dirname(self.main.name)  # noqa: PTH120  names are no paths
         if Path(self.main.name).is_absolute():
             return shown(path)
@@ -75,7 +75,7 @@ class Pieces:
 
 
 def _from(directory: Path, path: Path) -> str:
-    """How *path* is reached from *directory*."""
+    """Return the path from *directory* to *path*."""
     try:
         return os.path.relpath(path, directory)
     except ValueError:  # another drive
@@ -90,5 +90,8 @@ def table(path: Path, near: Path) -> bytes:
 
 
 def place(name: str) -> Path:
-    """Where the file called *name* is; standard input is taken to lie in the directory of work."""
+    """Return the path of the file called *name*.
+
+    That of standard input is in the working directory.
+    """
     return absolute(name)

@@ -13,9 +13,10 @@ WHOLE_FILE = re.compile(r"\s*kinlint:\s*file-ignore\b")
 
 
 def removing(stop: Text) -> Callable[[Node], None]:
-    """What takes away the comments right in front of a node, as xacro does, but not those for us.
+    """Return a function that removes the comments in front of a node, but not suppressions.
 
-    It puts *stop* behind the node, so that the next one loses none of what comes before.
+    It does so as xacro does, and puts *stop* behind the node, so that the next one loses none of
+    what comes before.
     """
 
     def remove_previous_comments(node: Node) -> None:

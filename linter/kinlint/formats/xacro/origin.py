@@ -1,4 +1,4 @@
-"""Where a node is written, and the attributes of its start tag."""
+"""Origin of a node in the text, and the attributes of its start tag."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Origin:
 
     @cached_property
     def attributes(self) -> dict[str, AttributeSpans]:
-        """Where the attributes of the start tag are written."""
+        """Return the spans of the attributes of the start tag."""
         return attributes(self.source.text, self.start, self.inside)
 
     @property

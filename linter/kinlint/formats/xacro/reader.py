@@ -33,14 +33,14 @@ UNKNOWN = {
     "argument": ("UnknownArgument", "argument"),
     "package": ("UnknownPackage", "package"),
 }
-"""What is stated of a name that is not known here, by its kind."""
+"""Type and property of the statement about a name that is not known here, by its kind."""
 BODIES = frozenset({"link", "joint"})
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
-    """What the robot states that *source* expands to, and what there is to say of the xacro.
+    """Read the robot that *source* expands to, and add statements about the xacro.
 
-    Of a file that does not expand, or that only defines what others use, that is all.
+    A file that does not expand, or only defines what others use, has only the latter.
     """
     pieces = Pieces(source, place(source.name), options)
     packages = options.packages_of(source.name)
@@ -69,9 +69,9 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
 
 def _is_robot(parsed: Parsed) -> bool:
-    """Whether there is a robot, and not only what files that include this one may use.
+    """Tell whether there is a robot, and not only definitions for files that include this one.
 
-    Those are told by their root, which has no name, or has nothing of a robot inside.
+    The latter have a root without name, or without elements of a robot.
     """
     root = parsed.root
     assert root is not None
@@ -82,7 +82,7 @@ def _is_robot(parsed: Parsed) -> bool:
 
 
 def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLayer:
-    """What there is to say of the xacro itself."""
+    """Return the statements about the xacro itself."""
     graph = document_iri(source.name)
     layer = SourceLayer(graph, BlankNodes(f"{source.name} as xacro"))
 
@@ -121,11 +121,11 @@ def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Spa
 def _moved(
     robot: Document, source: SourceText, written: Mapped, layer: SourceLayer, pieces: Pieces
 ) -> Document:
-    """*robot* with its places in *pieces*, and what *layer* says besides."""
+    """Return *robot* with its places in *pieces*, and the statements of *layer*."""
     others = [(start, pieces.append(text) - start) for start, text in robot.pieces[1:]]
 
     def back(span: Span) -> Span:
-        """Where what the robot's reader placed at *span* was written."""
+        """Return the source of what the robot's reader placed at *span*."""
         if not others or span.start < others[0][0]:
             return written.span(span)
         shift = next(by for start, by in reversed(others) if start <= span.start)

@@ -38,7 +38,7 @@ class Mapped:
         return tuple(leaf.at for leaf in self.leaves)
 
     def span(self, span: Span) -> Span:
-        """What wrote *span* of the text: what wrote its first and last parts and all between.
+        """Return the source of *span* of the text, from that of its first part to that of its last.
 
         If these are not in order in one text, as where a macro was called, only the first part.
         """

@@ -1,4 +1,4 @@
-"""What `$(…)` stands for: arguments, packages, the environment, directories."""
+"""Substitutions `$(…)`: arguments, packages, the environment, directories."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from kinlint.formats.xacro.expansion_limits import Refused
 
 
 class Unknown(Exception):
-    """What a substitution names is not known here; it may be elsewhere."""
+    """Error: the name in a substitution is not known here; it may be elsewhere."""
 
     def __init__(self, kind: str, name: str) -> None:
         super().__init__(f"{kind} '{name}' is not known")

@@ -47,7 +47,7 @@ class Texts:
     substitute: Callable[[str], str]
 
     def evaluate(self, text: str, symbols: Any) -> Any:
-        """What *text* says where *symbols* are known; of any type if it is one expression."""
+        """Return the value of *text* with *symbols*; of any type if it is one expression."""
         self.bounds.step()
         if "$" not in text:
             return text

@@ -10,7 +10,7 @@ from kinlint.formats.xacro.origin import Origin
 from kinlint.text import SourceText
 
 SEPARATOR = "\x1f"
-"""What stands between namespace and name; no XML has it."""
+"""Separator of namespace and name; no XML has it."""
 DEPTH = 256
 PARTS = 3
 
@@ -168,7 +168,7 @@ def _qualified(name: str) -> str:
 
 
 def _tag_end(text: str, start: int) -> int:
-    """Where the start tag at *start* ends: `>` may stand in the values of attributes."""
+    """Return the end of the start tag at *start*: `>` may stand in the values of attributes."""
     at = start
     while True:
         end = text.find(">", at)

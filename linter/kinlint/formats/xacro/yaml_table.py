@@ -24,7 +24,7 @@ UNITS = {
 
 
 def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Bounds) -> Any:
-    """What the YAML *data* of the file *name* say, tables with entries to be named with a dot.
+    """Load the YAML *data* of the file *name*, tables with entries to be named with a dot.
 
     A value with a unit is an expression that *evaluate* knows.
     """

@@ -1,4 +1,4 @@
-"""From bytes to characters."""
+"""Conversion of offsets from bytes to characters."""
 
 from __future__ import annotations
 

@@ -40,11 +40,11 @@ class TooMuch(Exception):
 
 
 class Elements:
-    """What was read so far.
+    """Elements read so far.
 
-    `index` numbers the elements; `starts` and `ends` tell where their tags begin, in bytes.
+    `index` numbers the elements; `starts` and `ends` are the offsets of their tags, in bytes.
     `closed` is the number of the element that ended last. `scopes` are the addresses of models and
-    the like, with the tags of what they know by name.
+    the like, with the tags of the elements that they know by name.
     """
 
     def __init__(self, document: Term, schema: Schema) -> None:

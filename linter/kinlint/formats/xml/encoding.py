@@ -1,4 +1,7 @@
-"""Which characters the bytes of an XML file are: by their mark, or else by its declaration."""
+"""Encoding of an XML file.
+
+By its byte order mark, or else by its declaration (XML 1.0, appendix F).
+"""
 
 from __future__ import annotations
 
@@ -62,7 +65,7 @@ def _decoded(name: str, data: bytes) -> SourceText:
 
 
 def _known(written: str) -> tuple[str, str]:
-    """What Python calls an encoding, or UTF-8 and why it is not the one that is *written*."""
+    """Return Python's name of an encoding, or UTF-8 and why it is not the one that is *written*."""
     try:
         found = codecs.lookup(written).name
     except (LookupError, ValueError):
@@ -97,4 +100,4 @@ def _text(
 
 
 LATIN = {code: bytes([code - 0xDC00]).decode("cp1252", "replace") for code in range(0xDC80, 0xDD00)}
-"""What people mean by a byte that is not UTF-8."""
+"""Characters that bytes outside UTF-8 are taken for."""

@@ -35,7 +35,7 @@ NO_ELEMENT, UNENDED, MISMATCH = (
 
 @dataclass(frozen=True, slots=True)
 class Parsed:
-    """What expat read, up to `fatal` if that says why nobody can go on."""
+    """Result of expat, up to `fatal` if that says why reading stopped."""
 
     elements: Elements
     comments: Comments
@@ -45,15 +45,15 @@ class Parsed:
 
     @property
     def complete(self) -> bool:
-        """Whether the root element was read to its end."""
+        """Tell whether the root element was read to its end."""
         return self.elements.closed == 0
 
 
 def parse(source: SourceText, fresh: Callable[[], Elements]) -> Parsed:
-    """What is in *source*, read into what *fresh* makes.
+    """Parse *source* into the elements that *fresh* makes.
 
-    Raises SourceError, with line and column, for a document type definition and for what is
-    larger or deeper than any robot.
+    Raises SourceError, with line and column, for a document type definition and for what is larger
+    or deeper than any robot.
     """
     if len(source.text) > MOST_CHARACTERS:
         raise SourceError(source.name, f"more than {MOST_CHARACTERS} characters")
@@ -104,7 +104,7 @@ def _refuse_definitions(source: SourceText) -> None:
 
 
 def _fatal(source: SourceText, parsed: Parsed, code: int, at: int) -> Flaw:
-    """What stopped expat at the character *at*."""
+    """Return the flaw that stopped expat at the character *at*."""
     frames = parsed.elements.frames
     number = frames[-1][3]
     if code == MISMATCH:

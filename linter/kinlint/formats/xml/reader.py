@@ -25,10 +25,10 @@ from kinlint.text import SourceText, Span
 
 
 def read(source: SourceText, _options: ReadOptions) -> Document:
-    """What a robot in XML states, and where it departs from its format.
+    """Read the statements of a robot in XML, and its deviations from its format.
 
-    A text that is not well-formed states what its usual readers make of it, and what is wrong;
-    if they make nothing of it, then only that.
+    A text that is not well-formed states what its usual readers make of it, and what is wrong; if
+    they make nothing of it, then only that.
 
     Raises SourceError for a document type definition, and for what no robot is as large as.
     """

@@ -61,7 +61,7 @@ class Mended:
 
 
 class _Edit(NamedTuple):
-    """What to put in place of what is at `span`; nothing is said about it without a reason."""
+    """Replacement of the text at `span`; it is reported if it has a reason."""
 
     span: Span
     new: str
@@ -71,12 +71,12 @@ class _Edit(NamedTuple):
 
 
 def is_sound(text: str) -> bool:
-    """Whether the XML declaration of *text*, if it has one, is as strict readers want it."""
+    """Tell whether the XML declaration of *text*, if it has one, is valid for strict readers."""
     return not DECLARATION.match(text) or SOUND.match(text) is not None
 
 
 def mended(text: str) -> Mended:
-    """*text* with all neutralised that may not stand where it does."""
+    """Return *text* with all neutralised that may not stand where it does."""
     flaws = [
         Flaw(Span(*match.span()), f"the character U+{ord(match[0][0]):04X}")
         for match in CONTROL.finditer(text)
@@ -168,7 +168,7 @@ def _comment(text: str, span: Span) -> Iterator[_Edit]:
 
 @lru_cache(maxsize=1)
 def _leading(text: str) -> int:
-    """Where the blanks and declarations end that *text* begins with; searched once."""
+    """Return the end of the blanks and declarations that *text* begins with; searched once."""
     match = LEADING.match(text)
     return match.end() if match else 0
 

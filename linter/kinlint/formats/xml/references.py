@@ -1,4 +1,4 @@
-"""What elements refer to by name, as the schema of their format has it."""
+"""References by name between elements, according to the schema of their format."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Name(NamedTuple):
 
     @property
     def says(self) -> bool:
-        """Whether the element refers to something."""
+        """Tell whether the element refers to something."""
         return bool(self.text) or (self.reference.required and literal_value(self.value) == "")
 
 

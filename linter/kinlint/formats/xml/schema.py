@@ -1,4 +1,4 @@
-"""What a format knows: its elements, their attributes and what stands below them.
+"""Schema of a format: its elements, their attributes and children.
 
 The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a process.
 """
@@ -58,14 +58,17 @@ class Reference:
     predicate: Term
     """The property, of `ref:`, that leads from the element to the one that is named."""
     targets: tuple[tuple[str, str], ...]
-    """What it may be, by the namespace of its format and its tag: the first that is there, or else
-    the last. What is of another format is in the file that this one is joined to."""
+    """Possible targets, by the namespace of their format and their tag.
+
+    The first that exists counts, or else the last. Those of another format are in the file that
+    this one is joined to.
+    """
     optional: bool
-    """Whether the name stands for itself where there is no such element."""
+    """True if the name stands for itself where there is no such element."""
     required: bool
-    """Whether the value must be there. Elsewhere, nothing is named by an empty one."""
+    """True if the value must be there. Elsewhere, nothing is named by an empty one."""
     inside: bool
-    """Whether the name is one in the scope of the element itself and not of what is around it."""
+    """True if the name belongs to the scope of the element itself and not to the enclosing one."""
 
 
 @dataclass(eq=False, slots=True)
@@ -118,7 +121,7 @@ class Schema:
 
     @property
     def flat(self) -> bool:
-        """Whether all that has a name is known in the whole file."""
+        """Tell whether all names are known in the whole file."""
         return all(each is self.roots.get(each.tag) for each in self._scopes)
 
     @property
@@ -132,7 +135,7 @@ class Schema:
 
 
 ANY = ElementType("", "", open=True)
-"""What is not of the format itself, with everything below it."""
+"""Type of elements that are not of the format itself, with everything below them."""
 
 
 def version(text: str) -> Version | None:

@@ -1,4 +1,4 @@
-"""What a file says besides its graph, or other than its format has it; states no judgement."""
+"""Deviations of a file from the schema of its format, as statements without judgement."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MOST_WORDS = 2_000
 
 
 ABOUT_NAMES = {"UndeclaredAttribute", "UndeclaredPrefix", "LaterFeature", "EarlierFeature"}
-"""What is said of the name of an attribute, rather than of its value."""
+"""Diagnostics about the name of an attribute, rather than its value."""
 
 
 MOST_PLACES = 3
@@ -38,7 +38,7 @@ class Note(NamedTuple):
 
 @dataclass
 class Remarks:
-    """What was noticed so far. `scopes` are the prefixes that open elements declare."""
+    """Diagnostics so far. `scopes` are the prefixes that open elements declare."""
 
     schema: Schema
     notes: list[Note] = field(default_factory=list)
@@ -58,7 +58,7 @@ class Remarks:
     def belongs(
         self, number: int, type_: ElementType, key: str, attributes: Mapping[str, str]
     ) -> bool:
-        """Whether the unlisted one of *attributes* says something; if not, it declares a prefix."""
+        """Tell whether the unlisted attribute *key* has a meaning; if not, it declares a prefix."""
         prefix, colon, name = key.partition(":")
         if key == "xmlns" or (colon and prefix == "xmlns"):
             self.scopes.setdefault(number, []).append(name)
@@ -172,12 +172,12 @@ class Remarks:
         self.note("Unexpanded", number, key, written=written)
 
     def repeated(self, number: int, holder: int, tag: str, before: int) -> None:
-        """One more element where the format takes one; *before* is the first."""
+        """Note a further element where the format takes one; *before* is the first."""
         order = self._orders[holder, tag] = self._orders.get((holder, tag), 1) + 1
         self.note("RepeatedElement", number, None, tag=tag, ordinal=order, first=before)
 
     def _nearest(self, word: str, known: Sequence[str]) -> str | None:
-        """What of *known* is most like *word*; asked once for each word and what is known."""
+        """Return the word in *known* that is most like *word*; results are cached."""
         key = (word, *known)
         if key not in self._alike:
             if len(word) > LONGEST_WORD or len(self._alike) > MOST_WORDS:

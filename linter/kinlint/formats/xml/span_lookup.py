@@ -81,7 +81,7 @@ class Places:
         return Span(start, end)
 
     def content(self, number: int) -> Span:
-        """What stands between the tags of an element."""
+        """Return the span between the tags of an element."""
         start, end = self.tag(number).end, self.offset(self.ends[number])
         return Span(start, max(start, end))
 
@@ -102,13 +102,13 @@ class Places:
         return [span for each in found if (span := self.bare(each)).end > span.start]
 
     def bare(self, span: Span) -> Span:
-        """*span* without the space at its ends."""
+        """Return *span* without the space at its ends."""
         raw = self.text[span.start : span.end]
         start = span.start + len(raw) - len(raw.lstrip(SPACE))
         return Span(start, max(start, span.end - len(raw) + len(raw.rstrip(SPACE))))
 
     def said(self, node: Term, predicate: Term, value: Term) -> Span:
-        """Where an element says *value*: in an attribute, in its text, or as a child."""
+        """Return the span of *value* of an element: in an attribute, in its text, or as a child."""
         child = self.index.get(value)
         if child is not None:
             return self.tag(child).name

@@ -8,7 +8,7 @@ from kinlint.text import Span
 
 
 class Flaw(NamedTuple):
-    """What is wrong at *span*; *attribute* is the name of one given twice."""
+    """Syntax error at *span*; *attribute* is the name of one given twice."""
 
     span: Span
     reason: str

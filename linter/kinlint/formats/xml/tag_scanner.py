@@ -8,11 +8,11 @@ from collections.abc import Iterator
 TAG = re.compile(r"<(/?)([^\s<>/=\"'!?&]++)((?:[^<>\"']++|\"[^\"]*+\"|'[^']*+')*+)>")
 DEFINITION = "<!DOCTYPE"
 SKIPPED = {"<!--": "-->", "<![CDATA[": "]]>", "<?": "?>", "<!": ">"}
-"""What is no tag, with how it ends; the first that fits."""
+"""Beginnings of markup that is no tag, with its end; the first that fits."""
 
 
 def first_tag(text: str, wanted: str = "", at: int = 0) -> int:
-    """Where the first tag from *at* on begins, or before it what begins with *wanted*; else -1."""
+    """Return the offset of the first tag from *at*, or before it of *wanted*; else -1."""
     while (at := text.find("<", at)) >= 0:
         if wanted and text.startswith(wanted, at):
             return at

@@ -1,4 +1,4 @@
-"""What the text of an attribute or element stands for: a string, a number, several of them."""
+"""Values of attributes and texts of elements: a string, a number, several of them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TypeAlias
 from kinlint.terms import XSD, Term, literal
 
 Value: TypeAlias = Term | tuple[Term, ...] | None
-"""One literal, one for each component, or None for what is not what it should be."""
+"""Literal, one literal for each component, or None for an invalid value."""
 
 UNEXPANDED = re.compile(r"\$[{(]")
 """Begins an expression or a substitution of xacro."""
@@ -114,14 +114,14 @@ class Truths(Reading):
     expected = "true or false"
 
     def read(self, written: str) -> Value:
-        """What *written* says, in lower case."""
+        """Return the truth value of *written*, in any case."""
         truth = TRUTHS.get(written.strip(SPACE).lower())
         return None if truth is None else f'"{truth}"^^<{XSD}boolean>'
 
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """What a schema says of a value: names of kinds, of which vectors may be several."""
+    """Form of a value in a schema: names of kinds, of which vectors may be several."""
 
     kinds: tuple[str, ...]
     infinite: bool = False
@@ -129,7 +129,7 @@ class Form:
 
 @cache
 def reading(form: Form) -> Reading:
-    """How to read values of *form*; one for the whole process, since files repeat each other."""
+    """Return the reader of values of *form*; cached, since files repeat each other."""
     kinds = form.kinds
     if kinds[0] in _PLAIN:
         return _PLAIN[kinds[0]]()

@@ -58,7 +58,7 @@ def sniff(text: str, name: str = "") -> Format | None:
 
 
 def unread(text: str) -> str | None:
-    """What *text* is, if it is a robot in a kind of XML that is not read yet."""
+    """Return the kind of XML of *text*, if it describes a robot but is not supported yet."""
     found = root(text)
     return OTHERS.get(found[0]) if found else None
 
@@ -68,7 +68,10 @@ def _may_be_xml(text: str) -> bool:
 
 
 def _is_xacro(text: str, at: int) -> bool:
-    """Whether macros are used; what they were expanded to often declares their prefix still."""
+    """Tell whether macros are used.
+
+    Texts that they were expanded to often declare their prefix still.
+    """
     if "<xacro:" not in text:
         return False
     return any(match[2].startswith("xacro:") for match in tags(text, at, MOST_TAGS))

@@ -1,4 +1,4 @@
-"""One element of the outermost graph, with its statements."""
+"""Element of the outermost graph, with its statements."""
 
 from __future__ import annotations
 
@@ -103,11 +103,11 @@ NOTHING = Notes()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """One element's statements and nodes, with their places when it was read.
+    """Statements and nodes of one element, with their places when it was read.
 
-    `asked` are its blank nodes in the order in which they were asked for, with their labels in the
-    text if they have some. `steps` are how many were asked for by statements, then by keys without
-    meaning, then by values without effect; the others were asked for by repeated keys.
+    `asked` are its blank nodes in the order of their creation, with their labels in the text if
+    they have some. `steps` counts those created by statements, then by keys without meaning, then
+    by values without effect; the others were created by repeated keys.
     """
 
     whole: Span

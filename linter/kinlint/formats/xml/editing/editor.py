@@ -37,7 +37,7 @@ class Editor:
 
 
 class _Writing:
-    """One delta on its way into the text."""
+    """State of writing one delta into the text."""
 
     def __init__(self, sites: Sites, delta: Delta) -> None:
         self._sites = sites
@@ -70,7 +70,7 @@ class _Writing:
         return merged(self._edits)
 
     def _is_below(self, node: Term, others: Iterable[Term]) -> bool:
-        """Whether *node* is written within one of *others*, or is one."""
+        """Tell whether *node* is one of *others* or written within one of them."""
         known, at = self._sites.elements, node
         while at in known and at not in others:
             at = known[at].parent
@@ -156,7 +156,7 @@ class _Writing:
 
 
 def _is_in(inner: Span, outer: Span) -> bool:
-    """Whether *inner* is a part of an element at *outer*, neither all of it nor behind it."""
+    """Tell whether *inner* is a part of an element at *outer*, neither all of it nor behind it."""
     return outer.start < inner.start < outer.end
 
 
@@ -168,7 +168,7 @@ def _place(layout: Layout, parent: int, tag: str) -> int | None:
 
 
 def merged(edits: Iterable[Edit]) -> list[Edit]:
-    """*edits* in order, insertions at one place as one."""
+    """Return *edits* in order, insertions at one place as one."""
     merged: list[Edit] = []
     for edit in sorted(edits, key=lambda each: each.span):
         if merged and merged[-1].span == edit.span and edit.span.start == edit.span.end:

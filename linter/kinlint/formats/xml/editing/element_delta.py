@@ -1,4 +1,4 @@
-"""What a delta comes to for the elements of a document."""
+"""Changes of the elements of a document that a delta asks for."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Slots = dict[str, dict[int, Term]]
 
 @dataclass
 class Change:
-    """What an element no longer says, and what it says instead."""
+    """Values that an element loses, and those that it gains."""
 
     removed: Slots = field(default_factory=dict)
     added: Slots = field(default_factory=dict)
@@ -93,7 +93,7 @@ class Changes:
         raise Unsayable("an element cannot stand within itself")
 
     def within(self, node: Term, others: Collection[Term]) -> bool:
-        """Whether *node* is one of *others*, or below one and does not leave it."""
+        """Tell whether *node* is one of *others*, or below one and does not leave it."""
         at: Term | None = node
         while at is not None and at not in others:
             stays = at in self.known and at not in self.moved

@@ -1,4 +1,4 @@
-"""Where the elements of one text stand, and how its author lays them out."""
+"""Layout of one text: places of its elements, indentation, line ends."""
 
 from __future__ import annotations
 
@@ -77,11 +77,11 @@ class Layout:
         return self.places.tag(number)
 
     def name(self, number: int) -> str:
-        """What an element is called."""
+        """Return the tag of an element."""
         return self.source[self.tag(number).name]
 
     def start(self, number: int) -> int:
-        """Where an element begins."""
+        """Return the offset of an element's start."""
         return self.tag(number).name.start - 1
 
     def whole(self, number: int) -> Span:
@@ -89,11 +89,11 @@ class Layout:
         return self.places.whole(number)
 
     def closed(self, number: int) -> bool:
-        """Whether an element has one tag only."""
+        """Tell whether an element has one tag only."""
         return self.text[self.tag(number).end - 2] == "/"
 
     def content(self, number: int) -> Span:
-        """What stands between the tags of an element that has two."""
+        """Return the span between the tags of an element that has two."""
         return self.places.content(number)
 
     def names(self, number: int) -> list[Span]:
@@ -114,7 +114,7 @@ class Layout:
         return found
 
     def in_section(self, at: int) -> bool:
-        """Whether only space is between *at* and the beginning of a CDATA section."""
+        """Tell whether only space is between *at* and the beginning of a CDATA section."""
         return self.text.startswith(SECTION, self.before(at) - len(SECTION))
 
     def before(self, at: int, space: str = SPACE) -> int:
@@ -130,12 +130,12 @@ class Layout:
         return at
 
     def begins_line(self, at: int) -> bool:
-        """Whether nothing stands before *at* in its line."""
+        """Tell whether only blanks precede *at* in its line."""
         edge = self.before(at, " \t")
         return edge == 0 or self.text[edge - 1] in "\r\n"
 
     def ends_line(self, at: int) -> bool:
-        """Whether nothing stands behind *at* in its line."""
+        """Tell whether only blanks follow *at* in its line."""
         edge = self.behind(at, " \t")
         return edge == len(self.text) or self.text[edge] in "\r\n"
 
@@ -145,12 +145,15 @@ class Layout:
         return self.text[self.before(start, " \t") : start] if self.begins_line(start) else None
 
     def line_end(self, at: int) -> str:
-        """How the line of *at* ends, or else the first one; nothing if there is one line only."""
+        """Return the line end of the line of *at*, or else of the first.
+
+        Empty if there is one line only.
+        """
         found = BREAK.search(self.text, at) or BREAK.search(self.text)
         return found[0] if found else ""
 
     def step(self, number: int) -> str:
-        """How much further the children of an element are indented, or would be."""
+        """Return the further indentation of an element's children, real or likely."""
         for each in (number, self.parents[number]):
             if each >= 0 and (found := self._step(each)):
                 return found
@@ -182,5 +185,5 @@ class Layout:
 
     @cached_property
     def ending(self) -> str:
-        """How most elements without content end."""
+        """Return the usual end of elements without content."""
         return " />" if self.text.count(" />") * 2 > self.text.count("/>") else "/>"

@@ -27,7 +27,7 @@ def _runs(layout: Layout, spans: Iterable[Span]) -> list[Span]:
 
 
 def with_lines(layout: Layout, span: Span) -> Span:
-    """*span* with the lines that it is alone on, or with the blanks that only kept it apart."""
+    """Return *span* with the lines that it fills alone, or with the blanks that separate it."""
     text = layout.text
     start, end = layout.before(span.start, " \t"), layout.behind(span.end, " \t")
     if layout.begins_line(span.start):

@@ -20,9 +20,9 @@ SEVERAL = "the text stands for several elements"
 
 
 class Site(NamedTuple):
-    """Where an element is written: its number in a text, and where in the document that begins.
+    """Place of an element: its number in a text, and the offset of that text in the document.
 
-    `tag` is what it is to be called.
+    `tag` is the tag that it shall have.
     """
 
     layout: Layout
@@ -37,7 +37,7 @@ class Site(NamedTuple):
         return Span(start + self.begin, end + self.begin)
 
     def moved(self, edits: Iterable[Edit]) -> Iterator[Edit]:
-        """*edits* of the text as edits of the document."""
+        """Yield *edits* of the text as edits of the document."""
         for (start, end), text in edits:
             yield Edit(Span(start + self.begin, end + self.begin), text)
 
@@ -52,11 +52,11 @@ class Sites:
 
     @cached_property
     def elements(self) -> Mapping[Term, Element]:
-        """What the document states of its elements."""
+        """Return the elements that the document states."""
         return elements(self._document.statements)
 
     def __getitem__(self, node: Term) -> Site:
-        """Where *node* is written; raises Unsayable if it is nowhere, or stands for several."""
+        """Return the place of *node*; raises Unsayable if it has none, or stands for several."""
         self.check_uses([node])
         return self.use(node)
 
@@ -67,11 +67,11 @@ class Sites:
             raise Unsayable(SEVERAL)
 
     def uses(self, site: Site) -> int:
-        """How many elements the text at *site* stands for, at least."""
+        """Return the number of elements that the text at *site* stands for, at least."""
         return self._shared[id(site.layout.source), site.layout.start(site.number)]
 
     def use(self, node: Term) -> Site:
-        """Where *node* is written, maybe as one of several; raises Unsayable if it is nowhere."""
+        """Return the place of *node*, maybe as one of several; raises Unsayable if it has none."""
         element, start = self.elements.get(node), self._start(node)
         if element is None:
             raise Unsayable("the element is not written there")
@@ -83,7 +83,7 @@ class Sites:
         return Site(layout, number, begin, element.tag)
 
     def component(self, node: Term, slot: str, number: int) -> Span | None:
-        """Where the text has a component of an attribute, or of the text, of *node*."""
+        """Return the span of a component of an attribute, or of the text, of *node*."""
         stem = f"{AT}{slot}" if slot else f"<{TEXT}"
         value = self.elements[node].slots[slot][number]
         span = self._document.map.triples.get((node, f"{stem}-{number}>", value))
@@ -106,14 +106,14 @@ class Sites:
         return id(source), at - begin
 
     def layout(self, source: SourceText) -> Layout:
-        """How one of the texts is laid out."""
+        """Return the layout of one of the texts."""
         if id(source) not in self._layouts:
             self._layouts[id(source)] = Layout(source)
         return self._layouts[id(source)]
 
     @cached_property
     def _shared(self) -> Counter[tuple[int, int]]:
-        """How many elements are written at one place; not counted where it is always one."""
+        """Return the number of elements at each place; not counted where it is always one."""
         if not self._document.pieces:
             return Counter()
         nodes = self._document.map.nodes

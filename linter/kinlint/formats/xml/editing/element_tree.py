@@ -1,7 +1,7 @@
-"""What the elements of a document are, whatever they are called and however they are laid out.
+"""Comparison of the elements of a document, independent of names of nodes and of layout.
 
 Trees are equal if their elements are: by tag, by attributes and text, of which the words count and
-the values of numbers, and by the elements within, in whatever order.
+the values of numbers, and by the elements within, in any order.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def tree(document: Document) -> Hashable:
 
 
 def changed(document: Document, delta: Delta) -> Hashable:
-    """What `tree` has to be once *document* says *delta*."""
+    """Return the value that `tree` must have after *delta* is applied to *document*."""
     removed = set(delta.removed)
     statements = [each for each in document.statements if each not in removed]
     return _tree(document.graph, [*statements, *delta.added], _stray(statements))
@@ -75,7 +75,7 @@ def _tree(root: Term, statements: Iterable[Triple], stray: Mapping[Term, str]) -
 
 
 def _words(values: Mapping[int, Term]) -> tuple[float | str, ...]:
-    """What *values* say, in order."""
+    """Return the words and numbers of *values*, in order."""
     if len(values) == 1:
         return _said(*values.values())
     return tuple(word for number in sorted(values) for word in _said(values[number]))

@@ -16,7 +16,7 @@ COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n
 
 @dataclass(frozen=True)
 class Manner:
-    """How an element is laid out: after what space, and how much further its children are.
+    """Layout of an element: the space before it, and the further indentation of its children.
 
     `line_end` is empty if all is in one line.
     """
@@ -27,12 +27,12 @@ class Manner:
 
     @property
     def space(self) -> str:
-        """What comes before the element."""
+        """Return the space before the element."""
         return f"{self.line_end}{self.indent}" if self.line_end else ""
 
     @property
     def inner(self) -> Manner:
-        """How its children are laid out."""
+        """Return the layout of its children."""
         return Manner(f"{self.indent}{self.step}", self.step, self.line_end)
 
 
@@ -41,7 +41,7 @@ Written = Callable[[Manner], str]
 
 
 def replacement(layout: Layout, number: int, new: Written) -> Edit:
-    """*new* in the place of an element."""
+    """Return the edit that replaces an element by *new*."""
     return Edit(layout.whole(number), new(_manner(layout, number)))
 
 
@@ -67,7 +67,7 @@ def insertion(site: Site, new: Sequence[Written], before: int | None) -> Edit:
 
 
 def _manner(layout: Layout, number: int) -> Manner:
-    """How an element that is there is laid out."""
+    """Return the layout of an existing element."""
     indent, start = layout.indent(number), layout.start(number)
     if indent is None or layout.line_end(start) == "":
         return Manner("", "", "")
@@ -85,7 +85,7 @@ def _gap(layout: Layout, parent: int, number: int) -> str | None:
 
 
 def opening(layout: Layout, number: int) -> Span:
-    """What has to go from an element with one tag before something can stand in it."""
+    """Return the span to remove from an element with one tag before content can be inserted."""
     end = layout.tag(number).end
     start = layout.before(end - 2)
     return Span(end - 2 if BREAK.search(layout.text, start, end) else start, end)

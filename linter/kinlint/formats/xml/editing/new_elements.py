@@ -33,7 +33,7 @@ class Fresh:
     written: set[Term] = field(default_factory=set)
 
     def element(self, tag: str, node: Term, layout: Layout, quote: str) -> Written:
-        """How *node* is written as an element with *tag* in a text with a *layout*."""
+        """Return *node* as a new element with *tag*, for a text with a *layout*."""
         if not NAME.fullmatch(tag):
             raise Unsayable(f"{tag} is no name in XML")
         if node in self.changes.moved:
@@ -59,7 +59,7 @@ class Fresh:
         return write
 
     def _moved(self, node: Term, layout: Layout) -> Written:
-        """How *node* is written elsewhere: as it is, with its lines indented anew."""
+        """Return *node* as it is written in its old place, with its lines indented anew."""
         site = self.sites[node]
         if site.layout.source.encoding != layout.source.encoding:
             raise Unsayable("the files have different encodings")

@@ -23,7 +23,7 @@ Place = Callable[[int], "Span | None"]
 
 
 def after(old: Values, removed: Values, added: Values, name: str) -> dict[int, Term]:
-    """What is left of *old* without *removed*, and with *added*."""
+    """Return *old* without *removed*, and with *added*."""
     left = {number: value for number, value in old.items() if number not in removed}
     mixed = added and left and (0 in added) != (0 in left)
     if mixed or any(left.get(number, value) != value for number, value in added.items()):
@@ -39,7 +39,7 @@ def _missing(values: Values) -> int:
 
 
 def written(values: Values, kept: frozenset[str]) -> str:
-    """*values* as plain text; those spelled as one of *kept* stay so."""
+    """Return *values* as plain text; those spelled as in *kept* keep their spelling."""
     text = " ".join(spelled(values[number], kept) for number in sorted(values))
     if UNEXPANDED.search(text):
         raise Unsayable("xacro would take the value for an expression")
@@ -47,12 +47,12 @@ def written(values: Values, kept: frozenset[str]) -> str:
 
 
 def said(values: Values) -> str:
-    """*values* as the file spells them."""
+    """Return *values* as the file spells them."""
     return " ".join(literal_value(values[number]) for number in sorted(values))
 
 
 def matches(raw: str, values: Values) -> bool:
-    """Whether *raw*, as XML has it, is what *values* were read from."""
+    """Tell whether *values* were read from *raw* of the XML text."""
     return tokens(plain(raw)) == tokens(said(values))
 
 

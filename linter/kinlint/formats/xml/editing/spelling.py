@@ -36,7 +36,7 @@ def _token(word: str) -> float | str:
 
 
 def plain(raw: str) -> str:
-    """What *raw* stands for in XML, references to characters resolved."""
+    """Return *raw* of an XML text with references to characters resolved."""
     return REFERENCE.sub(_character, raw) if "&" in raw else raw
 
 
@@ -49,12 +49,12 @@ def _character(match: re.Match[str]) -> str:
 
 
 def is_number(term: Term) -> bool:
-    """Whether *term* is a literal of a numeric type."""
+    """Tell whether *term* is a literal of a numeric type."""
     return term[-1:] == ">" and is_literal(term) and literal_datatype(term) in NUMERIC
 
 
 def spelled(term: Term, kept: frozenset[str] = frozenset()) -> str:
-    """How a value is written; what is spelled as one of *kept* stays so.
+    """Return a value as text; one spelled as in *kept* keeps its spelling.
 
     Numbers have as many digits as carry the value. Raises Unsayable for what is no literal.
     """
@@ -74,7 +74,7 @@ def shortest(value: float) -> str:
 
 
 def attribute(value: str, quote: str, source: SourceText) -> str:
-    """*value* as it stands between *quote* marks."""
+    """Return *value* escaped for an attribute between *quote* marks."""
     text = value.replace("&", "&amp;").replace("<", "&lt;").replace(quote, QUOTES[quote])
     for each, reference in BREAKS.items():
         text = text.replace(each, reference)
@@ -82,13 +82,13 @@ def attribute(value: str, quote: str, source: SourceText) -> str:
 
 
 def data(value: str, source: SourceText) -> str:
-    """*value* as it stands between tags."""
+    """Return *value* escaped for the text between tags."""
     text = value.replace("&", "&amp;").replace("<", "&lt;").replace("]]>", "]]&gt;")
     return encodable(text.replace("\r", "&#13;"), source)
 
 
 def section(value: str, source: SourceText) -> str:
-    """*value* as it stands in a CDATA section; raises Unsayable for what would end it."""
+    """Return *value* as content of a CDATA section; raises Unsayable for what would end it."""
     text = encodable(value, source)
     if "]]>" in value or text != value:
         raise Unsayable("a CDATA section cannot hold it")
@@ -96,7 +96,7 @@ def section(value: str, source: SourceText) -> str:
 
 
 def encodable(text: str, source: SourceText) -> str:
-    """*text* with references for what the encoding of *source* lacks."""
+    """Return *text* with references for the characters that the encoding of *source* lacks."""
     if CONTROL.search(text):
         raise Unsayable("XML has no such character")
     if text.isascii():

@@ -92,7 +92,7 @@ class StartTag:
         return value.edits([span if is_string else self.layout.places.bare(span)])
 
     def _pairs(self, gone: list[str], come: dict[str, str]) -> Iterator[tuple[str, str]]:
-        """Which attribute takes the place of which: the one that says the same, or the next."""
+        """Yield each old attribute with its replacement: the one of the same value, or the next."""
         left, free = list(come), list(gone)
         for name in gone:
             said = spelling.tokens(rewriting.said(self.slots[name]))

@@ -13,7 +13,7 @@ from kinlint.terms import Term, Triple, is_literal
 from kinlint.vocabulary import EXTENSION
 
 KEPT = 10_000
-"""How many properties are remembered; no file has as many."""
+"""Maximum number of cached properties; no file has as many."""
 
 SPACES = tuple(f"<{space}" for space in (*ELEMENTS, EXTENSION))
 
@@ -61,7 +61,7 @@ class Element:
 
     @property
     def tag(self) -> str:
-        """What it is called."""
+        """Return its tag."""
         return tag_of(self.predicate) or ""
 
 

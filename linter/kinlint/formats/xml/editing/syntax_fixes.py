@@ -27,7 +27,7 @@ KINDS = {
     src("StrayText"): src("written"),
     SPACED: src("reason"),
 }
-"""What a place says that can be mended, by what it is."""
+"""Property that describes a repairable flaw of the syntax, by the type of the flaw."""
 
 BREAK = re.compile(r"\s*[\t\r\n]\s*")
 NUMBERS = re.compile(r"[-+.\deE\s]*")
@@ -39,7 +39,7 @@ PAIR = 2
 
 
 def split(document: Document, delta: Delta) -> tuple[Delta, list[Triple]]:
-    """What *delta* says of elements, and the triples that go which are about such places."""
+    """Return the part of *delta* about elements, and the removed triples about syntax errors."""
     gone = [each for each in delta.removed if is_blank(each[0])]
     if not gone:
         return delta, []

@@ -42,7 +42,7 @@ def text_edits(
 
 
 def _first(site: Site, text: str) -> Edit:
-    """*text* in an element that had none."""
+    """Return the edit that gives *text* to an element that had none."""
     layout, number = site.layout, site.number
     if layout.closed(number):
         return Edit(opening(layout, number), f">{text}</{site.tag}>")
