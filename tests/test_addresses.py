@@ -9,7 +9,7 @@ from kinlint.addresses import owner_path, short_path
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.xml.schema import kinds
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import Term, iri
 from kinlint.text import SourceText
 
@@ -91,4 +91,6 @@ def test_nested_models_are_read_at_the_addresses_made_here() -> None:
     model = addresses.child(addresses.root_of(document.graph), "model", "a")
     link = addresses.child(addresses.child(model, "model", "b"), "link", "c")
     assert link in document.map.nodes
-    assert Display(nodes=document.map.nodes, kinds=kinds(document.format)).term(link) == "a/b/c"
+    assert (
+        TermFormatter(nodes=document.map.nodes, kinds=kinds(document.format)).term(link) == "a/b/c"
+    )

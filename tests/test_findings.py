@@ -6,7 +6,7 @@ import pytest
 from support.linting import lint
 
 from kinlint.finding import Finding
-from kinlint.term_format import LONGEST, Display
+from kinlint.term_format import LONGEST, TermFormatter
 from kinlint.terms import XSD, iri, literal
 
 CONTEXT = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
@@ -32,7 +32,7 @@ def found(*texts: str, code: str) -> list[Finding]:
     ],
 )
 def test_terms_as_people_read_them(term: str, shown: str) -> None:
-    assert Display({"ex": "https://e.org/#"}).term(term) == shown
+    assert TermFormatter({"ex": "https://e.org/#"}).term(term) == shown
 
 
 @pytest.mark.parametrize(
@@ -54,12 +54,12 @@ def test_elements_go_by_their_names_where_no_other_has_them(path: str, shown: st
     nodes = ("/joint/elbow", "/joint/tool", "/link/tool", "/link/base", "/link/base;2")
     kinds = ("model", "link", "joint")
     address = "urn:kinlint:document:arm.urdf#{}".format
-    display = Display(nodes=[iri(address(node)) for node in nodes], kinds=kinds)
+    display = TermFormatter(nodes=[iri(address(node)) for node in nodes], kinds=kinds)
     assert display.term(iri(address(path))) == shown
 
 
 def test_of_very_long_terms_both_ends_are_shown() -> None:
-    shown = Display().term(literal("a" * 10_000 + "z"))
+    shown = TermFormatter().term(literal("a" * 10_000 + "z"))
     assert len(shown) == LONGEST + 1
     assert shown[0] == "a"
     assert shown[-1] == "z"

@@ -53,7 +53,7 @@ NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
 
 
 @dataclass(frozen=True)
-class Display:
+class TermFormatter:
     """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes.
 
     `nodes` are those of the file: elements of different kinds that share a name are told apart.

@@ -28,7 +28,7 @@ from kinlint.engine.ontology_index import Schema
 from kinlint.engine.reference.rdflib_terms import graph, term
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.terms import Term, iri, is_blank
 
 DEPTH = 1_000_000

@@ -15,7 +15,7 @@ from kinlint.document import Document
 from kinlint.engine.closure import close
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read

@@ -21,7 +21,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
 from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.formats.dependencies.companions import joined
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import LIFTED

@@ -14,7 +14,7 @@ from kinlint.engine.closure import close
 from kinlint.engine.evaluate import check
 from kinlint.engine.explanation import premises_of
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.finding import Finding
 from kinlint.findings.finding_builder import findings
 from kinlint.formats.options import ReadOptions

@@ -22,7 +22,7 @@ from kinlint.engine.reference.owl import owlrl_closure
 from kinlint.engine.reference.shacl import check_store
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.formats.jsonld.reader import read
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read as read_any

@@ -10,7 +10,7 @@ from support.linting import book, document
 
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.terms import Term, iri_value, is_literal, literal_datatype, literal_value
 from kinlint.vocabulary import FACT
 

@@ -6,7 +6,7 @@ import json
 
 from described import closed, inertial, joint, link
 
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 from kinlint.terms import literal_value
 from kinlint.vocabulary import FACT
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from kinlint.document import Document, SourceMap
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
-from kinlint.facts.scan import Scan, numeric
+from kinlint.facts.computation import facts
+from kinlint.facts.predicate_index import PredicateIndex, numeric
 from kinlint.formats.turtle.format import TURTLE
 from kinlint.terms import RDF, XSD, iri, literal
 from kinlint.text import SourceText
@@ -88,7 +88,7 @@ def test_lists_in_circles_are_no_lists() -> None:
 )
 def test_broken_lists_have_no_items(cells: tuple[tuple[str, str, str], ...]) -> None:
     """A cell has one item and one rest."""
-    assert Scan(loaded(*cells)).items("_:a") is None
+    assert PredicateIndex(loaded(*cells)).items("_:a") is None
 
 
 def test_odd_identifiers_are_taken_as_they_are() -> None:

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlint.facts.inertia import about_centre
-from kinlint.facts.linear import eigenvalues, product, transpose
+from kinlint.facts.linear_algebra import eigenvalues, product, transpose
 from kinlint.facts.rotation import from_euler
 
 SIZES = ("least", "middle", "greatest")

@@ -10,8 +10,8 @@ import pytest
 from computed import STRAIGHT, Node, frame, pose, shift, store_of
 
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts
-from kinlint.facts.forest import Forest
+from kinlint.facts.computation import facts
+from kinlint.facts.spanning_forest import SpanningForest
 
 
 class Counting:
@@ -84,7 +84,7 @@ def test_where_two_branches_meet_is_found_by_jumps(
     """On a path of any length in a few steps; the way of a cycle is followed only so far."""
     edges = [(f"n{index}", f"n{index + 1}") for index in range(size)]
     edges += [(f"n{index}", f"n{size - index}") for index in range(size // 2)]
-    tree = Forest(edges)
+    tree = SpanningForest(edges)
     steps: Counter[str] = Counter()
 
     class Counted(dict[str, Any]):

@@ -8,7 +8,7 @@ import pytest
 from computed import Computed, closed
 from data import locate_data
 
-from kinlint.facts.compute import facts
+from kinlint.facts.computation import facts
 
 KINOVA = "https://comp-rob2b.github.io/robots/kinova/gen3/7dof/"
 TUTORIAL = "https://comp-rob2b.github.io/modelling-tutorial/robot#"

@@ -10,7 +10,7 @@ from computed import QUARTER, Node, computed, pose, shift, turn
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.facts.linear import (
+from kinlint.facts.linear_algebra import (
     IDENTITY,
     angle,
     determinant,

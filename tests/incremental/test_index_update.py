@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlint.engine.store import Store
-from kinlint.facts.scan import Scan
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.incremental.change import TYPE, Changes
 from kinlint.incremental.tracked_index import TrackedIndex
 from kinlint.terms import RDF_TYPE, XSD
@@ -30,7 +30,7 @@ QUADS = st.frozensets(
 )
 
 
-def read(scan: Scan) -> list[object]:
+def read(scan: PredicateIndex) -> list[object]:
     """All that *scan* has, in its order."""
     tables = [scan.table(each) for each in (*PROPERTIES, RDF_TYPE)]
     return [
@@ -51,4 +51,4 @@ def test_it_is_as_if_it_were_read_now(held, turns):
         changes = Changes(store)
         changes.make(removed, added)
         kept.forget(changes)
-        assert read(kept) == read(Scan(store))
+        assert read(kept) == read(PredicateIndex(store))

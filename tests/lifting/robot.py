@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote
 
-from kinlint.facts.linear import (
+from kinlint.facts.linear_algebra import (
     Matrix,
     Vector,
     add,
@@ -19,7 +19,7 @@ from kinlint.facts.linear import (
     subtract,
     transpose,
 )
-from kinlint.facts.linear import dot as inner
+from kinlint.facts.linear_algebra import dot as inner
 from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, literal_value
 from kinlint.vocabulary import KIN, METAMODELS, UNIT
 

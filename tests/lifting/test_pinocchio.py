@@ -14,7 +14,7 @@ from pinocchio_robots import ROOT, configuration, silence
 from robot import ZERO, Inertia, Motion, Robot
 
 from kinlint.errors import SourceError
-from kinlint.facts.linear import scale
+from kinlint.facts.linear_algebra import scale
 
 pytestmark = [pytest.mark.oracle, pytest.mark.xdist_group("Pinocchio")]
 

@@ -7,7 +7,7 @@ from collections import Counter
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.facts.arrangement import Edge, arranged
+from kinlint.facts.joint_trees import Edge, arrange_joints
 
 ends = st.one_of(st.none(), st.integers(0, 12).map(str))
 edges = st.lists(st.tuples(ends, ends, st.booleans()), max_size=20)
@@ -20,7 +20,7 @@ def test_every_graph_becomes_a_forest(pairs: list[tuple[str | None, str | None, 
         for index, (parent, child, directed) in enumerate(pairs)
     ]
     bodies = tuple(dict.fromkeys(end for each in made for end in each.ends))
-    found = arranged(bodies, made)
+    found = arrange_joints(bodies, made)
     assert [each.joint for each in found.edges] == [each.joint for each in made]
     for before, after in zip(made, found.edges, strict=True):
         assert set(after.ends) == set(before.ends)
@@ -43,6 +43,6 @@ def test_no_directed_joints_carry_a_body_twice(
         Edge(f"j{i}", parent, child, directed=True) for i, (parent, child, _) in enumerate(pairs)
     ]
     bodies = tuple(dict.fromkeys(end for each in made for end in each.ends))
-    open_ = [each for each in arranged(bodies, made).edges if not each.closes]
+    open_ = [each for each in arrange_joints(bodies, made).edges if not each.closes]
     counts = Counter(each.child for each in open_ if each.child is not None)
     assert all(count == 1 for count in counts.values())

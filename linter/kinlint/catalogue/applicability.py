@@ -12,7 +12,7 @@ from kinlint.engine.lifting import lifts
 from kinlint.engine.pruning import Lookup, Presence
 from kinlint.engine.required_terms import relevant, terms
 from kinlint.engine.result import Result
-from kinlint.facts.compute import sources
+from kinlint.facts.computation import sources
 from kinlint.file_format import Format
 from kinlint.formats.records import FORMATS
 from kinlint.rule import Repair, Rule

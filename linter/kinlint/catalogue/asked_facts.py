@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from kinlint.engine.compiler.graph import ShapesFile
 from kinlint.engine.compiler.names import sh
-from kinlint.facts.compute import computed, computed_by
+from kinlint.facts.computation import computed, computed_by
 from kinlint.sparql.tokens import prologue, split
 from kinlint.suggestion import did_you_mean
 from kinlint.terms import Term, literal_value

@@ -238,7 +238,7 @@ def _code() -> str:
     """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
     folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
-    extra = (package / name for name in ("rule.py", "terms.py", "facts/kinds.py"))
+    extra = (package / name for name in ("rule.py", "terms.py", "facts/fact_kinds.py"))
     files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
     for file in sorted([*files, *extra]):

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
-from kinlint.facts.companion import Companions
-from kinlint.facts.component import joined_by
-from kinlint.facts.forest import Roots
+from kinlint.facts.connected_components import joined_by
+from kinlint.facts.coordinate_pairs import CoordinatePairs
+from kinlint.facts.fact_statements import fact, numbers
 from kinlint.facts.inertia import Inertias
-from kinlint.facts.names import kin
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import fact, numbers
-from kinlint.facts.tree import Trees
+from kinlint.facts.link_trees import LinkTrees
+from kinlint.facts.metamodel_terms import kin
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.spanning_forest import DisjointSets
 from kinlint.terms import Term, Triple
 
 FIXED = kin("FixedJoint")
@@ -23,15 +23,15 @@ MASS_PROPERTY = kin("MassProperty")
 class Assemblies:
     """The bodies of a model in groups that no joint moves within."""
 
-    def __init__(self, scan: Scan, inertias: Inertias, trees: Trees) -> None:
+    def __init__(self, scan: PredicateIndex, inertias: Inertias, trees: LinkTrees) -> None:
         self.scan = scan
         self.inertias = inertias
         self.trees = trees
-        self.companions = Companions(scan)
+        self.companions = CoordinatePairs(scan)
 
     @cached_property
-    def _welded(self) -> Roots:
-        groups = Roots()
+    def _welded(self) -> DisjointSets:
+        groups = DisjointSets()
         for joint in self.scan.instances(FIXED):
             bodies = joined_by(self.scan, joint)
             for body in bodies[1:]:

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import NamedTuple
 
-from kinlint.facts.linear import Vector, dot, length, scale
-from kinlint.facts.names import AS_SEEN_BY, COORDINATE_OF, OF, WITH_RESPECT_TO, geom, rel
+from kinlint.facts.fact_statements import derived, numbers
+from kinlint.facts.linear_algebra import Vector, dot, length, scale
+from kinlint.facts.metamodel_terms import AS_SEEN_BY, COORDINATE_OF, OF, WITH_RESPECT_TO, geom, rel
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import AXES, Quantities
 from kinlint.facts.rotation import columns, residuals
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import derived, numbers
 from kinlint.terms import Term, Triple
 
 
@@ -26,7 +26,7 @@ class Arrow(NamedTuple):
 class Bases:
     """The vectors of frames: numbers on a vector itself, or the position of its end."""
 
-    def __init__(self, scan: Scan, quantities: Quantities) -> None:
+    def __init__(self, scan: PredicateIndex, quantities: Quantities) -> None:
         self.scan = scan
         self.quantities = quantities
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinlint.engine.expressions import NOTHING
-from kinlint.facts.scan import Scan, numeric
-from kinlint.facts.statement import fact
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.predicate_index import PredicateIndex, numeric
 from kinlint.terms import Term, Triple, is_iri
 from kinlint.vocabulary import OWL, RDFS
 
@@ -17,7 +17,7 @@ CONTRADICTED = fact("contradicted")
 """From a node to a class or property whose axioms what is said of the node breaks."""
 
 
-def contradictions(scan: Scan) -> Iterator[Triple]:
+def contradictions(scan: PredicateIndex) -> Iterator[Triple]:
     """What OWL 2 RL calls inconsistent, but for equality, datatypes and negative assertions.
 
     By OWL 2 Profiles 4.3: cax-dw, cax-adc, prp-irp, prp-asyp, prp-pdw, prp-adp, cls-nothing2,
@@ -28,7 +28,7 @@ def contradictions(scan: Scan) -> Iterator[Triple]:
     yield from sorted(found)
 
 
-def _excluded(scan: Scan) -> Iterator[tuple[Term, Term]]:
+def _excluded(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
     for kinds in _disjoint(scan, "disjointWith", "AllDisjointClasses"):
         seen: frozenset[Term] = frozenset()
         for kind in kinds:
@@ -37,7 +37,7 @@ def _excluded(scan: Scan) -> Iterator[tuple[Term, Term]]:
             seen |= members
 
 
-def _contradicted(scan: Scan) -> Iterator[tuple[Term, Term]]:
+def _contradicted(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
     for each in (*_kind(scan, "IrreflexiveProperty"), *_kind(scan, "AsymmetricProperty")):
         yield from ((node, each) for node, value in _pairs(scan, each) if node == value)
     for each in _kind(scan, "AsymmetricProperty"):
@@ -53,7 +53,7 @@ def _contradicted(scan: Scan) -> Iterator[tuple[Term, Term]]:
     yield from _bounded(scan)
 
 
-def _bounded(scan: Scan) -> Iterator[tuple[Term, Term]]:
+def _bounded(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
     """Who has a property that its class has none of, or is what its class is not."""
     most = scan.table(f"<{OWL}maxCardinality>")
     none = {bound for bound, values in most.items() if numeric(values[0]) == 0}
@@ -71,7 +71,7 @@ def _bounded(scan: Scan) -> Iterator[tuple[Term, Term]]:
             yield from ((n, kind) for n in _members(scan, kind) & _members(scan, other))
 
 
-def _disjoint(scan: Scan, pair: str, several: str) -> Iterator[Iterable[Term]]:
+def _disjoint(scan: PredicateIndex, pair: str, several: str) -> Iterator[Iterable[Term]]:
     """The groups of classes, or of properties, that exclude each other."""
     for one, others in scan.table(f"<{OWL}{pair}>").items():
         yield from ((one, other) for other in others)
@@ -81,14 +81,14 @@ def _disjoint(scan: Scan, pair: str, several: str) -> Iterator[Iterable[Term]]:
             yield scan.items(head) or ()
 
 
-def _kind(scan: Scan, kind: str) -> frozenset[Term]:
+def _kind(scan: PredicateIndex, kind: str) -> frozenset[Term]:
     return scan.instances(f"<{OWL}{kind}>")
 
 
-def _members(scan: Scan, kind: Term) -> frozenset[Term]:
+def _members(scan: PredicateIndex, kind: Term) -> frozenset[Term]:
     return scan.instances(kind) if is_iri(kind) else frozenset()
 
 
-def _pairs(scan: Scan, relation: Term) -> Iterator[tuple[Term, Term]]:
+def _pairs(scan: PredicateIndex, relation: Term) -> Iterator[tuple[Term, Term]]:
     for subject, values in scan.table(relation).items() if is_iri(relation) else ():
         yield from ((subject, value) for value in values)

@@ -12,11 +12,11 @@ from typing import TypeAlias
 from kinlint.addresses import document_of, local_name
 from kinlint.document import Document
 from kinlint.facts.assembly import Assemblies
-from kinlint.facts.linear import Vector, length, subtract
-from kinlint.facts.names import attribute, chain, kin, sdf, urdf
-from kinlint.facts.placement import Placements
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import fact, fact_node, numbers
+from kinlint.facts.fact_statements import fact, fact_node, numbers
+from kinlint.facts.frame_placement import Placements
+from kinlint.facts.linear_algebra import Vector, length, subtract
+from kinlint.facts.metamodel_terms import attribute, chain, kin, sdf, urdf
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.records import FORMATS
 from kinlint.terms import Term, Triple, is_iri, literal, literal_value
 
@@ -42,10 +42,10 @@ class Description:
     joints: dict[str, Term] = field(default_factory=dict)
 
 
-class Drifts:
+class DescriptionDrifts:
     """The robots of a run that are described more than once."""
 
-    def __init__(self, scan: Scan, assemblies: Assemblies) -> None:
+    def __init__(self, scan: PredicateIndex, assemblies: Assemblies) -> None:
         self.scan = scan
         self.assemblies = assemblies
         self.placements = Placements(scan)

@@ -8,13 +8,13 @@ from functools import cached_property
 from itertools import chain
 
 from kinlint.document import FROM
-from kinlint.facts.companion import Companions
-from kinlint.facts.linear import ZERO, Matrix, Vector, dot, eigenvalues, length, scale
-from kinlint.facts.names import body
-from kinlint.facts.names import inertia as inertial
+from kinlint.facts.coordinate_pairs import CoordinatePairs
+from kinlint.facts.fact_statements import derived, numbers
+from kinlint.facts.linear_algebra import ZERO, Matrix, Vector, dot, eigenvalues, length, scale
+from kinlint.facts.metamodel_terms import body
+from kinlint.facts.metamodel_terms import inertia as inertial
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import Quantities
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import derived, numbers
 from kinlint.facts.units import FIRST_MOMENT, INERTIA, SI, Unit, Units
 from kinlint.terms import Term, Triple
 
@@ -25,7 +25,7 @@ PRODUCTS = ("ixy", "ixz", "iyz")
 class Inertias:
     """The inertias of a model by coordinates node, in SI where they have a unit."""
 
-    def __init__(self, scan: Scan, units: Units, quantities: Quantities) -> None:
+    def __init__(self, scan: PredicateIndex, units: Units, quantities: Quantities) -> None:
         self.scan = scan
         self.units = units
         self.quantities = quantities
@@ -82,7 +82,7 @@ class Inertias:
 
         What is lifted from a format that knows no other point says nothing of a first moment.
         """
-        moments = Companions(self.scan).with_moment(self.first_moments)
+        moments = CoordinatePairs(self.scan).with_moment(self.first_moments)
         found: dict[Term, Matrix] = {}
         for node, tensor in self.tensors.items():
             shifted = moments.of(node)
@@ -93,7 +93,7 @@ class Inertias:
 
     def facts(self) -> Iterator[Triple]:
         """The moments of each inertia, with those about its centre of mass where it is known."""
-        companions = Companions(self.scan)
+        companions = CoordinatePairs(self.scan)
         masses = companions.with_mass(self.quantities.masses)
         moments = companions.with_moment(self.first_moments)
         for node, tensor in self.tensors.items():

@@ -7,9 +7,9 @@ from functools import cached_property
 
 from kinlint.addresses import lifted_at, split, steps
 from kinlint.document import FROM
-from kinlint.facts.arrangement import Edge
-from kinlint.facts.names import attribute, chain, geom, kin
-from kinlint.facts.scan import Place, Scan
+from kinlint.facts.joint_trees import Edge
+from kinlint.facts.metamodel_terms import attribute, chain, geom, kin
+from kinlint.facts.predicate_index import Place, PredicateIndex
 from kinlint.terms import Term, iri_value, is_iri, literal_value
 
 BODY, JOINT, FRAME = geom("RigidBody"), chain("Joint"), geom("Frame")
@@ -35,7 +35,7 @@ TWO_AXES = (kin("TwoAxisJoint"), "two-axis")
 class Mechanism:
     """What is joined in a closed model; bodies and joints come in the order of the text."""
 
-    def __init__(self, scan: Scan) -> None:
+    def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
 
     def place(self, node: Term) -> Place:

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from kinlint.facts.linear import Vector
-from kinlint.facts.names import COORDINATE_OF, body, coord, inertia, kin, qudt, rel
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import numbers
+from kinlint.facts.fact_statements import numbers
+from kinlint.facts.linear_algebra import Vector
+from kinlint.facts.metamodel_terms import COORDINATE_OF, body, coord, inertia, kin, qudt, rel
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.units import ANGLE, LENGTH, MASS, Units
 from kinlint.terms import Term, Triple
 
@@ -23,7 +23,7 @@ MASSES = (body("mass"), inertia("mass"))
 class Quantities:
     """The numbers of a model in SI."""
 
-    def __init__(self, scan: Scan, units: Units) -> None:
+    def __init__(self, scan: PredicateIndex, units: Units) -> None:
         self.scan = scan
         self.units = units
 

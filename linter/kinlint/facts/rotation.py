@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations
 
-from kinlint.facts.linear import (
+from kinlint.facts.fact_statements import numbers
+from kinlint.facts.linear_algebra import (
     Matrix,
     Vector,
     angle,
@@ -17,10 +18,9 @@ from kinlint.facts.linear import (
     rigid,
     transpose,
 )
-from kinlint.facts.names import coord, kin
+from kinlint.facts.metamodel_terms import coord, kin
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import AXES, Quantities
-from kinlint.facts.scan import Scan
-from kinlint.facts.statement import numbers
 from kinlint.terms import Term, Triple, literal_value
 
 LOOSEST = 0.05
@@ -118,7 +118,7 @@ def euler(sequence: str, m: Matrix, near: Sequence[float], *, intrinsic: bool) -
 class Rotations:
     """The matrices that coordinates of a model state, as they are written."""
 
-    def __init__(self, scan: Scan, quantities: Quantities) -> None:
+    def __init__(self, scan: PredicateIndex, quantities: Quantities) -> None:
         self.scan = scan
         self.quantities = quantities
 

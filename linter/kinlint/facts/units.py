@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from kinlint.facts.names import qudt
-from kinlint.facts.scan import Scan, numeric
+from kinlint.facts.metamodel_terms import qudt
+from kinlint.facts.predicate_index import PredicateIndex, numeric
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import QUANTITY_KIND
 
@@ -50,7 +50,7 @@ SI = Unit(1.0, 0.0, "")
 class Units:
     """The units that nodes of a model name, as far as they are known."""
 
-    def __init__(self, scan: Scan) -> None:
+    def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
         self._units: dict[Term, Unit | None] = {}
 

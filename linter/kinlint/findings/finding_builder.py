@@ -25,7 +25,7 @@ from kinlint.findings.locator import Locator
 from kinlint.findings.wording import Wording
 from kinlint.message_template import counted, filled
 from kinlint.rule import Rule, Severity
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import (
     RDF_TYPE,
     XSD,
@@ -153,7 +153,7 @@ def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
     yield from (("this", result.focus), ("path", result.path), ("value", result.value))
 
 
-def _meant(term: Term | None, display: Display) -> str:
+def _meant(term: Term | None, display: TermFormatter) -> str:
     """What *term* stands for, whatever it is called; the name of a file of elements is left out."""
     if term is None:
         return ""
@@ -198,7 +198,7 @@ def _related(
 
 
 def _because(
-    result: Result, locator: Locator, proofs: Proofs, display: Display
+    result: Result, locator: Locator, proofs: Proofs, display: TermFormatter
 ) -> Iterator[Premise]:
     """The proof of a result in which something inferred or computed took part; else nothing."""
     constraint = result.constraint
@@ -215,7 +215,7 @@ def _because(
             )
 
 
-def _phrase(triple: Triple, store: Store, display: Display) -> str:
+def _phrase(triple: Triple, store: Store, display: TermFormatter) -> str:
     """*triple* in three words, with lists, facts and their nodes, which files do not name."""
     if is_blank(triple[2]) and (listed := items(store, triple[2])):
         written = ", ".join(map(display.term, listed))

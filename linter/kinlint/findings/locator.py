@@ -17,7 +17,7 @@ from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.blank_node_names import AnonymousNodes
 from kinlint.formats.xml.schema import kinds
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import (
     RDF_TYPE,
     Term,
@@ -245,14 +245,14 @@ class Locator:
         """The document that the text of *location* is a part of."""
         return self._by_source.get(id(location.source))
 
-    def display(self, location: Location) -> Display:
+    def display(self, location: Location) -> TermFormatter:
         """How the file of *location* abbreviates."""
         document = self.document(location)
         if document is None:
-            return Display(kinds=self.kinds)
+            return TermFormatter(kinds=self.kinds)
         if document.graph not in self._displays:
             own = tuple(literal_value(o) for _, _, o in document.saying(OWN))
-            self._displays[document.graph] = Display(
+            self._displays[document.graph] = TermFormatter(
                 document.prefixes, own, document.map.nodes, self.kinds
             )
         return self._displays[document.graph]
@@ -264,7 +264,7 @@ class Locator:
         return frozenset().union(*map(kinds, forms.values()))
 
     @cached_property
-    def _displays(self) -> dict[Term, Display]:
+    def _displays(self) -> dict[Term, TermFormatter]:
         return {}
 
 

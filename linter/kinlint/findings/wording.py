@@ -16,7 +16,7 @@ from kinlint.addresses import document_of, is_element, local_name, unordered, wa
 from kinlint.document import Document
 from kinlint.findings.locator import Locator
 from kinlint.message_template import VARIABLE
-from kinlint.term_format import NUMBERS, Display
+from kinlint.term_format import NUMBERS, TermFormatter
 from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_datatype, literal_value
 from kinlint.text import Location
 from kinlint.vocabulary import SRC
@@ -49,7 +49,7 @@ class Wording:
     focus: Term
 
     @cached_property
-    def display(self) -> Display:
+    def display(self) -> TermFormatter:
         """The abbreviations of the file."""
         return self.locator.display(self.location)
 

@@ -8,7 +8,7 @@ from typing import TypeAlias, TypeVar
 import pyoxigraph as ox
 
 from kinlint.engine.store import token
-from kinlint.facts.scan import Table, number_of
+from kinlint.facts.predicate_index import Table, number_of
 from kinlint.incremental.change import TYPE, Changes
 from kinlint.terms import Term
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from kinlint.engine.store import Store
-from kinlint.facts.compute import asked, helpful
-from kinlint.facts.kinds import Kind
-from kinlint.facts.workings import Workings
+from kinlint.facts.computation import asked, helpful
+from kinlint.facts.fact_context import FactContext
+from kinlint.facts.fact_kinds import FactKind
 from kinlint.incremental.change import Changes, quads
 from kinlint.incremental.tracked_index import TrackedIndex
 from kinlint.terms import Term, Triple
@@ -20,8 +20,8 @@ class TrackedFacts:
     def __init__(self, store: Store, wanted: frozenset[Term] | None, hints: Iterable[Term]) -> None:
         self._store = store
         self._index = TrackedIndex(store)
-        self._workings = Workings(self._index)
-        self._kinds: Sequence[Kind] = (*asked(wanted), *helpful(hints))
+        self._context = FactContext(self._index)
+        self._kinds: Sequence[FactKind] = (*asked(wanted), *helpful(hints))
         self._found: dict[int, tuple[Triple, ...]] = {}
         self._facts: dict[Triple, None] | None = None
 
@@ -31,7 +31,7 @@ class TrackedFacts:
         for number, kind in enumerate(self._kinds):
             if number not in self._found:
                 ask()
-                self._found[number] = tuple(kind.found(self._workings))
+                self._found[number] = tuple(kind.found(self._context))
         found = [each for _, found in sorted(self._found.items()) for each in found]
         before, self._facts = self._facts, dict.fromkeys((*found, *named))
         if before is None:
@@ -42,7 +42,7 @@ class TrackedFacts:
     def _forget(self, changes: Changes) -> None:
         """Forget what was computed from something that *changes* are about."""
         for name in self._index.forget(changes):
-            self._workings.__dict__.pop(name, None)
+            self._context.__dict__.pop(name, None)
             for number, kind in enumerate(self._kinds):
                 if name in kind.parts:
                     self._found.pop(number, None)

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from kinlint.document import Document
 from kinlint.engine.store import Store
-from kinlint.facts.scan import Place, Scan, Table
+from kinlint.facts.predicate_index import Place, PredicateIndex, Table
 from kinlint.formats.xml.span_lookup import ElementSpans
 from kinlint.incremental.change import Changes
 from kinlint.incremental.index_update import update_index
@@ -31,7 +31,7 @@ class Reads:
     """Whether it read the documents themselves."""
 
 
-class TrackedIndex(Scan):
+class TrackedIndex(PredicateIndex):
     """An index that lasts from one analysis to the next.
 
     `looks` has what each part of the work looked at, `below` which other parts it uses.
@@ -43,7 +43,7 @@ class TrackedIndex(Scan):
         self.below: dict[str, tuple[str, ...]] = {}
         self._order: Order | None = None
 
-    def part(self, name: str, *below: str) -> Scan:
+    def part(self, name: str, *below: str) -> PredicateIndex:
         """Return an index that notes what a part of the computation reads; it uses *below*."""
         self.below[name] = below
         looks = self.looks.setdefault(name, Reads())
@@ -80,7 +80,7 @@ class TrackedIndex(Scan):
         return before != self._order
 
 
-class Part(Scan):
+class Part(PredicateIndex):
     """A scan of one part of the work, which shares all that it reads with the others."""
 
     def __init__(self, kept: TrackedIndex, looks: Reads) -> None:

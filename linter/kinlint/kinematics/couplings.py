@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from kinlint.facts.mechanism import named
-from kinlint.facts.names import kin
-from kinlint.facts.scan import Scan
+from kinlint.facts.metamodel_terms import kin
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.findings.locator import Locator
-from kinlint.kinematics.numbers import Numbers
+from kinlint.kinematics.joint_numbers import JointNumbers
 from kinlint.structure import Coupling
 from kinlint.terms import Term
 
@@ -19,7 +19,7 @@ LEADER, FOLLOWER = kin("leader"), kin("follower")
 class Couplings:
     """The couplings of a closed model, by the joint that follows."""
 
-    def __init__(self, scan: Scan, locator: Locator, numbers: Numbers) -> None:
+    def __init__(self, scan: PredicateIndex, locator: Locator, numbers: JointNumbers) -> None:
         self.scan = scan
         self.locator = locator
         self.numbers = numbers

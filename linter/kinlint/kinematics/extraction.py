@@ -9,17 +9,17 @@ from functools import cached_property
 from kinlint.addresses import element_of, is_address, last_tag
 from kinlint.document import Document
 from kinlint.engine.store import Store
-from kinlint.facts.arrangement import Edge, arranged
+from kinlint.facts.joint_trees import Edge, arrange_joints
 from kinlint.facts.mechanism import Mechanism, model_of, named
-from kinlint.facts.names import attribute
-from kinlint.facts.scan import Scan
+from kinlint.facts.metamodel_terms import attribute
+from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
 from kinlint.kinematics.couplings import Couplings
-from kinlint.kinematics.naming import Names, element_name
-from kinlint.kinematics.numbers import Numbers
-from kinlint.kinematics.owners import Owners
-from kinlint.kinematics.robots import Robots
+from kinlint.kinematics.finding_owners import FindingOwners
+from kinlint.kinematics.joint_numbers import JointNumbers
+from kinlint.kinematics.part_names import PartNames, element_name
+from kinlint.kinematics.robot_groups import RobotGroups
 from kinlint.structure import Frame, Joint, Link, Structure
 from kinlint.terms import Term, literal_value
 
@@ -42,18 +42,18 @@ class Extraction:
     ) -> None:
         self.store = store
         self.findings = findings
-        self.scan = Scan(store)
+        self.scan = PredicateIndex(store)
         self.locator = Locator(documents, store)
         self.mechanism = Mechanism(self.scan)
-        self.numbers = Numbers(self.scan, self.mechanism)
-        self.names = Names(self.locator)
+        self.numbers = JointNumbers(self.scan, self.mechanism)
+        self.names = PartNames(self.locator)
         self.couplings = Couplings(self.scan, self.locator, self.numbers)
-        self.trees = arranged(self.mechanism.bodies, self.mechanism.edges)
+        self.trees = arrange_joints(self.mechanism.bodies, self.mechanism.edges)
         self.roots = frozenset(self.trees.roots)
 
     def structures(self) -> tuple[Structure, ...]:
         """All robots; each knows the owners of all that the findings are about and that is its."""
-        robots = Robots(self.scan, self.mechanism, self.trees.edges)
+        robots = RobotGroups(self.scan, self.mechanism, self.trees.edges)
         chains: dict[Term, list[Term]] = {}
         for chain, joints in robots.chains.items():
             for joint in joints:
@@ -109,7 +109,9 @@ class Extraction:
     def _owned(self) -> Mapping[Term, list[Term]]:
         """What findings are about, by the part that it belongs to."""
         parts = {*self.mechanism.bodies, *self.mechanism.joints}
-        owners = Owners(self.store, parts, frozenset(self.mechanism.joints)).of(self.findings)
+        owners = FindingOwners(self.store, parts, frozenset(self.mechanism.joints)).of(
+            self.findings
+        )
         found: dict[Term, list[Term]] = {}
         for focus, part in owners.items():
             found.setdefault(part, []).append(focus)

@@ -14,7 +14,7 @@ from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Entity, Occurrence
 from kinlint.navigation.vocabulary_hover import page, sort
 from kinlint.navigation.xacro_names import label
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import Term, is_iri
 from kinlint.text import Location
 
@@ -56,7 +56,7 @@ class EntityPages:
             lines += ["", f"Described at {', '.join(shown)}"]
         return "\n".join(lines)
 
-    def _node(self, node: Term, display: Display) -> Iterator[str]:
+    def _node(self, node: Term, display: TermFormatter) -> Iterator[str]:
         """A heading about *node* and, below it, a list."""
         store = self._model.store
         descriptions = Descriptions(self._model, display)

@@ -22,7 +22,7 @@ from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
 from kinlint.pipeline.analyzer import Examination
 from kinlint.suppression.directive import Directive, directives
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.text import Location, SourceText, Span
 
 SPACES = frozenset({"2D", "3D", "Euclidean"})
@@ -71,7 +71,7 @@ class Navigator:
     def outline(self, name: str) -> Sequence[Symbol]:
         """The symbols of the text called *name*, as the robots in it hang together."""
         found = structures(self._model.store, self._documents)
-        descriptions = Descriptions(self._model, Display(kinds=self._locator.kinds))
+        descriptions = Descriptions(self._model, TermFormatter(kinds=self._locator.kinds))
         return outline(
             name,
             found,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.facts.names import AS_SEEN_BY, COORDINATE_OF, OF, WITH_RESPECT_TO, kin, qudt
-from kinlint.facts.scan import numeric
-from kinlint.facts.statement import fact
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.metamodel_terms import AS_SEEN_BY, COORDINATE_OF, OF, WITH_RESPECT_TO, kin, qudt
+from kinlint.facts.predicate_index import numeric
 from kinlint.navigation.graph_model import GraphModel
 from kinlint.navigation.unit_symbols import coherent, symbol
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_literal
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE, SRC
 
@@ -34,7 +34,7 @@ LAYERS = tuple(f"<{each}" for each in (SRC, ATTRIBUTE, REFERENCE))
 class Descriptions:
     """Describes nodes of the *model* as *display* abbreviates."""
 
-    def __init__(self, model: GraphModel, display: Display) -> None:
+    def __init__(self, model: GraphModel, display: TermFormatter) -> None:
         self.model, self.display = model, display
 
     def types(self, node: Term) -> Sequence[str]:

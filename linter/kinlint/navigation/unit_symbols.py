@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.engine.store import Store
-from kinlint.facts.scan import numeric
+from kinlint.facts.predicate_index import numeric
 from kinlint.terms import Term, iri, literal_value
 from kinlint.vocabulary import QUDT
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.engine.store import Store
 from kinlint.navigation.unit_symbols import KIND, coherent, multiplier, symbol
-from kinlint.term_format import Display
+from kinlint.term_format import TermFormatter
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value, is_iri, literal_value
 from kinlint.vocabulary import KIN, OWL, QUANTITY_KIND, RDFS, UNIT
 
@@ -16,7 +16,7 @@ VALUES, RELEASE = iri(f"{KIN}values"), iri(f"{KIN}inRelease")
 MOST = 12
 
 
-def page(term: Term, store: Store, display: Display) -> Sequence[str]:
+def page(term: Term, store: Store, display: TermFormatter) -> Sequence[str]:
     """Items of a list in Markdown on *term*, which is no node of a model."""
     if not is_iri(term):
         return ()
@@ -40,7 +40,7 @@ def sort(term: Term, store: Store) -> str:
     return "class" if any(store.subjects(RDF_TYPE, term)) else ""
 
 
-def _unit(unit: Term, store: Store, display: Display) -> Iterator[str]:
+def _unit(unit: Term, store: Store, display: TermFormatter) -> Iterator[str]:
     own = symbol(store, unit)
     if not own:
         yield "a unit that kinlint does not know"
@@ -60,7 +60,7 @@ def _kind(kind: Term, store: Store) -> Iterator[str]:
         yield f"units: {', '.join(symbols[:MOST])}{more}"
 
 
-def _term(term: Term, store: Store, display: Display) -> Iterator[str]:
+def _term(term: Term, store: Store, display: TermFormatter) -> Iterator[str]:
     for comment in store.values(term, COMMENT):
         yield literal_value(comment)
     above = {

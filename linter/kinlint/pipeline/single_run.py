@@ -10,7 +10,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
-from kinlint.facts.compute import facts, hints
+from kinlint.facts.computation import facts, hints
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 
 

@@ -67,7 +67,7 @@ class Demand:
         axioms = inquiry.rulebook.axioms
         terms = demand(constraints, inquiry.repairs)
         if terms is not None and settings.drawn:
-            from kinlint.kinematics.demand import ASKED  # noqa: PLC0415  few outputs draw
+            from kinlint.kinematics.structure_terms import ASKED  # noqa: PLC0415  few outputs draw
 
             terms |= ASKED
         return cls(

@@ -1,0 +1,73 @@
+"""All that is computed from a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinlint.engine.store import Store
+from kinlint.facts.fact_context import FactContext
+from kinlint.facts.fact_kinds import HINTS, KINDS, FactKind
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.inputs import CONCLUDED
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.terms import Term, Triple
+
+
+def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Triple]:
+    """The facts that follow from what *store* holds, which is closed under its axioms.
+
+    Only of those kinds that have a property among the *wanted*; None is all. Linear in the model.
+    What is no number, or ambiguous, gives no fact and never an error.
+    """
+    if not store.documents:
+        return
+    context = FactContext(PredicateIndex(store))
+    for kind in asked(wanted):
+        yield from kind.found(context)
+
+
+def asked(wanted: frozenset[Term] | None) -> Iterator[FactKind]:
+    """The kinds of facts that have a property among the *wanted*; None is all."""
+    for kind in KINDS:
+        if wanted is None or any(fact(name) in wanted for name in kind.needs):
+            yield kind
+
+
+def hints(store: Store, wanted: Iterable[Term]) -> Iterator[Triple]:
+    """What repairs need to know of *store*, and no rule: of that, what is *wanted*."""
+    context = FactContext(PredicateIndex(store))
+    for kind in helpful(wanted):
+        yield from kind.found(context)
+
+
+def helpful(wanted: Iterable[Term]) -> Iterator[FactKind]:
+    """The kinds of hints that have a property among the *wanted*."""
+    terms = frozenset(wanted)
+    return (kind for kind in HINTS if any(fact(name) in terms for name in kind.needs))
+
+
+def computed_by(name: str, *, for_repairs: bool = False) -> str | None:
+    """Return the module that computes the facts called *name*; None if none does.
+
+    Some are there *for_repairs* only.
+    """
+    kinds = (*KINDS, *HINTS) if for_repairs else KINDS
+    return next((each.module for each in kinds if name in (*each.needs, *each.details)), None)
+
+
+def computed(*, for_repairs: bool = False) -> frozenset[str]:
+    """Return the names of all facts that rules may ask for, or if *for_repairs*, repairs."""
+    kinds = (*KINDS, *HINTS) if for_repairs else KINDS
+    return frozenset(name for each in kinds for name in (*each.needs, *each.details))
+
+
+def sources(wanted: Iterable[Term]) -> frozenset[Term]:
+    """Return the *wanted* terms, and those from which what is computed of them follows."""
+    found = set(wanted)
+    for kind in (*KINDS, *HINTS):
+        for name, terms in kind.needs.items():
+            if fact(name) in found:
+                found.update(terms)
+    for term in CONCLUDED.keys() & found:
+        found.update(CONCLUDED[term])
+    return frozenset(found)

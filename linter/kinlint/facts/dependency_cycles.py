@@ -1,0 +1,43 @@
+"""Joints that follow themselves by way of others, and groups that are parts of themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from operator import itemgetter
+
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.metamodel_terms import kin, reference, srdf
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.strongly_connected import strongly_connected_components
+from kinlint.terms import Term, Triple
+
+ADDRESS = itemgetter(slice(1, -1))
+"""An IRI without its brackets, by which queries compare."""
+
+
+def circles(scan: PredicateIndex) -> Iterator[Triple]:
+    """Of each joint and each group that leads back to itself, the first one on its circle."""
+    for arcs in (_followed(scan), parts(scan)):
+        for piece in strongly_connected_components(arcs):
+            first = min(piece, key=ADDRESS)
+            if len(piece) > 1 or first in arcs.get(first, ()):
+                for node in sorted(piece):
+                    yield node, fact("leads-back-to"), first
+
+
+def _followed(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
+    """The joints that each joint follows."""
+    leaders, arcs = scan.table(kin("leader")), dict[Term, list[Term]]()
+    for coupling, followers in sorted(scan.table(kin("follower")).items()):
+        for each in followers:
+            arcs.setdefault(each, []).extend(leaders.of(coupling))
+    return arcs
+
+
+def parts(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
+    """The groups that each planning group refers to as its parts."""
+    named = scan.table(reference("group"))
+    return {
+        group: [each for part in inner for each in named.of(part)]
+        for group, inner in sorted(scan.table(srdf("group")).items())
+    }

@@ -1,0 +1,260 @@
+"""The kinds of facts: their names, what each follows from, and what computes it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from kinlint.facts import inputs
+from kinlint.facts.connected_components import components
+from kinlint.facts.contradiction import contradictions
+from kinlint.facts.coordinate_repair import CoordinateRepairs
+from kinlint.facts.dangling_references import DanglingReferences
+from kinlint.facts.dataflow import DataSources
+from kinlint.facts.dependency_cycles import circles as dependencies
+from kinlint.facts.entailed_types import entailed_types
+from kinlint.facts.fact_context import FactContext
+from kinlint.facts.loop_closure import cycles
+from kinlint.facts.mass_distribution import com_outside, proportions
+from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
+from kinlint.facts.mirror_symmetry import shared_inertias
+from kinlint.facts.misspelt_kinds import resemblances
+from kinlint.facts.parallel_axis import parallel_axis_residuals
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.quantity import stated
+from kinlint.facts.schedule_order import circles, reordered, steps
+from kinlint.facts.zero_limits import ZeroLimits
+from kinlint.terms import Term, Triple
+
+
+class FactKind(NamedTuple):
+    """Facts of one kind."""
+
+    module: str
+    """The module of this package that computes them."""
+    needs: Mapping[str, tuple[Term, ...]]
+    """The properties and classes by which they are asked for, each with those it follows from.
+
+    What is said of elements of files is there unasked, and so is what holds of any node.
+    """
+    found: Callable[[FactContext], Iterator[Triple]]
+    """What computes them."""
+    parts: tuple[str, ...]
+    """The parts of scans that this takes; what a part of `FactContext` is made of comes with it."""
+    details: tuple[str, ...] = ()
+    """Further properties of their nodes."""
+
+
+QUANTITIES = {
+    **dict.fromkeys(("x", "y", "z"), inputs.VECTORS),
+    **dict.fromkeys(("alpha", "beta", "gamma"), inputs.ANGLES),
+    "mass": (*inputs.MASSES, *inputs.TENSORS),
+    "value": (qudt("value"), *inputs.UNITS),
+    **{name: (kin(name), *inputs.UNITS) for name in ("lower", "upper", "offset")},
+}
+RESIDUALS = {
+    **dict.fromkeys(("determinant", "orthonormality"), inputs.COSINES),
+    "orthogonality": inputs.BASES,
+    "norm": inputs.QUATERNION,
+    "spread": (*inputs.TURNS, *inputs.VECTORS),
+}
+MOMENTS = {
+    **dict.fromkeys(
+        ("least-moment", "middle-moment", "greatest-moment"), (*inputs.TENSORS, *inputs.UNITS)
+    ),
+    "mass": (*inputs.MASSES, *inputs.TENSORS),
+    "body-mass": inputs.INERTIAS,
+    **dict.fromkeys(
+        (
+            *("least-central-moment", "middle-central-moment", "greatest-central-moment"),
+            "centre-distance",
+        ),
+        (*inputs.INERTIAS, inputs.FIRST_MOMENT),
+    ),
+}
+TREES = dict.fromkeys(
+    ("root", "root-beside", "claimed-by", "circle", "unresolved", "near-name", "links"),
+    inputs.TREES,
+)
+WELDS = dict.fromkeys(
+    ("welded-mass", "rests-on", "moved-by"),
+    (*inputs.INERTIAS, *inputs.WELDS, *inputs.TREES, kin("MassProperty")),
+)
+PROPORTIONS = {
+    "gyration": inputs.INERTIAS,
+    **dict.fromkeys(("extent", "least-density", "greatest-density"), inputs.SIZES),
+}
+PLANNING = dict.fromkeys(("comprises", "moves", "between", "joints"), inputs.TREES)
+RELATED = {
+    **dict.fromkeys(("Agreement", "closed-by"), inputs.RELATIONS),
+    **dict.fromkeys(("of", "first", "second", "traced-to", "compared"), ()),
+}
+WATER = dict.fromkeys(
+    ("water-mass", "water-ixx", "water-iyy", "water-izz"),
+    (*inputs.SHAPES, *inputs.PLACED, kin("MassProperty")),
+)
+STEPS = {
+    **dict.fromkeys(("step", "in-cycle"), inputs.DATA),
+    **dict.fromkeys(("index", "operator"), ()),
+}
+NODES = ("member", "derived-from", "size")
+ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
+CHANGES = ("entry", "amended")
+
+
+def _related(context: FactContext) -> Iterator[Triple]:
+    """How coordinates of one relation agree, and whether cycles of relations close."""
+    yield from context.agreements.facts()
+    yield from cycles(context.relations, context.attitudes)
+
+
+def _alone(
+    module: str,
+    found: Callable[[PredicateIndex], Iterator[Triple]],
+    named: Mapping[str, tuple[Term, ...]],
+    details: tuple[str, ...] = (),
+) -> FactKind:
+    """Facts that are found by nothing but what a scan reads."""
+    part = next(iter(named))
+    return FactKind(module, named, lambda own: found(own.scan.part(part)), (part,), details)
+
+
+KINDS = (
+    FactKind(
+        "quantity",
+        QUANTITIES,
+        lambda own: stated(own.vectors, own.angles, own.masses, own.values),
+        ("vectors", "angles", "masses", "values"),
+    ),
+    FactKind("rotation", RESIDUALS, lambda own: own.rotations.facts(), ("rotations",)),
+    FactKind("basis", RESIDUALS, lambda own: own.bases.facts(), ("bases",)),
+    FactKind("inertia", MOMENTS, lambda own: own.inertias.facts(), ("inertias",)),
+    FactKind("link_trees", TREES, lambda own: own.trees.facts(), ("trees",)),
+    FactKind("assembly", WELDS, lambda own: own.assemblies.facts(), ("assemblies",)),
+    FactKind(
+        "mass_distribution",
+        PROPORTIONS,
+        lambda own: proportions(own.inertias, own.assemblies, own.geometries),
+        ("assemblies", "geometries"),
+    ),
+    FactKind(
+        "mass_distribution",
+        {"astray": (*inputs.SIZES, geom("RigidBody"))},
+        lambda own: com_outside(own.assemblies, own.geometries, own.scan.part("astray")),
+        ("assemblies", "geometries", "astray"),
+    ),
+    FactKind(
+        "parallel_axis",
+        {"transfer": (*inputs.INERTIAS, *inputs.PLACED)},
+        lambda own: parallel_axis_residuals(
+            own.inertias, own.assemblies, own.scan.part("transfer")
+        ),
+        ("assemblies", "transfer"),
+    ),
+    FactKind(
+        "inertia_repair",
+        {"decimal-slip": (*inputs.TENSORS, *inputs.UNITS)},
+        lambda own: own.amendments.decimal_slips(),
+        ("amendments",),
+        CHANGES,
+    ),
+    FactKind(
+        "inertia_repair",
+        {"sign-slip": (*inputs.TENSORS, *inputs.UNITS)},
+        lambda own: own.amendments.sign_slips(),
+        ("amendments",),
+        CHANGES,
+    ),
+    FactKind(
+        "inertia_repair",
+        {"solid": inputs.SIZES},
+        lambda own: own.amendments.solids(),
+        ("amendments",),
+        CHANGES,
+    ),
+    FactKind(
+        "inertia_repair",
+        {"shift": (*inputs.INERTIAS, *inputs.PLACED)},
+        lambda own: own.amendments.shifts(),
+        ("amendments",),
+        CHANGES,
+    ),
+    FactKind("inertia_repair", WATER, lambda own: own.amendments.filled(), ("amendments",)),
+    FactKind(
+        "mirror_symmetry",
+        dict.fromkeys(("shared-with", "shapes"), inputs.SIZES),
+        lambda own: shared_inertias(own.inertias, own.assemblies, own.geometries),
+        ("assemblies", "geometries"),
+    ),
+    _alone(
+        "zero_limits",
+        lambda scan: ZeroLimits(scan).facts(),
+        dict.fromkeys(("idle", "working"), inputs.DRIVES),
+    ),
+    FactKind("mirror_symmetry", {"twin": inputs.SIDES}, lambda own: own.twins.facts(), ("twins",)),
+    FactKind(
+        "mirror_symmetry",
+        {"unlike-siblings": inputs.SIDES},
+        lambda own: own.twins.odd_ones(),
+        ("twins",),
+    ),
+    FactKind(
+        "drift",
+        {"drift": inputs.DESCRIPTIONS, "quantity": ()},
+        lambda own: own.drifts.facts(),
+        ("drifts",),
+        ("here", "there", "from"),
+    ),
+    FactKind("planning_groups", PLANNING, lambda own: own.planning.facts(), ("planning",)),
+    _alone("dependency_cycles", dependencies, {"leads-back-to": (kin("leader"), kin("follower"))}),
+    FactKind(
+        "dangling_references",
+        {"resembles": ()},
+        lambda own: DanglingReferences(own.scan.part("referred-to")).facts(),
+        ("referred-to",),
+    ),
+    FactKind("coordinate_agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
+    _alone(
+        "connected_components",
+        components,
+        dict.fromkeys(("component", "undecided"), (chain("joints"), *inputs.WELDS)),
+        NODES,
+    ),
+    FactKind("schedule_order", STEPS, lambda own: steps(own.scan.part("steps")), ("steps",), NODES),
+    FactKind(
+        "schedule_order",
+        STEPS,
+        lambda own: circles(own.scan.part("data-cycles")),
+        ("data-cycles",),
+        NODES,
+    ),
+    _alone("dataflow", lambda scan: DataSources(scan).facts(), {"supplied-by": inputs.DATA}),
+    _alone("entailed_types", entailed_types, {"entailed-type": ()}),
+    _alone("contradiction", contradictions, {"excluded-type": (), "contradicted": ()}),
+    _alone("misspelt_kinds", resemblances, {"resembles": ()}),
+)
+"""All kinds of facts that rules may ask for."""
+
+HINTS = (
+    FactKind(
+        "identifier_slips",
+        {"slip-for": ()},
+        lambda own: own.identifiers.resemblances(),
+        ("identifiers",),
+    ),
+    FactKind(
+        "identifier_slips",
+        {"free-name": ()},
+        lambda own: own.identifiers.free_names(),
+        ("identifiers",),
+    ),
+    _alone("schedule_order", reordered, {"reordered": inputs.DATA}, ("cell", "due")),
+    FactKind(
+        "coordinate_repair",
+        {"recomputed": ()},
+        lambda own: CoordinateRepairs(own.agreements).facts(),
+        ("agreements",),
+        (*CHANGES, *ERRORS, "turned", "place"),
+    ),
+)
+"""All kinds of facts that only repairs ask for."""

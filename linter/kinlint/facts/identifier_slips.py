@@ -1,0 +1,158 @@
+"""Identifiers that nobody describes and what they resemble, and names for what has none."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from typing import TypeAlias
+
+from kinlint.document import Document
+from kinlint.facts.dangling_references import DIGITS, MOST
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.metamodel_terms import kin
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.file_format import Format
+from kinlint.suggestion import distance
+from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_blank, is_iri
+from kinlint.vocabulary import RDFS, SH, SRC
+
+LOOKED_UP = 100
+"""How many identifiers are compared with others at most: the rest resemble nothing."""
+NAMESPACE = re.compile(r"urn:[^:#/]+:[^#/]+:(?=[^:#/]+$)|.*[#/](?=[^#/]*$)")
+PREDICATE = "property"
+CLASS = "class"
+ROLES = {
+    **dict.fromkeys((RDF_TYPE, iri(f"{SH}class"), iri(f"{SH}targetClass")), CLASS),
+    **{iri(SH + name): PREDICATE for name in ("path", "targetSubjectsOf", "targetObjectsOf")},
+}
+"""What a value of these properties is; what others name is described by somebody."""
+
+Role: TypeAlias = str
+Names: TypeAlias = dict[str, Term]
+
+
+class IdentifierSlips:
+    """What the files that name things by IRIs call by which."""
+
+    def __init__(self, scan: PredicateIndex) -> None:
+        self._scan = scan
+        self._documents = [each for each in scan.documents if _names_by_iri(each.format)]
+
+    def resemblances(self) -> Iterator[Triple]:
+        """What undescribed identifiers and undeclared terms resemble, where that is one thing."""
+        for strange, known in self._compared():
+            if (found := only_near(split(strange)[1], known)) is not None:
+                yield strange, fact("slip-for"), known[found]
+
+    def _compared(self) -> Iterator[tuple[Term, Names]]:
+        """Unknown identifiers and terms, each with those that it could be a slip for."""
+        described: dict[str, Names] = {}
+        for document in self._documents:
+            for node in document.map.nodes:
+                if is_iri(node):
+                    space, name = split(node)
+                    described.setdefault(space, {})[name] = node
+        declared = self._declared
+        seen: dict[tuple[Term, Role], None] = {}
+        for document in self._documents:
+            seen.update(dict.fromkeys(_mentioned(document)))
+        strange = []
+        for term, role in seen:
+            space, name = split(term)
+            known = declared.get((space, role)) if role else described.get(space)
+            if known and name not in known:
+                strange.append((term, known))
+        yield from strange[:LOOKED_UP]
+
+    @cached_property
+    def _declared(self) -> Mapping[tuple[str, Role], Names]:
+        """The terms that contexts declare, by namespace and role."""
+        found: dict[tuple[str, Role], Names] = {}
+        values = self._scan.table(kin("values"))
+        spaces = {
+            space[1:].rpartition('"')[0]
+            for _, several in self._scan.table(kin("namespace")).items()
+            for space in several
+        }
+        for term, contexts in self._scan.table(iri(f"{RDFS}isDefinedBy")).items():
+            if contexts and is_iri(term) and (parts := split(term))[0] in spaces:
+                role = PREDICATE if term in values else CLASS
+                found.setdefault((parts[0], role), {})[parts[1]] = term
+        return found
+
+    def free_names(self) -> Iterator[Triple]:
+        """For each anonymous node with a type a name that is free in its file's own namespace.
+
+        It is made of the type that stands first, and a number; a file that describes things in
+        several namespaces gives none.
+        """
+        taken = {term for each in self._documents for term, _ in _mentioned(each)}
+        taken.update(node for each in self._documents for node in each.map.nodes)
+        counts: Counter[str] = Counter()
+        for document in self._documents:
+            space = _own_namespace(document)
+            types: dict[Term, Term] = {}
+            for subject, predicate, value in document.statements:
+                if predicate == RDF_TYPE and is_blank(subject) and _is_class(value):
+                    types.setdefault(subject, value)
+            for node, kind in types.items() if space else ():
+                stem = f"{space}{kebab(split(kind)[1])}"
+                while (name := iri(f"{stem}-{counts[stem] + 1}")) in taken:
+                    counts[stem] += 1
+                counts[stem] += 1
+                yield node, fact("free-name"), name
+
+
+def split(term: Term) -> tuple[str, str]:
+    """The namespace of an IRI, and the rest."""
+    whole = iri_value(term)
+    found = NAMESPACE.match(whole)
+    end = found.end() if found else 0
+    return whole[:end], whole[end:]
+
+
+def kebab(name: str) -> str:
+    """*name* in small letters, with hyphens where words begin."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-", name).casefold()
+
+
+def only_near(name: str, known: Iterable[str]) -> str | None:
+    """The one of *known* that *name* is a slip for, if it is nearer than all others."""
+    digits = DIGITS.findall(name)
+    alike = sorted(
+        (distance(name.casefold(), each.casefold()), each)
+        for each in known
+        if abs(len(each) - len(name)) <= MOST and DIGITS.findall(each) == digits
+    )
+    if not alike or alike[0][0] > min(MOST, (len(name) - 1) // 2):
+        return None
+    return alike[0][1] if len(alike) == 1 or alike[1][0] > alike[0][0] else None
+
+
+def _mentioned(document: Document) -> Iterator[tuple[Term, Role]]:
+    """The IRIs that *document* mentions: properties, classes, and what else has no such role."""
+    for _, predicate, value in document.statements:
+        if predicate.startswith(f"<{SRC}"):
+            continue
+        yield predicate, PREDICATE
+        if is_iri(value):
+            yield value, ROLES.get(predicate, "")
+
+
+def _is_class(kind: Term) -> bool:
+    """Whether a type is one of the model, not of its writing."""
+    return is_iri(kind) and not kind.startswith(f"<{SRC}")
+
+
+def _own_namespace(document: Document) -> str:
+    """The one namespace in which *document* describes things; else nothing."""
+    own = iri(f"{SRC}ownNamespace")
+    spaces = [value for _, predicate, value in document.statements if predicate == own]
+    return spaces[0][1:].rpartition('"')[0] if len(spaces) == 1 else ""
+
+
+def _names_by_iri(form: Format) -> bool:
+    """Whether people write files of *form* and name things in them by IRIs."""
+    return not form.is_tree and form.editor is not None

@@ -1,0 +1,223 @@
+"""What could be written instead of moments and products of inertia that are wrong."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
+from functools import cached_property
+from itertools import count
+
+from kinlint.facts.assembly import Assemblies
+from kinlint.facts.body_shapes import BOX, CYLINDER, SPHERE, BodyShapes, Shape
+from kinlint.facts.fact_statements import double, fact, fact_node
+from kinlint.facts.frame_placement import Placement, Placements
+from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
+from kinlint.facts.linear_algebra import Matrix, eigenvalues
+from kinlint.facts.metamodel_terms import body, kin
+from kinlint.facts.metamodel_terms import inertia as inertial
+from kinlint.facts.parallel_axis import about_origin
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.terms import Term, Triple
+
+PLACES = range(1, 10)
+"""By how many places a decimal point is looked for elsewhere."""
+CLEAR = 1.1
+"""By how much the greatest moment exceeds the others where a slip of the point shows."""
+WATER = 1000.0
+"""The density of water in kg/m³."""
+ORIGIN = (0.0,) * 6
+"""The place of what is in the frame of its link."""
+DIGITS = 6
+"""Of a number that is computed, how many are written."""
+
+Entries = dict[Term, float]
+"""Moments and products by the property that states them, xx yy zz xy xz yz, in one unit."""
+
+
+class InertiaRepairs:
+    """Other numbers for the entries of tensors, each kind of change where there is just one."""
+
+    def __init__(
+        self,
+        scan: PredicateIndex,
+        inertias: Inertias,
+        assemblies: Assemblies,
+        geometries: BodyShapes,
+    ) -> None:
+        self.scan = scan
+        self.inertias = inertias
+        self.assemblies = assemblies
+        self.geometries = geometries
+
+    def decimal_slips(self) -> Iterator[Triple]:
+        """The one entry whose decimal point stands in the wrong place, if that is all.
+
+        That is so where exactly one power of ten, at exactly one entry, makes a tensor that no
+        body can have one that a body can.
+        """
+        numbers = count(1)
+        for node, entries in self._stated():
+            values = list(entries.values())
+            least, middle, greatest = eigenvalues(_matrix(values))
+            if min(values[:3]) <= 0.0 or greatest <= CLEAR * (least + middle):
+                continue
+            found = [
+                (entry, moved)
+                for at, (entry, value) in enumerate(entries.items())
+                for moved in (_shifted(value, by * sign) for by in PLACES for sign in (1, -1))
+                if value and _possible([*values[:at], moved, *values[at + 1 :]])
+            ]
+            if len(found) == 1:
+                yield from _amended(node, "decimal-slip", entries, dict(found), numbers)
+
+    def sign_slips(self) -> Iterator[Triple]:
+        """The signs that make a body of a tensor that none can have.
+
+        Those of all moments that are negative, or those of all three products: of two products
+        they make no difference, and of one the same as of three.
+        """
+        numbers = count(1)
+        for node, entries in self._stated():
+            if _possible(list(entries.values())):
+                continue
+            items = list(entries.items())
+            changes = (
+                {entry: -value for entry, value in items[:3] if value < 0.0},
+                {entry: -value for entry, value in items[3:] if all(each for _, each in items[3:])},
+            )
+            found = [each for each in changes if _possible(list({**entries, **each}.values()))]
+            if len(found) == 1:
+                yield from _amended(node, "sign-slip", entries, found[0], numbers)
+
+    def solids(self) -> Iterator[Triple]:
+        """The tensor of each body that is one simple shape about its centre, if it were solid."""
+        numbers = count(1)
+        for node, entries in self._stated():
+            owner = self.assemblies.body(node)
+            mass = self.assemblies.masses.get(owner, 0.0) if owner is not None else 0.0
+            shape = self.geometries.sole(owner) if owner is not None else None
+            if shape is None or mass <= 0.0 or node not in self.inertias.central:
+                continue
+            inertial = self._placements.inertial(owner) if owner is not None else None
+            here = self._place(inertial)
+            there = self._place(self._placements.of_shape(shape.node))
+            if here is not None and here == there:
+                tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
+                changed = dict(zip(entries, _rounded(tensor), strict=False))
+                yield from _amended(node, "solid", entries, changed, numbers)
+
+    def filled(self) -> Iterator[Triple]:
+        """The mass and moments that each body of one simple shape has if it weighs as water does.
+
+        That is so where all that is seen and hit of it is the same shape, in the frame of its link.
+        """
+        known, bodies = self.scan.instances(kin("MassProperty")), self.scan.single(kin("of-body"))
+        weighed = {owner for node, owner in bodies.items() if node in known}
+        for owner, nodes in sorted(self.geometries.references.items()):
+            shape = self.geometries.uniform(owner) if owner not in weighed else None
+            if shape is None or any(
+                self._place(self._placements.of_shape(each)) != ORIGIN for each in nodes
+            ):
+                continue
+            mass = WATER * shape.volume
+            moments = _solid(shape, mass)
+            if math.isfinite(sum((mass, *moments))) and min(mass, *moments) > 0.0:
+                values = (*_rounded([mass]), *_rounded(moments))
+                for name, value in zip(("mass", *MOMENTS), values, strict=True):
+                    yield owner, fact(f"water-{name}"), double(value)
+
+    def shifts(self) -> Iterator[Triple]:
+        """Each tensor moved from the origin of its link to the centre of mass."""
+        numbers = count(1)
+        for node, entries in self._stated():
+            owner = self.assemblies.body(node)
+            centre = self._placements.centres.get(owner) if owner is not None else None
+            if owner is None or centre is None or owner in self._placements.turned:
+                continue
+            moved = about_origin(self.assemblies.masses.get(owner, 0.0), centre)
+            flat = (*(moved[at][at] for at in range(3)), moved[0][1], moved[0][2], moved[1][2])
+            values = list(entries.values())
+            left = [value - away for value, away in zip(values, flat, strict=False)]
+            if any(flat) and len(left) == len(flat) and _possible(left):
+                # What the shift leaves of a number is as exact as the number was.
+                changed = dict(zip(entries, _rounded(left, max(map(abs, values))), strict=True))
+                yield from _amended(node, "shift", entries, changed, numbers)
+
+    def _stated(self) -> Iterator[tuple[Term, Entries]]:
+        """The entries of each tensor as they are written, products that are not as zero."""
+        axes = [inertial(name) for name in (*MOMENTS, *PRODUCTS)]
+        principal = [body(name) for name in ("xx", "yy", "zz")]
+        for node in sorted(self.inertias.tensors):
+            names = axes if node in self.scan.numbers(axes[0]) else principal
+            entries = {name: self.scan.numbers(name).get(node, 0.0) for name in names}
+            if all(map(math.isfinite, entries.values())):
+                yield node, entries
+
+    def _place(self, placed: Placement | None) -> tuple[float, ...] | None:
+        """Where something is on its body, xyz and angles; None where no angles say it."""
+        if placed is None or placed.point is None or placed.turn is None or not placed.by_angles:
+            return None
+        return (*placed.point, *placed.turn)
+
+    @cached_property
+    def _placements(self) -> Placements:
+        return Placements(self.scan)
+
+
+def _amended(
+    node: Term, kind: str, entries: Entries, changed: Mapping[Term, float], numbers: Iterator[int]
+) -> Iterator[Triple]:
+    """That *node* could have the numbers of *changed*, where they are not those it has."""
+    for entry, value in changed.items():
+        if value != entries[entry]:
+            amended = fact_node(kind, next(numbers))
+            yield node, fact(kind), amended
+            yield amended, fact("entry"), entry
+            yield amended, fact("amended"), double(value)
+
+
+def _shifted(value: float, places: int) -> float:
+    return float(Decimal(repr(value)).scaleb(places))
+
+
+def _matrix(values: Sequence[float]) -> Matrix:
+    xx, yy, zz, xy, xz, yz = (*values, 0.0, 0.0, 0.0)[:6]
+    return (xx, xy, xz), (xy, yy, yz), (xz, yz, zz)
+
+
+def _possible(values: Sequence[float]) -> bool:
+    """Whether a body that extends in space can have these moments and products."""
+    least, middle, greatest = eigenvalues(_matrix(values))
+    return least > 1e-9 * greatest and least + middle >= 0.99 * greatest
+
+
+def _solid(shape: Shape, mass: float) -> tuple[float, float, float]:
+    """The principal moments of a solid of uniform density about its centre, in kg m².
+
+    Source: https://en.wikipedia.org/wiki/List_of_moments_of_inertia; a capsule is a cylinder
+    between two halves of a ball, whose mass counts by their volumes.
+    """
+    kind, sizes = shape.kind, shape.sizes
+    if kind == BOX:
+        x, y, z = (each * each * mass / 12.0 for each in sizes)
+        return y + z, x + z, x + y
+    radius = sizes[0]
+    ball = 0.4 * mass * radius**2
+    if kind == SPHERE:
+        return ball, ball, ball
+    long = sizes[1]
+    round_, turned = mass * radius**2 / 2.0, mass * (3.0 * radius**2 + long**2) / 12.0
+    if kind == CYLINDER:
+        return turned, turned, round_
+    share = 4.0 * radius / (4.0 * radius + 3.0 * long)
+    ends = ball + mass * (long**2 / 4.0 + 3.0 * long * radius / 8.0)
+    across = (1.0 - share) * turned + share * ends
+    return across, across, (1.0 - share) * round_ + share * ball
+
+
+def _rounded(values: Sequence[float], size: float = 0.0) -> list[float]:
+    """*values* to as many decimals as the greatest of them, or *size*, has with DIGITS digits."""
+    size = size or max(map(abs, values))
+    decimals = DIGITS - 1 - math.floor(math.log10(size)) if size > 0.0 else DIGITS
+    return [round(each, decimals) + 0.0 for each in values]

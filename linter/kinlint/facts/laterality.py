@@ -1,0 +1,52 @@
+"""Names that say left or right, and the name of what is on the other side."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from urllib.parse import quote, unquote
+
+WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|[^A-Za-z]+")
+"""The words of a name: two in leftArm, LeftArm and LArm, three in left_arm with its underscore."""
+
+PAIRS = (
+    ("left", "right"),
+    ("l", "r"),
+    ("fl", "fr"),
+    ("rl", "rr"),
+    ("bl", "br"),
+    ("hl", "hr"),
+    ("lf", "rf"),
+    ("lh", "rh"),
+)
+OTHER = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
+LEFT = frozenset(left for left, _ in PAIRS)
+SIDES = frozenset((*OTHER, "front", "rear", "back", "hind"))
+MANY = 4096
+"""So many names are remembered: somebody who edits a robot has it looked at again and again."""
+
+
+@lru_cache(maxsize=MANY)
+def twin(name: str) -> str | None:
+    """The name on the right of what *name* calls left; None for what names no side, or several."""
+    words = WORD.findall(unquote(name))
+    sides = [index for index, word in enumerate(words) if word.lower() in OTHER]
+    if len(sides) != 1 or words[sides[0]].lower() not in LEFT:
+        return None
+    at = sides[0]
+    words[at] = _alike(words[at], OTHER[words[at].lower()])
+    return quote("".join(words), safe="") if "%" in name else "".join(words)
+
+
+def _alike(model: str, word: str) -> str:
+    """*word* in capitals as *model* has them."""
+    if model.isupper():
+        return word.upper()
+    return word.capitalize() if model[0].isupper() else word
+
+
+@lru_cache(maxsize=MANY)
+def without_side(name: str) -> str:
+    """*name* without its words for sides, which both of two twins share."""
+    words = WORD.findall(unquote(name))
+    return "".join(each for each in words if each.lower() not in SIDES)

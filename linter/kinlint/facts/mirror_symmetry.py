@@ -1,0 +1,174 @@
+"""Bodies and joints that should be alike and are not, or are alike and should not be."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Container, Iterable, Iterator, Mapping
+from urllib.parse import unquote
+
+from kinlint.facts.assembly import Assemblies
+from kinlint.facts.body_shapes import BodyShapes
+from kinlint.facts.fact_statements import derived, fact, integer
+from kinlint.facts.inertia import Inertias
+from kinlint.facts.laterality import twin, without_side
+from kinlint.facts.linear_algebra import IDENTITY, Matrix
+from kinlint.facts.metamodel_terms import kin
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.terms import Term, Triple, is_iri
+
+LETTERED = re.compile(r"[_-][lL]$")
+"""How the names of twins and of axes end alike."""
+LIMITS = tuple(kin(f"Actuator{name}Limit") for name in ("Force", "Velocity", "Acceleration"))
+SEVERAL = 3
+"""Bodies of fewer different shapes, or names, may well have one inertia."""
+
+
+class MirrorTwins:
+    """The nodes that say the same of what is on the left and of what is on the right."""
+
+    def __init__(self, scan: PredicateIndex, assemblies: Assemblies) -> None:
+        self.scan = scan
+        self.assemblies = assemblies
+
+    def facts(self) -> Iterator[Triple]:
+        """From each node of the left to that of the right, where there is one on each side."""
+        inertias = self.assemblies.inertias
+        for stating in (inertias.quantities.masses, inertias.tensors):
+            yield from _paired(self._of_bodies(stating))
+        ranges = self.scan.instances(kin("JointPositionLimit"))
+        joints = self.scan.single(kin("of-joint")).items()
+        yield from _paired((limit, joint) for limit, joint in joints if limit in ranges)
+        for kind in LIMITS:
+            yield from _paired(self._of_joints(kind))
+
+    def odd_ones(self) -> Iterator[Triple]:
+        """Each mass or bound that differs from all of its kind on the other sides, which agree.
+
+        At least three of them do, such as those of the other legs of a walking robot.
+        """
+        masses = self.assemblies.inertias.quantities.masses
+        yield from _odd(self._of_bodies(masses), masses)
+        bounds = self.scan.numbers(kin("upper"))
+        for kind in LIMITS:
+            yield from _odd(self._of_joints(kind), bounds)
+
+    def _of_bodies(self, stating: Iterable[Term]) -> Iterator[tuple[Term, Term]]:
+        """Nodes that state something of a body, each with the body."""
+        bodies = ((node, self.assemblies.body(node)) for node in stating)
+        return ((node, body) for node, body in bodies if body is not None)
+
+    def _of_joints(self, kind: Term) -> Iterator[tuple[Term, Term]]:
+        """The limits of *kind* on what drives a joint, each with the joint."""
+        of_kind = self.scan.instances(kind)
+        actuated = self.scan.single(kin("actuates"))
+        for limit, actuator in self.scan.single(kin("of-actuator")).items():
+            if limit in of_kind and actuator in actuated:
+                yield limit, actuated[actuator]
+
+
+def _grouped(stating: Iterable[tuple[Term, Term]]) -> Mapping[Term, list[Term]]:
+    """The nodes that state something of each body or joint."""
+    of: dict[Term, list[Term]] = {}
+    for node, entity in stating:
+        of.setdefault(entity, []).append(node)
+    return of
+
+
+def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
+    """The twins among nodes that each state something of one body or joint."""
+    of = _grouped(stating)
+    for entity in sorted(of):
+        other = _twin(entity, of)
+        if other is not None and len(of[entity]) == len(of[other]) == 1:
+            yield of[entity][0], fact("twin"), of[other][0]
+
+
+def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> Iterator[Triple]:
+    """The one of each group of siblings whose value differs while those of all others agree."""
+    siblings: dict[tuple[str, str], list[Term]] = {}
+    for entity, nodes in sorted(_grouped(stating).items()):
+        space, name = _split(entity)
+        if len(nodes) == 1 and nodes[0] in values and without_side(name) != unquote(name):
+            siblings.setdefault((space, without_side(name)), []).append(nodes[0])
+    for group in siblings.values():
+        if len(group) <= SEVERAL:
+            continue
+        by_value = sorted(group, key=lambda node: values[node])
+        for odd, others in ((by_value[0], by_value[1:]), (by_value[-1], by_value[:-1])):
+            least, most = values[others[0]], values[others[-1]]
+            if _near(least, most) and not _near(values[odd], least):
+                yield odd, fact("unlike-siblings"), others[0]
+
+
+def _near(one: float, other: float) -> bool:
+    """Whether two values differ by no more than one percent."""
+    return math.isclose(one, other, rel_tol=0.01)
+
+
+def _twin(left: Term, known: Container[Term]) -> Term | None:
+    """The one on the right of an entity on the left.
+
+    Joints and links lettered by the axes of an arm, S L E U R B T, are no twins.
+    """
+    space, name = _split(left)
+    right = twin(name)
+    if not is_iri(left) or right is None or f"{space}{right}>" not in known:
+        return None
+    lettered = LETTERED.search(name) and f"{space}{_axis_u(name)}>" in known
+    return None if lettered else f"{space}{right}>"
+
+
+def _split(node: Term) -> tuple[str, str]:
+    """The namespace of an IRI, and the name in it."""
+    text = node[:-1]
+    at = max(text.rfind("#"), text.rfind("/")) + 1
+    return text[:at], text[at:]
+
+
+def _axis_u(name: str) -> str:
+    """The name of the axis U beside *name*, which ends in L."""
+    return name[:-1] + ("u" if name.endswith("l") else "U")
+
+
+def shared_inertias(
+    inertias: Inertias, assemblies: Assemblies, geometries: BodyShapes
+) -> Iterator[Triple]:
+    """The inertias that several bodies of one file share though their shapes differ.
+
+    Each points to the first of them; the identity matrix is a case of its own.
+    """
+    groups: dict[tuple[object, ...], list[tuple[Term, Term]]] = {}
+    for node, tensor in inertias.tensors.items():
+        body = assemblies.body(node)
+        mass = assemblies.masses.get(body, 0.0) if body is not None else 0.0
+        if body is not None and mass > 0.0 and tensor != IDENTITY and _any(tensor):
+            groups.setdefault((_split(body)[0], mass, tensor), []).append((node, body))
+    for group in groups.values():
+        if len(group) >= SEVERAL:
+            yield from _group(group, geometries)
+
+
+def _group(group: list[tuple[Term, Term]], geometries: BodyShapes) -> Iterator[Triple]:
+    forms = {_shapes(geometries.form(body)) for _, body in group}
+    several = len(forms - {frozenset()})
+    if several < SEVERAL or len({without_side(_split(body)[1]) for _, body in group}) < SEVERAL:
+        return
+    nodes = sorted(node for node, _ in group)
+    for node in nodes:
+        yield node, fact("shared-with"), nodes[0]
+        yield node, fact("shapes"), integer(several)
+    yield from derived(nodes[0], nodes[1:])
+
+
+def _shapes(form: frozenset[tuple[object, ...]]) -> frozenset[object]:
+    """What is left of *form* once left and right are the same, and front and rear."""
+    return frozenset(tuple(map(_plain, shape)) for shape in form)
+
+
+def _plain(part: object) -> object:
+    return without_side(part) if isinstance(part, str) else part
+
+
+def _any(tensor: Matrix) -> bool:
+    return any(entry != 0.0 for row in tensor for entry in row)

@@ -1,0 +1,80 @@
+"""How the frames of a model are turned against each other, as far as coordinates tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+from kinlint.facts.common_cause import common_causes, turned
+from kinlint.facts.linear_algebra import IDENTITY, Matrix, angle, product, transpose
+from kinlint.facts.spanning_forest import SpanningForest
+from kinlint.facts.spatial_relations import RelativeOrientation
+from kinlint.terms import Term
+
+MOST_MEMBERS = 12
+"""A cycle names no more of its relations: nobody reads them, and long cycles would cost much."""
+
+
+class Circle(NamedTuple):
+    """A cycle: its edges by index, the closing one first, how long it is and what it misses.
+
+    `cause` is the edge to blame if other cycles through it miss alike.
+    """
+
+    edges: Sequence[int]
+    length: int
+    residual: float
+    cause: int | None = None
+
+
+class OrientationGraph:
+    """The axes of all frames, each seen by one frame of its group."""
+
+    def __init__(self, turns: Sequence[RelativeOrientation]) -> None:
+        self.turns = turns
+        self.forest = SpanningForest([(turn.base, turn.of) for turn in turns])
+
+    @cached_property
+    def seen(self) -> Mapping[Term, Matrix]:
+        """The matrix of each frame, seen by the frame that stands for its group."""
+        found: dict[Term, Matrix] = {}
+        for node in self.forest.order:
+            if node not in self.forest.parent:
+                found[node] = IDENTITY
+                continue
+            above, index = self.forest.parent[node]
+            turn = self.turns[index]
+            step = turn.matrix if turn.of == node else transpose(turn.matrix)
+            found[node] = product(found[above], step)
+        return found
+
+    def group(self, frame: Term) -> Term:
+        """The frame that stands for all whose orientation to *frame* is known."""
+        return self.forest.root.get(frame, frame)
+
+    def of(self, frame: Term) -> Matrix:
+        """The matrix of *frame*, seen by the frame of its group."""
+        return self.seen.get(frame, IDENTITY)
+
+    def between(self, base: Term, frame: Term) -> Matrix | None:
+        """What turns components seen by *frame* into those seen by *base*, if that is known."""
+        if base == frame:
+            return IDENTITY
+        if self.group(base) != self.group(frame):
+            return None
+        return product(transpose(self.of(base)), self.of(frame))
+
+    def circles(self) -> Iterator[Circle]:
+        """Each independent cycle of orientations, with the angle in rad that it misses."""
+        missing = {index: self._missing(self.turns[index]) for index in self.forest.closing}
+        causes = common_causes(self.forest, [turned(*each) for each in missing.items()])
+        for index, by in missing.items():
+            turn = self.turns[index]
+            way = self.forest.way(turn.base, turn.of, MOST_MEMBERS - 1)
+            length = self.forest.between(turn.base, turn.of) + 1
+            yield Circle((index, *way), length, angle(by), causes.get(index))
+
+    def _missing(self, turn: RelativeOrientation) -> Matrix:
+        """What turns the axes of `turn.of` into where *turn* puts them, seen by their group."""
+        return product(product(self.of(turn.base), turn.matrix), transpose(self.of(turn.of)))

@@ -1,0 +1,61 @@
+"""What the parts of robots are called: by their files, and as short as still tells them apart."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from urllib.parse import unquote
+
+from kinlint.addresses import is_address, split, steps, unordered
+from kinlint.findings.locator import Locator
+from kinlint.term_format import TermFormatter
+from kinlint.terms import Term, iri_value, is_blank
+
+WORLD, MODEL = "world", "model"
+NAMELESS = "(anonymous)"
+
+
+class PartNames:
+    """Names of nodes, as the file that describes each abbreviates."""
+
+    def __init__(self, locator: Locator) -> None:
+        self.locator = locator
+
+    def of(self, nodes: Sequence[Term]) -> Mapping[Term, str]:
+        """The names of *nodes*, less the prefix that all of them that have one share."""
+        found = {node: self._name(node) for node in nodes}
+        written = [name for node, name in found.items() if not (is_address(node) or is_blank(node))]
+        prefixes = {name.partition(":")[0] for name in written if ":" in name}
+        if len(prefixes) != 1 or "/" in (prefix := prefixes.pop()):
+            return found
+        return {node: name.removeprefix(f"{prefix}:") or name for node, name in found.items()}
+
+    def _name(self, node: Term) -> str:
+        if is_blank(node):
+            return NAMELESS
+        if is_address(node):
+            return element_name(node, self.locator.kinds)
+        location = self.locator.node(node)
+        if location is None:
+            return self._unplaced(node)
+        return self.locator.display(location).term(node)
+
+    def _unplaced(self, node: Term) -> str:
+        """The name of what no file describes, by the first file that abbreviates it."""
+        displays = (TermFormatter(document.prefixes) for document in self.locator.documents)
+        names = (display.iri(node[1:-1]) for display in displays)
+        return next((name for name in names if name != node[1:-1]), node[1:-1])
+
+
+def element_name(node: Term, kinds: Collection[str]) -> str:
+    """The name in the address of what was made of an element, with the models that it is in.
+
+    But for the outermost, as SDF writes it: `tool::hand`.
+    """
+    path = [*steps(split(iri_value(node))[1], kinds)]
+    named = [at for at, (_, name) in enumerate(path) if name]
+    last = named[-1] if named else 0
+    if path[last][0] == WORLD:
+        return WORLD
+    inner = [unordered(name) for tag, name in path[:last] if tag == MODEL and name][1:]
+    own = "/".join(unordered(name or tag) for tag, name in path[last:])
+    return unquote("::".join((*inner, own))) or NAMELESS
