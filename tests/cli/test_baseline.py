@@ -87,14 +87,14 @@ def test_the_entry_of_a_file_that_is_gone_knows_it_first(kinlint, known, here, w
     (here / "b.urdf").rename(here / "renamed.urdf")
     code, out, _ = kinlint("--baseline", "kinlint-baseline.json", *ONLY)
     assert (code, out.count("\n")) == (1, 2)
-    assert "'a ü,: 𝄞.urdf#/joint/elbow/position-limit', which is found no more" in out
+    assert "'a ü,: 𝄞.urdf#/joint/elbow/position-limit', which is no longer found" in out
 
 
 def test_of_a_file_that_is_gone_all_is_found_no_more(kinlint, known, here):
     """If the run searched where it lay."""
     (here / "b.urdf").unlink()
     code, out, _ = kinlint("--baseline", "kinlint-baseline.json", *ONLY)
-    assert (code, out.count("found no more")) == (1, 1)
+    assert (code, out.count("no longer found")) == (1, 1)
     only_a = ("a ü,: 𝄞.urdf", "--baseline", "kinlint-baseline.json", *ONLY)
     assert kinlint(*only_a)[0] == 0
     assert kinlint("--in-project", *only_a)[0] == 0
@@ -134,7 +134,7 @@ def test_equal_findings_count(kinlint, here, write):
     listed["findings"] *= 2
     path.write_text(json.dumps(listed), "utf-8")
     code, out, _ = kinlint("--baseline", path.name, *ONLY)
-    assert (code, out.count("is found no more")) == (1, 1)
+    assert (code, out.count("is no longer found")) == (1, 1)
 
 
 def test_what_is_found_no_more_is_reported(kinlint, known, write):
@@ -143,8 +143,8 @@ def test_what_is_found_no_more_is_reported(kinlint, known, write):
     code, out, _ = kinlint("--baseline", "kinlint-baseline.json", *ONLY)
     assert code == 1
     assert out.startswith(
-        "kinlint-baseline.json:14:17: warning: The baseline knows 'LIM001' of"
-        " 'b.urdf#/joint/elbow/position-limit', which is found no more. [LNT001]\n"
+        "kinlint-baseline.json:14:17: warning: The baseline lists 'LIM001' for"
+        " 'b.urdf#/joint/elbow/position-limit', which is no longer found. [LNT001]\n"
     )
     assert kinlint("--baseline", "kinlint-baseline.json", "--fail-on", "error", *ONLY)[0] == 0
     assert kinlint("--baseline", "kinlint-baseline.json", "--ignore", "LNT", *ONLY)[0] == 0
@@ -158,7 +158,7 @@ def test_nothing_is_said_of_what_was_not_looked_at(kinlint, known, write, argume
     """Other files, rules that are silent, and parts of a model."""
     write("b.urdf", arm("b", "-3"))
     code, out, _ = kinlint(*arguments, "--baseline", "kinlint-baseline.json", *ONLY)
-    assert (code, "found no more" in out) == (0, False)
+    assert (code, "no longer found" in out) == (0, False)
 
 
 def test_pruning_drops_what_is_found_no_more(kinlint, known, here, write):
@@ -270,7 +270,7 @@ def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, wr
     assert kinlint("--write-baseline", *options)[0] == 0
     assert any(each["rule"] == "ID004" for each in said(here)["findings"])
     code, out, _ = kinlint("one.jsonld", "--baseline", "kinlint-baseline.json", *options)
-    assert "found no more" not in out
+    assert "no longer found" not in out
     (here / "two.jsonld").unlink()
     code, out, _ = kinlint("--baseline", "kinlint-baseline.json", *options)
-    assert (code, "found no more" in out) == (1, True)
+    assert (code, "no longer found" in out) == (1, True)

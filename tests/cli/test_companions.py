@@ -7,8 +7,8 @@ SRDF = """<robot name="arm">
 <group name="arm"><link name="base"/><link name="tip"/></group>
 </robot>"""
 FLAGS = ("--select", "CMP", "--output-format", "concise", "-q")
-DANGLING = "arm/config/arm.srdf:2:50: error: There is no 'link' called 'tip'. [CMP001]\n"
-UNJOINED = "No complete URDF of 'arm' was read with this"
+DANGLING = "arm/config/arm.srdf:2:50: error: The robot has no link named 'tip'. [CMP001]\n"
+UNJOINED = "The URDF of robot 'arm' was not found"
 
 
 @pytest.fixture
@@ -46,7 +46,10 @@ def test_nothing_is_reported_of_it(robot, write, kinlint):
     other = kinlint("arm/config/arm.srdf", "leg.urdf", *FLAGS)[1]
     assert other == alone == DANGLING
     both = kinlint("arm/config/arm.srdf", "arm/urdf/arm.urdf", *FLAGS)[1]
-    assert "arm/urdf/arm.urdf:1:57: warning: There is no link or joint called 'x'. [CMP006]" in both
+    assert (
+        "arm/urdf/arm.urdf:1:57: warning: The robot has no link or joint named 'x'. [CMP006]"
+        in both
+    )
 
 
 def test_a_companion_that_cannot_be_read_is_none(robot, write, kinlint):
@@ -75,7 +78,7 @@ def test_the_configuration_says_where(robot, write, kinlint):
     write("arm/kinlint.toml", '[srdf]\n"config/*.srdf" = "../models/robot.urdf"\n')
     out = kinlint("arm/config/arm.srdf", *FLAGS)[1]
     assert DANGLING in out
-    assert "about a robot called 'arm', but the URDF describes one called 'leg'" in out
+    assert "for robot 'arm', but the URDF describes robot 'leg'" in out
     assert "urdf = models/robot.urdf" in kinlint("arm/config/arm.srdf", "--show-settings")[1]
 
 

@@ -6,10 +6,10 @@ import os
 import pytest
 
 from kinlint.configuration.settings import Settings
+from kinlint.formats.registry import decode
 from kinlint.project.discovery import Input
 from kinlint.project.model_detection import is_model
 from kinlint.project.reading import read
-from kinlint.text import SourceText
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'
 PACKAGE = '{"@context": "https://doi.org/10.5063/schema/codemeta-2.0", "@type": "X"}'
@@ -115,13 +115,13 @@ GEOMETRY = "https://comp-rob2b.github.io/metamodels/geometry/structural-entities
 )
 def test_the_context_makes_json_a_model(said, answer):
     """Not what else it speaks of; a context for others is none."""
-    assert is_model(SourceText("a.json", json.dumps(said))) is answer
+    assert is_model(decode("a.json", json.dumps(said).encode())) is answer
 
 
 def test_json_that_cannot_be_parsed_is_a_model_if_it_might_be():
     """So that what is wrong with a model that was cut off is told."""
     for broken in (f'{{"@context": "{GEOMETRY}", "a": ', '{"@context": ' * 100_000 + GEOMETRY):
-        assert is_model(SourceText("a.json", broken))
-    assert not is_model(SourceText("a.json", '{"@context": "https://schema.org", "a": '))
+        assert is_model(decode("a.json", broken.encode()))
+    assert not is_model(decode("a.json", b'{"@context": "https://schema.org", "a": '))
     deep = f'{{"@context": "https://schema.org", "a": "{GEOMETRY}", "b": {"[" * 900 + "]" * 900}}}'
-    assert not is_model(SourceText("a.json", deep))
+    assert not is_model(decode("a.json", deep.encode()))

@@ -104,7 +104,7 @@ def test_a_fault_is_told_and_ends_nothing(here, library, monkeypatch):
             raise ZeroDivisionError
 
     with monkeypatch.context() as patch:
-        patch.setattr(session, "Incremental", Broken)
+        patch.setattr(session, "IncrementalAnalyzer", Broken)
         step = library.step(moment(here, 1, ("leg.urdf", LEG)), never)
         assert "ZeroDivisionError" in step.faults[0]
         assert library.step(moment(here, 1, ("leg.urdf", LEG)), never).done
