@@ -49,4 +49,4 @@ def test_a_fact_has_a_module():
         assert import_module(f"kinlint.facts.{computed_by(name, for_repairs=True)}")
     assert computed_by("least-moment") == "inertia"
     assert computed_by("free-name") is None
-    assert computed_by("free-name", for_repairs=True) == "identifier"
+    assert computed_by("free-name", for_repairs=True) == "identifier_slips"
