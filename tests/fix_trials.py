@@ -22,7 +22,7 @@ from kinlint.files.packages import Packages
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.rounds import linted, mended
 from kinlint.formats.decoding import decode, encode
-from kinlint.formats.dependencies.file_groups import models
+from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
@@ -84,7 +84,7 @@ def shares(form: str) -> list[Share]:
         return list(_models())
     home = locate_data("robots")
     files = sorted(each for each in (home / form).rglob("*") if each.suffix in FORMATS[form])
-    groups = list(models([_text(each) for each in files]))
+    groups = list(group_sources([_text(each) for each in files]))
     beside = [replace(_text(home / name), companion=True) for name in BESIDE.get(form, ())]
     parts = (list(chain.from_iterable(groups[at::SHARES])) for at in range(SHARES))
     return [Share(form, home / form, [*part, *beside]) for part in parts if part]
@@ -259,7 +259,7 @@ def _together(scratch: Scratch, settings: Settings) -> Iterator[Trial]:
 def _unsteady(texts: Sequence[SourceText], changed: Iterable[str], settings: Settings) -> set[str]:
     """The names of those of *texts* that change again; they are mended, and some are *changed*."""
     apart = not any(each.companion for each in texts)
-    groups = list(models(texts)) if apart else [list(texts)]
+    groups = list(group_sources(texts)) if apart else [list(texts)]
     touched = [each for each in groups if not _names(each).isdisjoint(changed)]
     every = list(chain.from_iterable(touched))
     again = mended(every, (), settings, book(), Applicability.SAFE)

@@ -30,7 +30,7 @@ BASE = "urn:kinlint:document:arm.urdf#"
 
 
 def locator(text=ROBOT, name="arm.urdf"):
-    document = read(SourceText(name, text), ReadOptions.of(Settings()))
+    document = read(SourceText(name, text), ReadOptions.from_settings(Settings()))
     store = Store()
     store.load([document])
     lift(store)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from kinlint.cli.main import main
-from kinlint.formats.dependencies.file_groups import models
+from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.parallel import processes
 from kinlint.text import SourceText
 
@@ -201,7 +201,7 @@ def test_who_ends_the_run_ends_all_of_it(robots, capsys, number, code):
 )
 def test_what_is_judged_together(texts, together):
     """Robots of one name, files that include each other or the same, and what may be either."""
-    groups = list(models([SourceText(name, text) for name, text in texts.items()]))
+    groups = list(group_sources([SourceText(name, text) for name, text in texts.items()]))
     joined = ["".join(each.name.split("/")[-1][0] for each in group) for group in groups]
 
     assert sum(map(len, groups)) == len(texts)

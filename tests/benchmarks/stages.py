@@ -25,7 +25,7 @@ from kinlint.text import SourceText
 def parsed(joints: int) -> Document:
     """What a spoiled chain of *joints* states."""
     text = SourceText("chain.jsonld", robot.chain(joints, spoiled=True))
-    return read(text, ReadOptions.of(Settings()))
+    return read(text, ReadOptions.from_settings(Settings()))
 
 
 def stages(joints: int, rulebook: Rulebook, runs: int) -> Mapping[str, float]:

@@ -22,7 +22,7 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
 from kinlint.facts.computation import facts
-from kinlint.formats.dependencies.companions import joined
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
@@ -36,7 +36,7 @@ FORMATS = [each.name for each in LIFTED]
 pytestmark = pytest.mark.slow
 
 BOOK = book()
-OPTIONS = ReadOptions.of(Settings())
+OPTIONS = ReadOptions.from_settings(Settings())
 JUDGED = {each.owner for each in BOOK.constraints}
 LIFTED = [
     rule
@@ -127,7 +127,7 @@ def examples(rule: Rule) -> Iterator[Sequence[Document]]:
     for example in rule.examples:
         if example.format in FORMATS:
             for texts in promises._texts(example):
-                yield joined([read(each, OPTIONS) for each in texts])
+                yield join_companions([read(each, OPTIONS) for each in texts])
 
 
 def state(

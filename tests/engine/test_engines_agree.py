@@ -129,7 +129,9 @@ LIFTED = ("urdf/gripper.urdf", "urdf/six-axis.srdf", "broken/automatic-inertia-o
 def lifted(name: str) -> Store:
     """A sample in an XML format with all that it means."""
     text = (CHECKOUT / "samples" / name).read_text()
-    return closed([read_any(SourceText(name, text), ReadOptions.of(Settings()))], ONTOLOGY)
+    return closed(
+        [read_any(SourceText(name, text), ReadOptions.from_settings(Settings()))], ONTOLOGY
+    )
 
 
 @pytest.mark.parametrize("name", LIFTED)

@@ -47,7 +47,7 @@ def mutants(file):
         text, _ = mutant(file.read_text(), pool(), f"{file.stem} {seed}")
         with suppress(SourceError):
             source = decode("mutant.jsonld", text.encode("utf-8", "surrogatepass"))
-            yield read(source, ReadOptions.of(Settings()))
+            yield read(source, ReadOptions.from_settings(Settings()))
 
 
 def found(results):

@@ -75,7 +75,7 @@ class Model:
     """A robot that is lifted, and where its values come from."""
 
     def __init__(self, name: str, text: str) -> None:
-        document = read(SourceText(name, text), ReadOptions.of(Settings()))
+        document = read(SourceText(name, text), ReadOptions.from_settings(Settings()))
         self.text, self.document, self.store = text, document, Store()
         self.store.load([document])
         lift(self.store)

@@ -6,7 +6,7 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.computation import facts
 from kinlint.facts.dangling_references import nearest
-from kinlint.formats.dependencies.companions import joined
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText
@@ -38,7 +38,7 @@ def computed(body):
     sources = [
         SourceText(f"a.{form}", text) for form, text in zip(("srdf", "urdf"), texts, strict=True)
     ]
-    documents = joined([read(each, ReadOptions()) for each in sources])
+    documents = join_companions([read(each, ReadOptions()) for each in sources])
     store = Store()
     store.load(documents)
     lift(store)

@@ -30,7 +30,7 @@ def tree(tmp_path):
 
 
 def at(tree, name="HEAD"):
-    return Repository.around(tree).revision(name)
+    return Repository.from_directory(tree).revision(name)
 
 
 def test_nothing_changed(tree):
@@ -97,14 +97,14 @@ def test_merge_base(tree):
     commit(tree)
     git(tree, "checkout", "--quiet", "mine")
 
-    revision = Repository.around(tree).merge_base("main")
+    revision = Repository.from_directory(tree).merge_base("main")
     assert revision.commit == base
     assert dict(revision.changed) == {tree / "mine.urdf": None}
 
     git(tree, "checkout", "--quiet", "--orphan", "apart")
     commit(tree)
     with pytest.raises(UsageError, match="'main' and HEAD have no commit in common"):
-        Repository.around(tree).merge_base("main")
+        Repository.from_directory(tree).merge_base("main")
 
 
 @pytest.mark.parametrize(
@@ -161,21 +161,21 @@ def test_submodules_are_left_out(tree, tmp_path):
 def test_no_repository(tmp_path):
     """A sentence, not a traceback."""
     with pytest.raises(UsageError, match="not a git repository"):
-        Repository.around(tmp_path)
+        Repository.from_directory(tmp_path)
 
 
 def test_a_bare_repository(tmp_path):
     """It has no working tree to compare to."""
     git(tmp_path, "init", "--quiet", "--bare", "bare.git")
     with pytest.raises(UsageError, match="no revision is known"):
-        Repository.around(tmp_path / "bare.git")
+        Repository.from_directory(tmp_path / "bare.git")
 
 
 def test_no_git(tree, monkeypatch):
     """Who has none is told."""
     monkeypatch.setenv("PATH", "")
     with pytest.raises(UsageError, match="git is not installed"):
-        Repository.around(tree)
+        Repository.from_directory(tree)
 
 
 def test_a_snapshot_has_the_files_of_the_revision(tree):

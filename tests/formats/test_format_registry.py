@@ -83,6 +83,6 @@ def test_a_format_can_be_given() -> None:
 
 
 def test_settings_say_which_contexts() -> None:
-    assert ReadOptions.of(Settings(contexts="2022-06")).contexts.release == "59e0b06"
+    assert ReadOptions.from_settings(Settings(contexts="2022-06")).contexts.release == "59e0b06"
     with pytest.raises(UsageError):
-        ReadOptions.of(Settings(contexts="1999"))
+        ReadOptions.from_settings(Settings(contexts="1999"))

@@ -80,7 +80,7 @@ def sooner(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
 
     def forbid() -> None:
         monkeypatch.setattr(incremental_reader, "read", None)
-        monkeypatch.setattr(reader, "begin", None)
+        monkeypatch.setattr(reader, "read_divided", None)
 
     return forbid
 

@@ -3,7 +3,7 @@
 import pytest
 
 from kinlint.files.pathglob import absolute
-from kinlint.formats.dependencies.companions import JOINED_TO, joined, partners
+from kinlint.formats.dependencies.companions import JOINED_TO, find_companions, join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText
@@ -34,20 +34,20 @@ def srdf(name, robot="arm", prefix=""):
 def test_by_the_name_of_the_robot():
     """Others in the run are other robots."""
     sources = [srdf("a.srdf"), urdf("b.urdf", "leg"), urdf("c.urdf"), srdf("d.srdf", "leg")]
-    assert partners(sources) == {"a.srdf": "c.urdf", "d.srdf": "b.urdf"}
+    assert find_companions(sources) == {"a.srdf": "c.urdf", "d.srdf": "b.urdf"}
 
 
 def test_by_what_is_in_it():
     """Of robots of one name, the one that has the links; one that lacks most is another robot."""
     sources = [srdf("a.srdf", prefix="l_"), urdf("b.urdf"), urdf("c.urdf", prefix="l_")]
-    assert partners(sources) == {"a.srdf": "c.urdf"}
-    assert partners([srdf("a.srdf", prefix="r_"), *sources[1:]]) == {}
+    assert find_companions(sources) == {"a.srdf": "c.urdf"}
+    assert find_companions([srdf("a.srdf", prefix="r_"), *sources[1:]]) == {}
 
 
 def test_the_nearest_of_several():
     """Equal ones are told apart by where they lie."""
     sources = [urdf("x/urdf/a.urdf"), urdf("y/urdf/a.urdf"), srdf("y/config/a.srdf")]
-    assert partners(sources) == {"y/config/a.srdf": "y/urdf/a.urdf"}
+    assert find_companions(sources) == {"y/config/a.srdf": "y/urdf/a.urdf"}
 
 
 @pytest.mark.parametrize(
@@ -57,26 +57,26 @@ def test_the_nearest_of_several():
 def test_two_alone_belong_together(robot, prefix, joined):
     """If the robot's name or the links agree."""
     sources = [srdf("a.srdf"), urdf("a.urdf", robot, prefix)]
-    assert partners(sources) == ({"a.srdf": "a.urdf"} if joined else {})
+    assert find_companions(sources) == ({"a.srdf": "a.urdf"} if joined else {})
 
 
 def test_as_told(tmp_path):
     """What is told counts most, even if it is not there."""
     sources = [srdf("a.srdf"), urdf("a.urdf"), urdf(f"{tmp_path}/b.urdf", "leg")]
     told = {"a.srdf": (tmp_path / "b.urdf").as_posix()}
-    assert partners(sources, told.get) == {"a.srdf": f"{tmp_path}/b.urdf"}
-    assert partners(sources[:2], told.get) == {}
+    assert find_companions(sources, told.get) == {"a.srdf": f"{tmp_path}/b.urdf"}
+    assert find_companions(sources[:2], told.get) == {}
 
 
 def test_what_is_not_expanded_is_no_partner():
     """Its names are not known."""
-    assert partners([srdf("a.srdf"), urdf("a.urdf", prefix="${p}")]) == {}
-    assert partners([srdf("a.srdf", prefix="${p}"), urdf("a.urdf")]) == {}
+    assert find_companions([srdf("a.srdf"), urdf("a.urdf", prefix="${p}")]) == {}
+    assert find_companions([srdf("a.srdf", prefix="${p}"), urdf("a.urdf")]) == {}
 
 
 def joins(*sources):
     documents = [read(source, ReadOptions()) for source in sources]
-    made = joined(documents, {"a.srdf": absolute("a.urdf").as_posix()}.get)
+    made = join_companions(documents, {"a.srdf": absolute("a.urdf").as_posix()}.get)
     return [triple for each in made for triple in each.statements if triple[1] == JOINED_TO]
 
 
@@ -103,4 +103,4 @@ def test_what_is_incomplete_is_not_joined(name, text):
 def test_other_documents_stay_as_they_are():
     """Nothing is said of them."""
     document = read(urdf("a.urdf"), ReadOptions())
-    assert joined([document])[0] is document
+    assert join_companions([document])[0] is document

@@ -15,7 +15,7 @@ from pyld import jsonld
 
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_parser import parse
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.triples import Quads, Triples
 from kinlint.text import SourceText
@@ -129,7 +129,7 @@ def run_ours(test: W3CTest, *, strict: bool = True) -> Any:
     parsed = parse(test.source)
     mode = test.option.get("processingMode", "json-ld-1.1").removeprefix("json-ld-")
     processor = Processor(
-        Memory(SuiteContexts(), strict=strict), test.base, strict=strict, mode=mode
+        ContextCache(SuiteContexts(), strict=strict), test.base, strict=strict, mode=mode
     )
     expanded = processor.expand_document(parsed, test.context)
     if test.suite == "expand":

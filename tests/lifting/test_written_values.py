@@ -59,7 +59,7 @@ def documents(form: str) -> Iterator[Document]:
     """Yield the files of a format that can be read."""
     folder = locate_data("robots", form)
     for path in sorted(each for each in folder.rglob("*") if each.suffix in SUFFIXES[form]):
-        yield read(decode(str(path), path.read_bytes()), ReadOptions.of(Settings()))
+        yield read(decode(str(path), path.read_bytes()), ReadOptions.from_settings(Settings()))
 
 
 def local(term: Term) -> str:

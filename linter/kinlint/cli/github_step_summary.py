@@ -51,7 +51,7 @@ def _changed(root: Path, said: Mapping[str, str]) -> Mapping[Path, Path | None]:
 
     Raises UsageError where git cannot tell.
     """
-    repository = Repository.around(root)
+    repository = Repository.from_directory(root)
     base = said.get("GITHUB_BASE_REF")
     if base:
         return repository.merge_base(f"origin/{base}").changed

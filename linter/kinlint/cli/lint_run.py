@@ -57,7 +57,7 @@ class LintRun:
     def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
-            from kinlint.formats.dependencies.companions import beside  # noqa: PLC0415
+            from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
             from kinlint.project.reading import read  # noqa: PLC0415
 
         with self.phases.phase("decoding"):
@@ -67,7 +67,7 @@ class LintRun:
                 from kinlint.cli.project_mode import concerning  # noqa: PLC0415
 
                 sources = concerning(sources, asides, self.settings)
-            more = beside(sources, self.settings)
+            more = find_nearby(sources, self.settings)
             return [*sources, *more], [*self.found.errors, *errors]
 
     def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:

@@ -138,7 +138,9 @@ def revision_of(options: Namespace, inputs: Iterable[Input]) -> Revision:
     Raises UsageError if there is none.
     """
     folders = {str(real(one.path or one.name).parent) for one in inputs}
-    repository = Repository.around(Path(os.path.commonpath(folders)) if folders else Path.cwd())
+    repository = Repository.from_directory(
+        Path(os.path.commonpath(folders)) if folders else Path.cwd()
+    )
     if options.new_from_rev:
         return repository.revision(options.new_from_rev)
     return repository.merge_base(options.new_from_merge_base)

@@ -18,7 +18,7 @@ def page(found: Found, settings: Settings, errors: list[SourceError]) -> Iterato
     """The lines of the page; why files cannot be read goes to *errors*."""
     sources, failed = read(found.inputs, settings)
     errors += [*found.errors, *failed]
-    options = ReadOptions.of(settings)
+    options = ReadOptions.from_settings(settings)
 
     def documents() -> Iterator[Document]:
         for source in sources:

@@ -54,12 +54,14 @@ def concerning(
     """Return the *sources* that may affect findings in one that is not among *asides*."""
     if all(source.name in asides for source in sources):
         return []
-    from kinlint.formats.dependencies.file_groups import models  # noqa: PLC0415
+    from kinlint.formats.dependencies.file_groups import group_sources  # noqa: PLC0415
     from kinlint.parallel.partition import divisible  # noqa: PLC0415  loads every reader
 
     if not divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):
         return list(sources)
-    groups = (group for group in models(sources) if any(one.name not in asides for one in group))
+    groups = (
+        group for group in group_sources(sources) if any(one.name not in asides for one in group)
+    )
     names = {source.name for group in groups for source in group}
     return [source for source in sources if source.name in names]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.formats.dependencies.companions import joined
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText
@@ -17,5 +17,5 @@ def documents(sources: Sequence[SourceText], settings: Settings) -> list[Documen
 
     Raises `SourceError` for the first that cannot be read.
     """
-    options = ReadOptions.of(settings)
-    return joined([read(source, options) for source in sources], settings.partner)
+    options = ReadOptions.from_settings(settings)
+    return join_companions([read(source, options) for source in sources], settings.partner)

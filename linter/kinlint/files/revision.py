@@ -30,7 +30,7 @@ class Repository:
     top: Path
 
     @classmethod
-    def around(cls, directory: Path) -> Repository:
+    def from_directory(cls, directory: Path) -> Repository:
         """The repository that *directory* lies in.
 
         Raises UsageError where there is none, or git refuses to look at it.

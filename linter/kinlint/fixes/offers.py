@@ -15,7 +15,7 @@ from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.sparql_update import update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, tried
-from kinlint.formats.dependencies.file_groups import models
+from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.lint import examine
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Examination
@@ -151,7 +151,7 @@ def _apart(texts: Texts, documents: Mapping[str, Document]) -> Iterable[Sequence
     """The given *texts* in groups that neither say anything of each other nor share a file."""
     groups: dict[int, list[SourceText]] = {}
     users: dict[Path, int] = {}
-    for number, model in enumerate(models(texts.given)):
+    for number, model in enumerate(group_sources(texts.given)):
         said = [documents[each.name] for each in model if each.name in documents]
         paths = {path for document in said for path in texts.paths(document)}
         known = {users[path] for path in paths if path in users}

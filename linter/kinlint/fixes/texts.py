@@ -10,7 +10,7 @@ from typing import Protocol
 from kinlint.document import Document
 from kinlint.edits import Edit, applied
 from kinlint.files.pathname import real
-from kinlint.formats.recognition import rewritten
+from kinlint.formats.recognition import with_text
 from kinlint.text import SourceText
 
 
@@ -65,11 +65,11 @@ class Texts:
             for path, made in each.edits.items():
                 edits.setdefault(path, {}).update(dict.fromkeys(made))
         new = {
-            path: rewritten(sources[path], applied(sources[path].text, made))
+            path: with_text(sources[path], applied(sources[path].text, made))
             for path, made in edits.items()
         }
         given = [
-            rewritten(source, new[path].text) if (path := self.path(source)) in new else source
+            with_text(source, new[path].text) if (path := self.path(source)) in new else source
             for source in self.given
         ]
         return replace(self, given=given, changed={**self.changed, **new})

@@ -6,7 +6,7 @@ import codecs
 
 from kinlint.edits import Unsayable
 from kinlint.errors import SourceError
-from kinlint.formats.recognition import recognised
+from kinlint.formats.recognition import with_format
 from kinlint.formats.records import FORMATS, JSON
 from kinlint.text import SourceText
 
@@ -30,7 +30,7 @@ def decode(name: str, data: bytes) -> SourceText:
     if not name.lower().endswith(_NO_XML) and _looks_like_xml(data[:_HEAD]):
         from kinlint.formats.xml import encoding  # noqa: PLC0415  few files are XML
 
-        return recognised(encoding.decode(name, data))
+        return with_format(encoding.decode(name, data))
     for mark, named in _MARKS:
         if data.startswith(mark):
             raise SourceError(name, f"the file is {named}; kinlint reads UTF-8", 1, 1)
@@ -42,7 +42,7 @@ def decode(name: str, data: bytes) -> SourceText:
         cause = f"the file seems to be {guess}" if guess else "a NUL byte: this is not a text file"
         raise SourceError(name, cause, *_place(content, zero))
     try:
-        return recognised(SourceText(name, content.decode("utf-8"), marked))
+        return with_format(SourceText(name, content.decode("utf-8"), marked))
     except UnicodeDecodeError as error:
         byte = content[error.start]
         cause = f"not UTF-8: byte 0x{byte:02X} ({error.reason}); is it Latin-1?"

@@ -13,11 +13,11 @@ _DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASC
 _DOUBLE = f"^^<{XSD}double>"
 
 
-def beyond(written: str) -> bool:
+def exceeds_doubles(written: str) -> bool:
     """Tell whether *written* is a number larger than all doubles."""
     return _DECIMAL.fullmatch(written) is not None and isinf(float(written))
 
 
-def lost(term: Term) -> bool:
+def is_too_large(term: Term) -> bool:
     """Tell whether *term* is a literal for such a number."""
-    return term.endswith(_DOUBLE) and beyond(literal_value(term))
+    return term.endswith(_DOUBLE) and exceeds_doubles(literal_value(term))

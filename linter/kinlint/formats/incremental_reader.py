@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from kinlint.document import Document
 from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.recognition import recognised
+from kinlint.formats.recognition import with_format
 from kinlint.formats.registry import read
 from kinlint.text import SourceText
 
@@ -39,7 +39,7 @@ class Rereader:
         unchanged = last is not None and (source, options) == (last.source, self._options)
         if last is not None and unchanged and not last.format.includes:
             return last
-        source = recognised(source)
+        source = with_format(source)
         now = self._divided(source, options) if source.format == JSONLD else None
         document = now.document if now is not None else read(source, options)
         self._last, self._options = document, options
@@ -52,10 +52,10 @@ class Rereader:
 
         if self._parted is not None:
             try:
-                return reader.again(self._parted, source, options)
+                return reader.reread(self._parted, source, options)
             except reader.Indivisible:
                 pass
         try:
-            return reader.begin(source, options)
+            return reader.read_divided(source, options)
         except reader.Indivisible:
             return None

@@ -61,7 +61,7 @@ class ReadOptions:
     )
     overlay: Mapping[Path, SourceText] = field(default_factory=dict, repr=False, compare=False)
 
-    def laid_over(self, path: Path) -> SourceText | None:
+    def overlaid_text(self, path: Path) -> SourceText | None:
         """Return the text that replaces the content of the file at *path*.
 
         None if there is none.
@@ -69,7 +69,7 @@ class ReadOptions:
         return self.overlay.get(real(path)) if self.overlay else None
 
     @classmethod
-    def of(cls, settings: Settings) -> ReadOptions:
+    def from_settings(cls, settings: Settings) -> ReadOptions:
         """Return the options that *settings* ask for.
 
         Raises UsageError or ConfigError where they name no release or no context.

@@ -19,7 +19,7 @@ _TURTLE = re.compile(r"(?im)^[ \t]*(?:@(?:prefix|base)[ \t]|(?:prefix|base)[ \t]
 _STATEMENT = re.compile(r"(?m)^[ \t]*(?:<[^<>\s]*>|_:\S+)[ \t]+<[^<>\s]*>[ \t]+[<\"_].*\.[ \t]*$")
 
 
-def recognised(source: SourceText) -> SourceText:
+def with_format(source: SourceText) -> SourceText:
     """Return *source* with its format: the same object if it has one already."""
     if source.format is not None:
         return source
@@ -27,10 +27,10 @@ def recognised(source: SourceText) -> SourceText:
     return source if form is None else replace(source, format=form)
 
 
-def rewritten(source: SourceText, text: str, *, bom: bool | None = None) -> SourceText:
+def with_text(source: SourceText, text: str, *, bom: bool | None = None) -> SourceText:
     """Return the file of *source* with another *text*, whose format is told anew."""
     bom = source.bom if bom is None else bom
-    return recognised(replace(source, text=text, bom=bom, format=None))
+    return with_format(replace(source, text=text, bom=bom, format=None))
 
 
 def recognise(name: str, text: str) -> Format | None:
@@ -56,14 +56,14 @@ def recognise(name: str, text: str) -> Format | None:
 def objection(text: str) -> str:
     """Say why *text*, which is in no known format, is not read."""
     if _begins_with_tag(text):
-        from kinlint.formats.xml.xml_recognition import unread  # noqa: PLC0415  few files are XML
+        from kinlint.formats.xml.xml_recognition import unsupported_kind  # noqa: PLC0415  few files are XML
 
-        if (kind := unread(text)) is not None:
-            return f"{kind} is not read yet; kinlint reads {known()}"
-    return f"kinlint reads {known()}"
+        if (kind := unsupported_kind(text)) is not None:
+            return f"{kind} is not read yet; kinlint reads {supported_formats()}"
+    return f"kinlint reads {supported_formats()}"
 
 
-def known() -> str:
+def supported_formats() -> str:
     """Return the titles of all formats with the ends of the names of their files."""
     titles: dict[str, list[str]] = {}
     for each in FORMATS:

@@ -11,7 +11,7 @@ from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.recognition import objection, recognised
+from kinlint.formats.recognition import objection, with_format
 from kinlint.text import SourceText
 
 __all__ = ["Editor", "decode", "editor", "read"]
@@ -35,7 +35,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     Raises SourceError when it cannot be read as what it claims to be, or claims nothing known.
     """
-    source = recognised(source)
+    source = with_format(source)
     if source.format is None:
         raise SourceError(source.name, f"not a robot model: {objection(source.text)}")
     front_end: FrontEnd = import_module(source.format.reader).read

@@ -44,7 +44,7 @@ class SourceLayer:
     nodes: dict[Term, NodeSpans] = field(default_factory=dict)
     _graphs: set[Term] = field(default_factory=set)
 
-    def file(self, form: str, name: str, whole: Span) -> None:
+    def state_file(self, form: str, name: str, whole: Span) -> None:
         """The document itself."""
         self.nodes[self.document] = NodeSpans(whole)
         place = Span(whole.start, min(whole.start + 1, whole.end))
@@ -55,39 +55,39 @@ class SourceLayer:
         ):
             self.triples[self.document, prop, value] = place
 
-    def described(self, nodes: Mapping[Term, NodeSpans]) -> None:
+    def state_described(self, nodes: Mapping[Term, NodeSpans]) -> None:
         """The nodes that the document describes, and the namespaces of those with IRIs."""
         for node, spans in nodes.items():
             self.triples[node, DESCRIBED, self.document] = spans.best
-        self.owns(namespaces(nodes))
+        self.state_namespaces(namespaces(nodes))
 
-    def owns(self, found: Mapping[str, Span]) -> None:
+    def state_namespaces(self, found: Mapping[str, Span]) -> None:
         """The namespaces in which the document describes nodes."""
         for namespace, span in found.items():
             self.triples[self.document, src("ownNamespace"), literal(namespace)] = span
 
-    def uses_terms(self, found: Mapping[Term, Span]) -> None:
+    def state_terms(self, found: Mapping[Term, Span]) -> None:
         """The properties and classes that the document uses."""
         used = src("usesTerm")
         for term, span in found.items():
             self.triples[self.document, used, term] = span
 
-    def lost(self, node: Term, value: Term, span: Span, reason: str) -> None:
+    def state_lost_value(self, node: Term, value: Term, span: Span, reason: str) -> None:
         """The literal *value* at *span*, said of *node*, is none, for this *reason*."""
         texts = ("written", literal(literal_value(value))), ("reason", literal(reason))
-        self.about("LostValue", span, ("node", node), *texts)
+        self.add_node("LostValue", span, ("node", node), *texts)
 
-    def graph(self, name: Term, span: Span) -> None:
+    def state_graph(self, name: Term, span: Span) -> None:
         """The document puts statements into the graph *name*; said once for each."""
         if name not in self._graphs:
             self._graphs.add(name)
-            self.about("NamedGraph", span, ("name", name))
+            self.add_node("NamedGraph", span, ("name", name))
 
-    def uses(self, use: Term, span: Span) -> None:
+    def state_context_use(self, use: Term, span: Span) -> None:
         """The document names a context."""
         self.triples[self.document, src("usesContext"), use] = span
 
-    def about(self, kind: str, span: Span, *details: tuple[str, Term | None]) -> Term:
+    def add_node(self, kind: str, span: Span, *details: tuple[str, Term | None]) -> Term:
         """A new blank node of *kind* at *span*, with those of its *details* that are known."""
         node = self.blanks.fresh()
         self.nodes[node] = NodeSpans(span, span)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from kinlint.configuration.settings import Settings
-from kinlint.formats.dependencies.file_groups import models
+from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.formats.dependencies.mentions import includes_nothing
 from kinlint.text import SourceText
 
@@ -22,7 +22,7 @@ small robots, eight take the least time.
 
 def divided(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
     """Split *sources* into models that can be checked apart, which may be one."""
-    return [*models(sources)] if sources and _separable(settings) else [list(sources)]
+    return [*group_sources(sources)] if sources and _separable(settings) else [list(sources)]
 
 
 def divisible(sources: Sequence[SourceText], settings: Settings) -> bool:

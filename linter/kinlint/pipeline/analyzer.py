@@ -88,7 +88,7 @@ class Analyzer:
         failed = list(errors)
         ask()
         with spent.phase("reading"):
-            options = replace(ReadOptions.of(self._settings), overlay=overlay)
+            options = replace(ReadOptions.from_settings(self._settings), overlay=overlay)
 
             def reading(source: SourceText) -> Document:
                 ask()

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats.dependencies.companions import joined
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.text import SourceText
 
 
@@ -26,7 +26,7 @@ def gathered(
     texts = list(sources)
     documents = list(_documents([each for each in texts if not each.companion], reading, failed))
     beside = _documents([each for each in texts if each.companion], reading, [])
-    every = joined([*documents, *beside], settings.partner)
+    every = join_companions([*documents, *beside], settings.partner)
     return every[: len(documents)], every
 
 

@@ -19,7 +19,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.findings.finding_builder import findings
-from kinlint.formats.dependencies.companions import joined
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.pipeline.single_run import SingleRun
@@ -67,7 +67,7 @@ class Bench:
 
 def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
     options = ReadOptions()
-    documents = joined([read(text, options) for text in texts])
+    documents = join_companions([read(text, options) for text in texts])
     inputs = Inputs(documents, documents, options.packages_of)
     run = SingleRun(rulebook.vocabulary)
     return documents, through("facts", run, inputs, Demand.for_everything(rulebook))

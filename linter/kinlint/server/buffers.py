@@ -15,7 +15,7 @@ from lsprotocol.types import (
 
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
-from kinlint.formats.recognition import rewritten
+from kinlint.formats.recognition import with_text
 from kinlint.server.position_codec import MARK, PositionCodec
 from kinlint.text import SourceText
 
@@ -46,7 +46,7 @@ class Buffer:
     def written(self, text: str, version: int) -> Buffer:
         """The same file with another *text*."""
         marked = text.startswith(MARK)
-        source = rewritten(self.source, text[marked:], bom=marked)
+        source = with_text(self.source, text[marked:], bom=marked)
         return replace(self, version=version, source=source, marked=marked, saved=False)
 
     def kept(self) -> Buffer:

@@ -9,8 +9,8 @@ from pathlib import Path
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.pathname import shown
-from kinlint.formats.dependencies.companions import beside
-from kinlint.formats.dependencies.file_groups import Ties, models, ties
+from kinlint.formats.dependencies.companions import find_nearby
+from kinlint.formats.dependencies.file_groups import JoinKeys, group_sources, join_keys
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
@@ -55,7 +55,7 @@ class WorkspaceFolder:
         self._settings: dict[frozenset[str], Settings] = {}
         self._verdicts: dict[Path, tuple[SourceText, bool]] = {}
         self._own_contexts: dict[Path, Sequence[str]] = {}
-        self._tied: dict[str, tuple[SourceText, Ties]] = {}
+        self._tied: dict[str, tuple[SourceText, JoinKeys]] = {}
         self._found: list[Input] = []
         if not loose:
             found = Search(self._layers.excluding).find([str(directory)])
@@ -92,10 +92,10 @@ class WorkspaceFolder:
                 continue
             if self._is_model(one, source):
                 sources.append(source)
-        for group in models(sources, self._ties) if sources else ():
+        for group in group_sources(sources, self._ties) if sources else ():
             inputs = [given[source.name] for source in group]
             settings = self._of(inputs)
-            more = beside(group, settings, documents.overlay)
+            more = find_nearby(group, settings, documents.overlay)
             yield Model(_paths(inputs), tuple(group), settings, tuple(more))
 
     def _is_model(self, one: Input, source: SourceText) -> bool:
@@ -107,10 +107,10 @@ class WorkspaceFolder:
             self._verdicts[one.path] = known
         return known[1]
 
-    def _ties(self, source: SourceText) -> Ties:
+    def _ties(self, source: SourceText) -> JoinKeys:
         known = self._tied.get(source.name)
         if known is None or known[0] is not source:
-            known = source, ties(source)
+            known = source, join_keys(source)
             self._tied[source.name] = known
         return known[1]
 

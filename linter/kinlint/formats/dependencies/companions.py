@@ -22,10 +22,10 @@ from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import missing, real, shown
 from kinlint.formats.decoding import decode
 from kinlint.formats.dependencies.mentions import Mentions
-from kinlint.formats.recognition import recognised
+from kinlint.formats.recognition import with_format
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
-from kinlint.formats.xml.references import names_in, resolved
+from kinlint.formats.xml.references import names_in, resolve_references
 from kinlint.formats.xml.schema import schema
 from kinlint.terms import RDF_TYPE, iri
 from kinlint.text import SourceText
@@ -85,23 +85,23 @@ class Description:
         """Tell whether it contains names that only an expansion would make up."""
         return not self.generated and any("$" in name for name in (self.robot, *self.names))
 
-    def knows(self, names: frozenset[str]) -> float:
+    def share_defined(self, names: frozenset[str]) -> float:
         """Return the share of *names* that it defines, from 0 to 1."""
         return len(names & self.names) / len(names) if names else 1.0
 
-    def may_mean(self, urdf: Description, *, alone: bool = False) -> bool:
+    def may_refer_to(self, urdf: Description, *, alone: bool = False) -> bool:
         """Tell whether this SRDF may refer to *urdf*: it defines the robot's name and most others.
 
         Either will do if the two are *alone*.
         """
         named = self.robot == urdf.robot
-        knows = self.generated or urdf.generated or urdf.knows(self.names) >= MOST
+        knows = self.generated or urdf.generated or urdf.share_defined(self.names) >= MOST
         return named or knows if alone else named and knows
 
 
 def describe(source: SourceText) -> Description | None:
     """Return the description of *source*; None if it is neither SRDF nor URDF."""
-    source = recognised(source)
+    source = with_format(source)
     kind = source.format
     if kind is not None and kind.expands_to == URDF.name:
         kind = SRDF if ENDING in source.name.lower() else URDF
@@ -110,10 +110,10 @@ def describe(source: SourceText) -> Description | None:
 
 def may_be_srdf(source: SourceText) -> bool:
     """Tell whether *source* is an SRDF, or may expand to one."""
-    return recognised(source).format == SRDF or ENDING in source.name
+    return with_format(source).format == SRDF or ENDING in source.name
 
 
-def partners(
+def find_companions(
     sources: Iterable[SourceText], told: Callable[[str], str | None] = lambda _: None
 ) -> dict[str, str]:
     """The name of the URDF among *sources* that each SRDF among them is about, by its name.
@@ -132,7 +132,7 @@ def partners(
             meant = [each for each in urdfs if _path(each) == path]
         else:
             alone = len(srdfs) == len(urdfs) == 1
-            meant = [each for each in urdfs if srdf.may_mean(each, alone=alone)]
+            meant = [each for each in urdfs if srdf.may_refer_to(each, alone=alone)]
         if meant:
             found[name] = max(meant, key=lambda urdf: _fitness(srdf, urdf)).source.name
     return found
@@ -141,14 +141,16 @@ def partners(
 def _fitness(srdf: Description, urdf: Description) -> tuple[float, int]:
     """Return the share of common names, and then the number of common directories."""
     steps = zip(_path(srdf).split("/"), _path(urdf).split("/"), strict=False)
-    return urdf.knows(srdf.names), sum(1 for _ in takewhile(lambda step: step[0] == step[1], steps))
+    return urdf.share_defined(srdf.names), sum(
+        1 for _ in takewhile(lambda step: step[0] == step[1], steps)
+    )
 
 
 def _path(description: Description) -> str:
     return absolute(description.source.name).as_posix()
 
 
-def joined(
+def join_companions(
     documents: Sequence[Document], told: Callable[[str], str | None] = lambda _: None
 ) -> list[Document]:
     """Return *documents*, in which each SRDF says which URDF it is about; see `partners`.
@@ -158,7 +160,7 @@ def joined(
     texts = [document.source for document in documents]
     if not any(map(may_be_srdf, texts)):
         return list(documents)
-    partner = partners(texts, told)
+    partner = find_companions(texts, told)
     asked = {*partner, *partner.values()}
     whole = {
         each.source.name: each
@@ -183,12 +185,14 @@ def _is_whole(document: Document) -> bool:
 def _joined(srdf: Document, urdf: Document) -> Document:
     """Return *srdf* with the root of *urdf* that it is joined to, and what it refers to there."""
     joined = root_of(urdf.graph)
-    found = resolved(names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes))
+    found = resolve_references(
+        names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes)
+    )
     leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *dict(found)))
     return replace(srdf, statements=(*srdf.statements, *leading))
 
 
-def beside(
+def find_nearby(
     sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText] = NOTHING
 ) -> Sequence[SourceText]:
     """Return the texts of the URDF files that SRDF files among *sources* are about, if not given.
@@ -199,7 +203,7 @@ def beside(
     if not any(map(may_be_srdf, sources)):
         return ()
     told = settings.partner
-    known = partners(sources, told)
+    known = find_companions(sources, told)
     given = {absolute(source.name) for source in sources}
     found: dict[Path, SourceText] = {}
     for srdf in filter(None, map(describe, sources)):
@@ -230,7 +234,7 @@ def _fitting(
             urdf = describe(_companion(path, overlay))
         except (OSError, SourceError):
             continue
-        if urdf is not None and not urdf.varies and srdf.may_mean(urdf):
+        if urdf is not None and not urdf.varies and srdf.may_refer_to(urdf):
             return {path: urdf.source}
     return {}
 

@@ -1,4 +1,4 @@
-"""Parts the files of a run into groups that say nothing of each other."""
+"""Divides the files of a run into independent groups."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 from kinlint.file_format import Format
 from kinlint.formats.dependencies.mentions import Mentions, is_pattern
-from kinlint.formats.recognition import recognised
+from kinlint.formats.recognition import with_format
 from kinlint.text import SourceText
 
 
-class Ties(NamedTuple):
+class JoinKeys(NamedTuple):
     """Properties that may join a file to others: format, names of robots, included files."""
 
     format: Format | None
@@ -20,17 +20,17 @@ class Ties(NamedTuple):
     included: tuple[str, ...] = ()
 
 
-def ties(source: SourceText) -> Ties:
-    """Return the ties of *source*."""
-    form = recognised(source).format
+def join_keys(source: SourceText) -> JoinKeys:
+    """Return the keys of *source*."""
+    form = with_format(source).format
     if form is None or not form.describes_robots:
-        return Ties(form)
+        return JoinKeys(form)
     found = Mentions(source)
-    return Ties(form, frozenset(name.casefold() for name in found.robots), found.included)
+    return JoinKeys(form, frozenset(name.casefold() for name in found.robots), found.included)
 
 
-def models(
-    sources: Sequence[SourceText], known: Callable[[SourceText], Ties] = ties
+def group_sources(
+    sources: Sequence[SourceText], known: Callable[[SourceText], JoinKeys] = join_keys
 ) -> Iterator[list[SourceText]]:
     """Yield *sources* in independent groups, in the order of their first members.
 
@@ -38,7 +38,7 @@ def models(
     elements belong together if they describe robots of one name, or if one may include the other,
     or both the same file. An SRDF, which need not name its robot correctly, joins all; so does a
     robot whose name is computed, where robots in another format may be the same. *known* returns
-    the ties of a source.
+    the keys of a source.
     """
     tied = [known(source) for source in sources]
     forms = {each.format for each in tied}

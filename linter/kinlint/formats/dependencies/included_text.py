@@ -22,7 +22,7 @@ def included_text(
     *near* is the file that includes it. Raises `Unreadable` or `SourceError` where it cannot be
     read.
     """
-    text: SourceText | None = options.laid_over(path) or options.memory.get((KEPT, path))
+    text: SourceText | None = options.overlaid_text(path) or options.memory.get((KEPT, path))
     if text is None:
         text = options.memory[KEPT, path] = decode(name, contents(path, near, limit))
     return text

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote
 
-from kinlint.formats.recognition import recognised
+from kinlint.formats.recognition import with_format
 from kinlint.text import SourceText
 
 _VALUE = r"""\s*=\s*(?:"([^"]*)"|'([^']*)')"""
@@ -79,7 +79,7 @@ def is_pattern(name: str) -> bool:
 
 def includes_nothing(source: SourceText) -> bool:
     """Tell whether *source* certainly depends on no other file."""
-    form = recognised(source).format
+    form = with_format(source).format
     plain = form is not None and form.describes_robots and not form.expands_to
     return plain and "include" not in source.text
 

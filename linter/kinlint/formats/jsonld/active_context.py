@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeAlias
 
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
-from kinlint.formats.jsonld.context_cache import Memory, unplaced
+from kinlint.formats.jsonld.context_cache import ContextCache, unplaced
 from kinlint.formats.jsonld.context_resolver import Resolved
 from kinlint.formats.jsonld.expansion_record import Problem, Record, Shadow
 from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
@@ -39,7 +39,7 @@ class ActiveContexts:
 
     record: Record
 
-    def __init__(self, memory: Memory, *, strict: bool) -> None:
+    def __init__(self, memory: ContextCache, *, strict: bool) -> None:
         self.strict = strict
         self.memory = memory
         self.resolver = memory.resolver
@@ -89,7 +89,7 @@ class ActiveContexts:
         if known is None:
             shared = self.memory.key(active, entry)
             key = shared and (*shared, *about[2:])
-            if shared and (result := self.memory.known(key)) is not None:
+            if shared and (result := self.memory.get(key)) is not None:
                 return result
             result, problem = self._processed(
                 active, entry, process, options, shared=shared is not None

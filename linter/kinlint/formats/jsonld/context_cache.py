@@ -12,7 +12,7 @@ from kinlint.formats.options import ContextLibrary, ReadOptions
 Context: TypeAlias = Any
 
 
-class Memory:
+class ContextCache:
     """Active contexts that depend on a library and on no file.
 
     They come from the initial context by documents of the library, by scoped contexts in those,
@@ -27,14 +27,14 @@ class Memory:
         self._ids: set[int] = set()
 
     @classmethod
-    def of(cls, options: ReadOptions, release: str) -> Memory:
+    def from_options(cls, options: ReadOptions, release: str) -> ContextCache:
         """The memory that all files read with *options* share, one for each release."""
         about = (cls, release, options.base)
         if about not in options.memory:
             library = options.contexts
             serves = library if release == library.release else library.at_release(release)
             options.memory[about] = cls(serves)
-        memory: Memory = options.memory[about]
+        memory: ContextCache = options.memory[about]
         return memory
 
     def begin(self, initial: Context) -> None:
@@ -55,7 +55,7 @@ class Memory:
             return None
         return id(active), tuple((str(term), str(value)) for term, value in said)
 
-    def known(self, key: Hashable) -> Context | None:
+    def get(self, key: Hashable) -> Context | None:
         """The context remembered by *key*."""
         found = self._known.get(key)
         return found[0] if found else None

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from kinlint.formats.json_text.json_values import Array, Integer, Key, Object, Parsed, Real, Text
 from kinlint.formats.jsonld.active_context import ActiveContexts, Context
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import Record
 from kinlint.formats.jsonld.pyld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 from kinlint.formats.jsonld.traced_values import (
@@ -41,7 +41,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     """
 
     def __init__(
-        self, memory: Memory, base: str, *, strict: bool = False, mode: str = "1.1"
+        self, memory: ContextCache, base: str, *, strict: bool = False, mode: str = "1.1"
     ) -> None:
         ActiveContexts.__init__(self, memory, strict=strict)
         JsonLdProcessor.__init__(self, on_property_dropped=self._on_dropped)

@@ -17,14 +17,14 @@ class Slot(NamedTuple):
     stands: Span
 
 
-class Watch(Protocol):
+class ExpansionObserver(Protocol):
     """Observer of IRIs, and of how nodes and values are written, on the way into the graph."""
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
         """*written* names a node, a property, a datatype or a value."""
         ...
 
-    def again(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
+    def note_repeated(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
         """The *value* at *span* of a property without order was among its values already."""
         ...
 

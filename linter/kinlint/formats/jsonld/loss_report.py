@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.formats.json_text.json_values import Key, Object
 from kinlint.formats.jsonld.expansion_record import Record, Shadow, Stray
-from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, said
+from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, text_details
 from kinlint.formats.jsonld.release_comparison import OtherRelease
 from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
 from kinlint.formats.jsonld.triples import Triples
@@ -72,7 +72,7 @@ class LossReport:
             *shadowed((each, token.span) for each, token in self._record.shadow_uses.items()),
             *self.duplicates(repeats, origins),
         ]
-        return sorted(found, key=place)
+        return sorted(found, key=sort_key)
 
     def _others(self) -> list[OtherRelease]:
         return self._compared.others(named=bool(self._record.uses))
@@ -84,7 +84,7 @@ class LossReport:
             blind = drop.resolution.blind
             kind = "UnreadKey" if blind else "DroppedKey"
             node = self._triples.named(drop.origin)
-            loss = Loss(kind, drop.key.span, node, said(key=drop.key))
+            loss = Loss(kind, drop.key.span, node, text_details(key=drop.key))
             if not blind:
                 loss = loss.with_details(self._compared.resembles(drop.resolution, drop.key))
                 loss = loss.with_details(
@@ -107,12 +107,12 @@ class LossReport:
                 stray.kind,
                 stray.span,
                 self._triples.named(stray.origin) if stray.origin else None,
-                said(written=stray.written, reason=stray.reason, **_in(stray)),
+                text_details(written=stray.written, reason=stray.reason, **_in(stray)),
             )
             for stray in self._record.strays.values()
         ]
         for datatype in self._record.unprefixed.values():
-            details = said(prefix=datatype.partition(":")[0], written=datatype)
+            details = text_details(prefix=datatype.partition(":")[0], written=datatype)
             losses.append(Loss("UndefinedPrefix", datatype.span, None, details))
         return losses
 
@@ -131,9 +131,9 @@ class LossReport:
         """The contexts that are missing or broken."""
         losses = []
         for problem in self._record.problems.values():
-            details = said(reason=problem.reason)
+            details = text_details(reason=problem.reason)
             if problem.context is not None:
-                details = (*said(context=problem.context), *details)
+                details = (*text_details(context=problem.context), *details)
             losses.append(Loss(problem.kind, problem.span, None, details))
         return losses
 
@@ -150,7 +150,7 @@ def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
     """The terms that mean something else than in an earlier context, each where it comes first."""
     losses = []
     for shadow, span in uses:
-        names = said(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
+        names = text_details(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
         now, before = iri(shadow.iri), iri(shadow.shadowed_iri)
         iris = (Detail("iri", now), Detail("shadowedIri", before))
         losses.append(Loss("ShadowedTerm", span, None, (*names, *iris)))
@@ -162,17 +162,17 @@ def state_uses(layer: SourceLayer, uses: Iterable[tuple[Span, str]], release: st
     for span, name in sorted(uses):
         version = literal(release) if name.startswith(METAMODELS) else None
         details = (("context", literal(name)), ("release", version))
-        layer.uses(layer.about("ContextUse", span, *details), span)
+        layer.state_context_use(layer.add_node("ContextUse", span, *details), span)
 
 
 def state_losses(layer: SourceLayer, losses: Iterable[Loss]) -> None:
     """State the losses of the file, in this order."""
     for loss in losses:
         details = [(detail.name, detail.value) for detail in loss.details]
-        layer.about(loss.kind, loss.span, (loss.relation, loss.node), *details)
+        layer.add_node(loss.kind, loss.span, (loss.relation, loss.node), *details)
 
 
-def place(loss: Loss) -> tuple[int, int, str]:
+def sort_key(loss: Loss) -> tuple[int, int, str]:
     """Return the sort key of losses."""
     return (*loss.span, loss.kind)
 
@@ -186,7 +186,7 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
     tokens += [key for key in repeated if isinstance(key, Key) and key in again]
     for key in sorted(tokens, key=lambda token: token.start):
         if key in seen:
-            losses.append(Loss("DuplicateKey", key.span, node, said(key=key)))
+            losses.append(Loss("DuplicateKey", key.span, node, text_details(key=key)))
         seen.add(key)
     return losses
 

@@ -47,7 +47,7 @@ class Loss:
         return replace(self, details=(*self.details, *details))
 
 
-def said(**texts: str) -> tuple[Detail, ...]:
+def text_details(**texts: str) -> tuple[Detail, ...]:
     """Details that are plain strings."""
     return tuple(Detail(name, literal(text)) for name, text in texts.items())
 
@@ -90,11 +90,11 @@ class LossWatch:
         if written.resolution.reach in _FALLEN and not written.resolution.blind:
             self._reference(written, role, node, slot)
         elif role == "property" and written.startswith("_:"):
-            details = said(key=written.token)
+            details = text_details(key=written.token)
             self.losses.append(Loss("DroppedKey", written.span, node, details))
         self._absolute(written, node, slot)
 
-    def again(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
+    def note_repeated(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
         """A *value* of an unordered property of *node* is written once more at *span*."""
         details = (*_where(slot), Detail("value", value))
         self.losses.append(Loss("RepeatedValue", span, node, details))
@@ -123,7 +123,7 @@ class LossWatch:
         """*written* stands for the type of a node."""
         if written.resolution.reach in RELATIVE:
             if not written.resolution.blind:
-                details = (*said(written=written.token), *_target(written))
+                details = (*text_details(written=written.token), *_target(written))
                 loss = Loss("RelativeType", written.span, node, details)
                 self.types.append(LostType(loss, written, origin))
         else:
@@ -138,10 +138,10 @@ class LossWatch:
         taken = resolution.reach is Reach.SCHEME or (defined_by_it and not rest.startswith("//"))
         if taken and scheme.lower() not in REGISTERED:
             if not resolution.blind:
-                details = said(prefix=scheme, written=written.token)
+                details = text_details(prefix=scheme, written=written.token)
                 self.losses.append(Loss("UndefinedPrefix", written.span, node, details))
         elif malformed(written):
-            details = (*said(written=written.token), *(_where(slot) if slot else ()))
+            details = (*text_details(written=written.token), *(_where(slot) if slot else ()))
             self.losses.append(Loss("MalformedIri", written.span, node, details))
         else:
             self._sound[id(resolution)] = resolution
@@ -157,14 +157,18 @@ class LossWatch:
         """The literal at *span* is none; of impossible datatypes is spoken elsewhere."""
         if "@language" in item and item.get("@type") is None:
             reason = f"'{item['@language']}' is not a language tag"
-            details = said(written=str(item["@value"]), reason=reason)
+            details = text_details(written=str(item["@value"]), reason=reason)
             self.losses.append(Loss("LostValue", span, node, details))
         elif too_large(item):
-            details = said(written=item["@value"], reason=TOO_LARGE)
+            details = text_details(written=item["@value"], reason=TOO_LARGE)
             self.losses.append(Loss("LostValue", span, node, details))
 
     def _reference(self, written: Iri, role: str, node: Term | None, slot: Slot | None) -> None:
-        details = (*said(written=written.token), *_target(written), *said(role=role))
+        details = (
+            *text_details(written=written.token),
+            *_target(written),
+            *text_details(role=role),
+        )
         if role == "value" and slot is not None and slot.prop is not None:
             details = (*details, Detail("property", slot.prop))
         loss = Loss("RelativeReference", written.span, node, details)
@@ -182,7 +186,7 @@ class LossWatch:
 
 def _where(slot: Slot) -> tuple[Detail, ...]:
     prop = (Detail("property", slot.prop),) if slot.prop is not None else ()
-    return (*prop, *said(key=slot.key))
+    return (*prop, *text_details(key=slot.key))
 
 
 def _target(written: Iri) -> tuple[Detail, ...]:

@@ -7,7 +7,7 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
-from kinlint.formats.doubles import beyond
+from kinlint.formats.doubles import exceeds_doubles
 from kinlint.formats.jsonld.pyld import canonicalize
 from kinlint.terms import RDF, XSD, Term, literal
 
@@ -53,7 +53,7 @@ def too_large(item: dict[str, Any]) -> bool:
     value = item["@value"]
     if item.get("@type") != _DOUBLE or not isinstance(value, str):
         return False
-    return beyond(value)
+    return exceeds_doubles(value)
 
 
 def malformed(iri: str) -> bool:

@@ -15,7 +15,7 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, Parsed
 from kinlint.formats.jsonld.active_context import FAULTS, complaint
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.jsonld.loss_report import Comparison, LossReport, state_losses, state_uses
@@ -45,16 +45,18 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
         cause = "not JSON-LD: neither an object nor an array"
         raise SourceError(source.name, cause, place.line, place.column)
     _check_contexts(parsed, source)
-    processor = Processor(Memory.of(options, options.contexts.release), options.base)
+    processor = Processor(
+        ContextCache.from_options(options, options.contexts.release), options.base
+    )
     graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossWatch()
     triples = Triples(blanks, watch)
     processor.on_node = lambda node: triples.add([node], parsed.span)
     _state(triples, processor, parsed, source)
 
     layer = SourceLayer(graph, blanks)
-    layer.file(JSONLD.name, source.name, Span(0, len(source.text)))
-    layer.described(triples.nodes)
-    layer.uses_terms(terms(triples.spans))
+    layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
+    layer.state_described(triples.nodes)
+    layer.state_terms(terms(triples.spans))
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)

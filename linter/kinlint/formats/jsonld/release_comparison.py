@@ -7,7 +7,7 @@ from typing import Any
 
 from kinlint.formats.json_text.json_values import Text
 from kinlint.formats.jsonld.active_context import FAULTS, Context
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.traced_values import Origin
 from kinlint.formats.options import ReadOptions
@@ -20,7 +20,7 @@ class OtherRelease:
 
     def __init__(self, release: str, options: ReadOptions) -> None:
         self.release = release
-        self._processor = Processor(Memory.of(options, release), options.base)
+        self._processor = Processor(ContextCache.from_options(options, release), options.base)
         self._at: dict[Origin, tuple[Context, Context]] = {}
 
     def maps_key(self, key: Text, origin: Origin) -> bool:

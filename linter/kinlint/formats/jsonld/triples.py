@@ -8,7 +8,7 @@ from typing import Any
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.jsonld.expansion_observer import Slot, Watch
+from kinlint.formats.jsonld.expansion_observer import ExpansionObserver, Slot
 from kinlint.formats.jsonld.rdf_literals import malformed, value_literal
 from kinlint.formats.jsonld.traced_values import Expanded, Iri, Origin, value_span
 from kinlint.terms import RDF, RDF_TYPE, Term, Triple, iri, literal
@@ -37,7 +37,7 @@ class Triples:
     def __init__(
         self,
         blanks: BlankNodes,
-        watch: Watch | None = None,
+        watch: ExpansionObserver | None = None,
         quads: Quads | None = None,
         direction: str | None = None,
         *,
@@ -107,7 +107,7 @@ class Triples:
         if value is None:
             return
         if value in seen and subject is not None and self._watch is not None:
-            self._watch.again(subject, slot, value, span)
+            self._watch.note_repeated(subject, slot, value, span)
         seen.add(value)
 
     def _node(self, node: dict[str, Any], whole: Span) -> Term | None:

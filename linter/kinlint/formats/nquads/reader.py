@@ -37,23 +37,23 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
 
     graph = document_iri(source.name)
     layer = SourceLayer(graph, blanks)
-    layer.file(form.name, source.name, Span(0, len(source.text)))
+    layer.state_file(form.name, source.name, Span(0, len(source.text)))
     spans: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     for number, triple in enumerate(stated):
         line = lines[number] if exact else None
         value = Span(*line.span(3)) if line else Span(0, len(source.line(1)))
-        if doubles.lost(triple[2]):
-            layer.lost(triple[0], triple[2], value, doubles.TOO_LARGE)
+        if doubles.is_too_large(triple[2]):
+            layer.state_lost_value(triple[0], triple[2], value, doubles.TOO_LARGE)
         else:
             spans.setdefault(triple, value)
         if triple[0] not in nodes:
             subject = Span(*line.span(1)) if line else value
             nodes[triple[0]] = NodeSpans(Span(*line.span()) if line else value, subject)
         if line and line[4] and not line[4].startswith("_:"):
-            layer.graph(line[4], Span(*line.span(4)))
-    layer.described(nodes)
-    layer.uses_terms(terms(spans))
+            layer.state_graph(line[4], Span(*line.span(4)))
+    layer.state_described(nodes)
+    layer.state_terms(terms(spans))
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**nodes, **layer.nodes})

@@ -52,7 +52,9 @@ class _Nodes(Mapping[Term, NodeSpans]):
         return len(self.written) + len(self.added)
 
 
-def stated(document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()) -> Document:
+def with_statements(
+    document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()
+) -> Document:
     """Return *document* with the statements of *layer*, and *triples* that follow from its own."""
     if not layer.triples and not triples:
         return document
@@ -62,7 +64,7 @@ def stated(document: Document, layer: SourceLayer, triples: Sequence[Triple] = (
     return replace(document, statements=[*document.statements, *added], map=places)
 
 
-def place(document: Document, node: Term, ways: Iterable[Term], written: str) -> Span:
+def value_span(document: Document, node: Term, ways: Iterable[Term], written: str) -> Span:
     """Return the span of *written* as value of *node* by one of the properties *ways*.
 
     Else that of *node*.

@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import hypot
 
 from kinlint.formats.sdf.frames import Frames
-from kinlint.formats.sdf.rigid_transform import Vector, inverse, turned
+from kinlint.formats.sdf.rigid_transform import Vector, inverse, rotated
 from kinlint.formats.sdf.scopes import MODEL
-from kinlint.formats.sdf.sdf_elements import Element
+from kinlint.formats.sdf.sdf_elements import SdfElement
 
 AXES = ("axis", "axis2")
 JOINT_FRAME = (1, 5)
@@ -16,7 +16,7 @@ UPWARD: Vector = (0.0, 0.0, 1.0)
 """Direction of an axis without `xyz`, which is the default of SDF."""
 
 
-def direction(frames: Frames, joint: Element, axis: Element) -> Vector | None:
+def direction(frames: Frames, joint: SdfElement, axis: SdfElement) -> Vector | None:
     """The unit vector that *axis* says, as the frame of *joint* sees it; None if it says none."""
     xyz = axis.first("xyz")
     if xyz is None or len(xyz.numbers) != len("xyz"):
@@ -28,21 +28,21 @@ def direction(frames: Frames, joint: Element, axis: Element) -> Vector | None:
     name = xyz.attributes.get("expressed_in", "")
     if not name and not axis.truth("use_parent_model_frame") and not _old(joint):
         return x, y, z
-    seer = frames.named(name or MODEL, joint, xyz, "expressed_in")
-    seen = frames.place(seer) if seer is not None else None
-    place = frames.place(joint)
+    seer = frames.find(name or MODEL, joint, xyz, "expressed_in")
+    seen = frames.pose_in_world(seer) if seer is not None else None
+    place = frames.pose_in_world(joint)
     if seen is None or place is None:
         return None
-    return turned(inverse(place)[1], turned(seen[1], (x, y, z)))
+    return rotated(inverse(place)[1], rotated(seen[1], (x, y, z)))
 
 
-def _old(joint: Element) -> bool:
+def _old(joint: SdfElement) -> bool:
     return () < joint.version < JOINT_FRAME
 
 
-def in_world(frames: Frames, joint: Element, tag: str) -> Vector | None:
+def in_world(frames: Frames, joint: SdfElement, tag: str) -> Vector | None:
     """Return the axis of *joint* called *tag*, in the zero configuration and the world's frame."""
-    axis, place = joint.first(tag), frames.place(joint)
+    axis, place = joint.first(tag), frames.pose_in_world(joint)
     said = axis.first("xyz") if axis is not None else None
     own = direction(frames, joint, axis) if axis is not None and said is not None else UPWARD
-    return turned(place[1], own) if place is not None and own is not None else None
+    return rotated(place[1], own) if place is not None and own is not None else None

@@ -12,10 +12,10 @@ from typing import TypeAlias
 
 from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, Unknown
-from kinlint.formats.sdf.sdf_elements import Element
+from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.suggestion import nearest
 
-Found: TypeAlias = Element | None
+Found: TypeAlias = SdfElement | None
 """An element, or None for what is unknown."""
 
 
@@ -27,12 +27,12 @@ class Problem:
     """
 
     kind: str
-    owner: Element
-    carrier: Element
+    owner: SdfElement
+    carrier: SdfElement
     role: str
     written: str
     resembles: str | None = None
-    members: tuple[Element, ...] = ()
+    members: tuple[SdfElement, ...] = ()
 
 
 @dataclass
@@ -41,19 +41,24 @@ class Frames:
 
     scopes: Scopes
     problems: list[Problem] = field(default_factory=list)
-    _bases: dict[Element, Found] = field(default_factory=dict)
-    _bodies: dict[Element, Found] = field(default_factory=dict)
-    _places: dict[Element, Transform | None] = field(default_factory=dict)
-    _told: set[tuple[Element, str]] = field(default_factory=set)
+    _bases: dict[SdfElement, Found] = field(default_factory=dict)
+    _bodies: dict[SdfElement, Found] = field(default_factory=dict)
+    _places: dict[SdfElement, Transform | None] = field(default_factory=dict)
+    _told: set[tuple[SdfElement, str]] = field(default_factory=set)
 
-    def named(self, name: str, owner: Element, carrier: Element, role: str) -> Found:
+    def find(self, name: str, owner: SdfElement, carrier: SdfElement, role: str) -> Found:
         """Return the element that *owner* calls *name* in its scope."""
         return self._checked(self.scopes.find(name, owner), name, owner, carrier, role)
 
     def _checked(
-        self, found: Element | Unknown, name: str, owner: Element, carrier: Element, role: str
+        self,
+        found: SdfElement | Unknown,
+        name: str,
+        owner: SdfElement,
+        carrier: SdfElement,
+        role: str,
     ) -> Found:
-        if isinstance(found, Element):
+        if isinstance(found, SdfElement):
             return found
         if found.certain and (carrier, role) not in self._told:
             self._told.add((carrier, role))
@@ -63,19 +68,19 @@ class Frames:
 
     # Poses
 
-    def pose(self, element: Element) -> Element | None:
+    def pose(self, element: SdfElement) -> SdfElement | None:
         """The `pose` of *element*; that of an include counts instead of the model's own."""
         include = self.scopes.included.get(element)
         return (include.first("pose") if include else None) or element.first("pose")
 
-    def base(self, element: Element) -> Found:
+    def base(self, element: SdfElement) -> Found:
         """The frame that sees the pose of *element*: one in its scope, or a world."""
         if element not in self._bases:
             pose = self.pose(element)
             told = pose.attributes if pose else {}
             name = told.get("relative_to") or told.get("frame", "")
             if pose is not None and name:
-                self._bases[element] = self.named(name, element, pose, "relative_to")
+                self._bases[element] = self.find(name, element, pose, "relative_to")
             elif element.tag == "joint":
                 self._bases[element] = self.end(element, "child")
             elif element.tag == "frame" and element.attributes.get("attached_to"):
@@ -84,22 +89,22 @@ class Frames:
                 self._bases[element] = element.holder
         return self._bases[element]
 
-    def end(self, joint: Element, tag: str) -> Found:
+    def end(self, joint: SdfElement, tag: str) -> Found:
         """The frame that *joint* names as its parent or child."""
         said = joint.first(tag)
         name = said.text.strip() if said else ""
         if said is None or not name:
             return None
-        if name == WORLD and name not in self.scopes.around[joint].names:
+        if name == WORLD and name not in self.scopes.enclosing[joint].names:
             return self.scopes.outermost(joint)
-        return self.named(name, joint, said, tag)
+        return self.find(name, joint, said, tag)
 
-    def place(self, element: Element) -> Transform | None:
+    def pose_in_world(self, element: SdfElement) -> Transform | None:
         """Return the pose of *element* in its world, if it can be computed."""
-        path: dict[Element, None] = {}
+        path: dict[SdfElement, None] = {}
         at: Found = element
         while at is not None and at not in self._places:
-            if at not in self.scopes.around:
+            if at not in self.scopes.enclosing:
                 self._places[at] = IDENTITY
                 break
             if at in path:
@@ -116,30 +121,30 @@ class Frames:
             seen = self._places[each]
         return self._places[element]
 
-    def _own(self, element: Element) -> Transform | None:
+    def _own(self, element: SdfElement) -> Transform | None:
         """The pose of *element* as its base sees it."""
-        own = written(self.pose(element))
+        own = transform_of(self.pose(element))
         if own is None or element.tag != "model":
             return own
         inner = self._placed_by(element)
         return own if inner is None else composed(own, inverse(inner))
 
-    def _placement_frame(self, model: Element) -> tuple[str, Element]:
+    def _placement_frame(self, model: SdfElement) -> tuple[str, SdfElement]:
         include = self.scopes.included.get(model)
         told = include.first("placement_frame") if include else None
         if told is not None:
             return told.text.strip(), told
         return model.attributes.get("placement_frame", ""), model
 
-    def _placed_by(self, model: Element) -> Transform | None:
+    def _placed_by(self, model: SdfElement) -> Transform | None:
         """The pose, in *model*, of the frame that the pose of *model* is meant to place."""
         name, carrier = self._placement_frame(model)
         if not name:
             return None
         role = "placement_frame"
-        found = self._checked(self.scopes.inside(name, model), name, model, carrier, role)
+        found = self._checked(self.scopes.find_inside(name, model), name, model, carrier, role)
         at, pose, seen = found, IDENTITY, {model}
-        while at is not None and at not in seen and at in self.scopes.around:
+        while at is not None and at not in seen and at in self.scopes.enclosing:
             seen.add(at)
             own = self._own(at)
             if own is None:
@@ -150,12 +155,12 @@ class Frames:
 
     # Bodies
 
-    def body(self, element: Element) -> Found:
+    def body(self, element: SdfElement) -> Found:
         """The link that *element* is attached to, or a world."""
-        path: dict[Element, None] = {}
+        path: dict[SdfElement, None] = {}
         at: Found = element
         while at is not None and at not in self._bodies:
-            if at.tag == "link" or at not in self.scopes.around:
+            if at.tag == "link" or at not in self.scopes.enclosing:
                 self._bodies[at] = at
                 break
             if at in path:
@@ -169,7 +174,7 @@ class Frames:
             self._bodies.setdefault(each, found)
         return self._bodies[element]
 
-    def _carrier(self, element: Element) -> Found:
+    def _carrier(self, element: SdfElement) -> Found:
         """Return the element that *element* is attached to."""
         if element.tag == "joint":
             return self.end(element, "child")
@@ -177,16 +182,16 @@ class Frames:
             return self.canonical(element)
         return self._attached(element) if element.attributes.get("attached_to") else element.holder
 
-    def _attached(self, frame: Element) -> Found:
-        return self.named(frame.attributes["attached_to"], frame, frame, "attached_to")
+    def _attached(self, frame: SdfElement) -> Found:
+        return self.find(frame.attributes["attached_to"], frame, frame, "attached_to")
 
-    def canonical(self, model: Element) -> Found:
+    def canonical(self, model: SdfElement) -> Found:
         """The link, or the model, that the frame of *model* is attached to."""
         name = model.attributes.get("canonical_link", "")
         if name:
-            inside = self.scopes.inside(name, model)
+            inside = self.scopes.find_inside(name, model)
             return self._checked(inside, name, model, model, "canonical_link")
-        scope = self.scopes.of[model]
+        scope = self.scopes.own[model]
         own = model.first("link")
         every = [own] if own else [*scope.names.values()]
         links = (each for each in every if each.tag == "link" and each is not model)
@@ -196,7 +201,9 @@ class Frames:
     # Cycles
 
     def _circular(
-        self, cycle: list[Element], why: Callable[[Element], tuple[Element, str, str] | None]
+        self,
+        cycle: list[SdfElement],
+        why: Callable[[SdfElement], tuple[SdfElement, str, str] | None],
     ) -> None:
         """Note a cycle once, where it says so first."""
         order = sorted(cycle, key=lambda each: each.order)
@@ -211,7 +218,7 @@ class Frames:
                     self.problems.append(problem)
                 return
 
-    def _why_posed(self, element: Element) -> tuple[Element, str, str] | None:
+    def _why_posed(self, element: SdfElement) -> tuple[SdfElement, str, str] | None:
         pose = self.pose(element)
         if pose is not None:
             for name in ("relative_to", "frame"):
@@ -220,19 +227,19 @@ class Frames:
         return self._why_attached(element)
 
     @staticmethod
-    def _why_attached(element: Element) -> tuple[Element, str, str] | None:
+    def _why_attached(element: SdfElement) -> tuple[SdfElement, str, str] | None:
         if element.tag == "frame" and element.attributes.get("attached_to"):
             return element, "attached_to", element.attributes["attached_to"]
         child = element.first("child") if element.tag == "joint" else None
         return (child, "child", child.text.strip()) if child is not None else None
 
 
-def _from(first: Element, path: Iterable[Element]) -> list[Element]:
+def _from(first: SdfElement, path: Iterable[SdfElement]) -> list[SdfElement]:
     """The end of *path* that begins with *first*."""
     return list(dropwhile(lambda each: each is not first, path))
 
 
-def written(pose: Element | None) -> Transform | None:
+def transform_of(pose: SdfElement | None) -> Transform | None:
     """Return the transform of *pose*; a missing pose and an empty one are the identity."""
     if pose is None or not (pose.numbers or pose.text.strip()):
         return IDENTITY

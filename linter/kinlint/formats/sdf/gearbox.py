@@ -13,38 +13,38 @@ from typing import NamedTuple, TypeAlias
 from kinlint.formats.sdf.axis import in_world
 from kinlint.formats.sdf.frames import Frames
 from kinlint.formats.sdf.rigid_transform import Vector
-from kinlint.formats.sdf.sdf_elements import Element
+from kinlint.formats.sdf.sdf_elements import SdfElement
 
 HINGES = ("revolute", "continuous")
 ALIGNED = 1e-6
 """Tolerance of the scalar product of two unit vectors of the same direction."""
 
-Ends: TypeAlias = tuple[Element | None, Element | None]
+Ends: TypeAlias = tuple[SdfElement | None, SdfElement | None]
 
 
 class Gear(NamedTuple):
     """A gearbox: `follower` turns with `leader` if `sense` times minus the ratio is positive."""
 
-    gearbox: Element
-    leader: Element
-    follower: Element
+    gearbox: SdfElement
+    leader: SdfElement
+    follower: SdfElement
     sense: float
 
 
-def gears(frames: Frames, joints: Iterable[Element]) -> Iterator[Gear]:
+def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[Gear]:
     """Yield the couplings of gearboxes among *joints* whose axes two hinges turn about."""
     every = [*joints]
     boxes = [each for each in every if each.attributes.get("type") == "gearbox"]
     if not boxes:
         return
-    hinges: dict[frozenset[Element | None], Element] = {}
+    hinges: dict[frozenset[SdfElement | None], SdfElement] = {}
     for each in every:
         if each.attributes.get("type") in HINGES:
             hinges.setdefault(frozenset(_ends(frames, each)), each)
     for box in boxes:
         said = box.first("gearbox_reference_body")
         name = said.text.strip() if said else ""
-        held = frames.named(name, box, said, "gearbox_reference_body") if said and name else None
+        held = frames.find(name, box, said, "gearbox_reference_body") if said and name else None
         reference = frames.body(held) if held is not None else None
         parent, child = _ends(frames, box)
         leader = hinges.get(frozenset((reference, parent)))
@@ -59,13 +59,15 @@ def gears(frames: Frames, joints: Iterable[Element]) -> Iterator[Gear]:
             yield Gear(box, leader, follower, senses[0] * senses[1])
 
 
-def _ends(frames: Frames, joint: Element) -> Ends:
+def _ends(frames: Frames, joint: SdfElement) -> Ends:
     found = (frames.end(joint, tag) for tag in ("parent", "child"))
     parent, child = (frames.body(each) if each is not None else None for each in found)
     return parent, child
 
 
-def _sense(frames: Frames, box: Element, tag: str, hinge: Element, reference: Element) -> float:
+def _sense(
+    frames: Frames, box: SdfElement, tag: str, hinge: SdfElement, reference: SdfElement
+) -> float:
     """1 if *hinge* turns as the axis *tag* of *box* counts, -1 if the other way, else 0."""
     own, other = in_world(frames, box, tag), in_world(frames, hinge, "axis")
     if own is None or other is None:

@@ -30,7 +30,7 @@ class Graft:
     onto: Term
     start: int
 
-    def out(self, term: Term) -> Term:
+    def outer_name(self, term: Term) -> Term:
         """Return the name in the whole document of *term* of the included file."""
         if term.startswith(self._own):
             return f"{self.include[:-1]}/sdf{term[len(self._own) :]}"
@@ -38,7 +38,7 @@ class Graft:
             return f"{term}n{self.start}"
         return self.onto if term == self.document.graph else term
 
-    def back(self, term: Term) -> Term | None:
+    def inner_name(self, term: Term) -> Term | None:
         """Return the name in the included file of *term* of the whole; None if it is not in it."""
         if term == self.onto:
             return self.document.graph
@@ -62,29 +62,29 @@ class Graft:
         for subject, predicate, value in self.document.statements:
             if subject == self.document.graph:
                 if predicate == _ROOT:
-                    yield self.include, predicate, self.out(value)
+                    yield self.include, predicate, self.outer_name(value)
             elif predicate == _OFFSET:
                 moved = literal(str(int(literal_value(value)) + self.start), f"{XSD}integer")
-                yield self.out(subject), predicate, moved
+                yield self.outer_name(subject), predicate, moved
             else:
-                yield self.out(subject), predicate, self.out(value)
+                yield self.outer_name(subject), predicate, self.outer_name(value)
 
-    def original(self, triple: Triple) -> Triple | None:
+    def inner_triple(self, triple: Triple) -> Triple | None:
         """Return *triple* with the names of the included file."""
         subject, predicate, value = triple
         if predicate == _ROOT and subject == self.include:
-            inside = self.back(value)
+            inside = self.inner_name(value)
             return None if inside is None else (self.document.graph, predicate, inside)
-        own = self.back(subject)
+        own = self.inner_name(subject)
         if own is None or subject == value:
             return None
         if predicate == _OFFSET:
             offset = int(literal_value(value)) - self.start
             return own, predicate, literal(str(offset), f"{XSD}integer")
-        inside = self.back(value)
+        inside = self.inner_name(value)
         return None if inside is None else (own, predicate, inside)
 
-    def moved(self, span: Span) -> Span:
+    def outer_span(self, span: Span) -> Span:
         """Return *span* of the included file as a span of the whole."""
         return Span(span.start + self.start, span.end + self.start)
 
@@ -116,9 +116,9 @@ class _Joined(Mapping[K, V], Generic[K, V]):
 
 class _Triples(_Joined[Triple, Span]):
     def _in(self, graft: Graft, key: Triple) -> Span | None:
-        own = graft.original(key)
+        own = graft.inner_triple(key)
         span = graft.document.map.triples.get(own) if own else None
-        return graft.moved(span) if span else None
+        return graft.outer_span(span) if span else None
 
     def __iter__(self) -> Iterator[Triple]:
         yield from self.base
@@ -128,21 +128,21 @@ class _Triples(_Joined[Triple, Span]):
 
 class _Nodes(_Joined[Term, NodeSpans]):
     def _in(self, graft: Graft, key: Term) -> NodeSpans | None:
-        own = graft.back(key)
+        own = graft.inner_name(key)
         spans = graft.document.map.nodes.get(own) if own else None
         if spans is None:
             return None
-        name = graft.moved(spans.identifier) if spans.identifier else None
-        return NodeSpans(graft.moved(spans.whole), name)
+        name = graft.outer_span(spans.identifier) if spans.identifier else None
+        return NodeSpans(graft.outer_span(spans.whole), name)
 
     def __iter__(self) -> Iterator[Term]:
         yield from self.base
         for graft in self.grafts:
             own = graft.document.graph
-            yield from (graft.out(each) for each in graft.document.map.nodes if each != own)
+            yield from (graft.outer_name(each) for each in graft.document.map.nodes if each != own)
 
 
-def length(document: Document) -> int:
+def text_length(document: Document) -> int:
     """Return the upper limit of the spans of *document*."""
     if not document.pieces:
         return len(document.source.text)
@@ -150,16 +150,16 @@ def length(document: Document) -> int:
     return start + len(last.text)
 
 
-def grafted(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
+def with_includes(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
     """Return *document* with each of the documents *included* at the node of its include."""
     grafts: list[Graft] = []
     pieces: list[tuple[int, SourceText]] = list(document.pieces or [(0, document.source)])
-    end = length(document) + 1
+    end = text_length(document) + 1
     for include, each in included:
         grafts.append(Graft(each, include, document.graph, end))
         own = each.pieces or [(0, each.source)]
         pieces += [(end + start, text) for start, text in own]
-        end += length(each) + 1
+        end += text_length(each) + 1
     if not grafts:
         return document
     statements = [*document.statements]

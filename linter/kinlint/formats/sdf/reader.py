@@ -16,12 +16,12 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.dependencies.model_uri import Missing, locate
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.sdf.added_statements import place, stated
+from kinlint.formats.sdf.added_statements import value_span, with_statements
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Problem
-from kinlint.formats.sdf.included_statements import grafted
-from kinlint.formats.sdf.resolution import resolved
-from kinlint.formats.sdf.sdf_elements import Element, tree
+from kinlint.formats.sdf.included_statements import with_includes
+from kinlint.formats.sdf.resolution import resolve_names
+from kinlint.formats.sdf.sdf_elements import SdfElement, tree
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml import reader as xml
 from kinlint.terms import Triple, literal
@@ -50,7 +50,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     root = tree(whole.graph, whole.statements)
     if root is None:
         return whole
-    triples, problems = resolved(root, whole.statements)
+    triples, problems = resolve_names(root, whole.statements)
     return _with_names(whole, triples, problems)
 
 
@@ -83,11 +83,11 @@ class _Inclusion:
             if isinstance(included, Document):
                 found.append((include.node, included))
                 continue
-            span = place(document, uri.node, (src("text"),), uri.text)
+            span = value_span(document, uri.node, (src("text"),), uri.text)
             written, reason = literal(uri.text.strip()), literal(included.reason)
             details = ("node", include.node), ("written", written), ("reason", reason)
-            layer.about(kind, span, *details)
-        return grafted(stated(document, layer), found)
+            layer.add_node(kind, span, *details)
+        return with_includes(with_statements(document, layer), found)
 
     def _included(self, uri: str, chain: tuple[Path, ...]) -> tuple[str, Document | Missing]:
         unread = "UnresolvedInclude"
@@ -121,7 +121,7 @@ class _Inclusion:
         return text
 
 
-def _includes(root: Element) -> Iterator[Element]:
+def _includes(root: SdfElement) -> Iterator[SdfElement]:
     """The includes of all worlds and models below *root*."""
     pending = [root]
     while pending:
@@ -138,9 +138,9 @@ def _with_names(
     for problem in problems:
         carrier, role = problem.carrier.node, problem.role
         ways = (f"<{ATTRIBUTE}{role}>", src("text"), f"<{ATTRIBUTE}frame>")
-        node = layer.about(
+        node = layer.add_node(
             problem.kind,
-            place(document, carrier, ways, problem.written),
+            value_span(document, carrier, ways, problem.written),
             ("node", problem.owner.node),
             ("role", literal(role)),
             ("written", literal(problem.written)),
@@ -149,4 +149,4 @@ def _with_names(
         layer.triples[carrier, src("undefined"), node] = layer.nodes[node].best
         for member in problem.members:
             layer.triples[node, src("member"), member.node] = layer.nodes[node].best
-    return stated(document, layer, triples)
+    return with_statements(document, layer, triples)

@@ -12,11 +12,11 @@ from collections.abc import Iterator, Sequence
 from kinlint.formats.sdf import references
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
-from kinlint.formats.sdf.frames import Frames, Problem, written
+from kinlint.formats.sdf.frames import Frames, Problem, transform_of
 from kinlint.formats.sdf.gearbox import gears
 from kinlint.formats.sdf.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.scopes import FRAMES, Scopes
-from kinlint.formats.sdf.sdf_elements import Element
+from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src
 from kinlint.formats.xml.references import names
 from kinlint.formats.xml.schema import schema
@@ -26,39 +26,41 @@ ENTITIES = ("model", "actor", "light")
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
-def resolved(root: Element, statements: Sequence[Triple]) -> tuple[list[Triple], list[Problem]]:
+def resolve_names(
+    root: SdfElement, statements: Sequence[Triple]
+) -> tuple[list[Triple], list[Problem]]:
     """Return the triples and the problems that follow from *root* and all elements below it.
 
     The *statements* of the document have the names by which elements refer to others.
     """
     scopes = Scopes.below(root)
     resolution = _Resolution(root, scopes, Frames(scopes))
-    leading = references.resolved(names(statements, schema(SDF.name)), scopes)
+    leading = references.resolve_references(names(statements, schema(SDF.name)), scopes)
     triples = [*dict.fromkeys((*resolution.statements(), *leading))]
     return triples, resolution.frames.problems
 
 
 class _Resolution:
-    def __init__(self, root: Element, scopes: Scopes, frames: Frames) -> None:
+    def __init__(self, root: SdfElement, scopes: Scopes, frames: Frames) -> None:
         self.root = root
         self.scopes, self.frames = scopes, frames
         self.earth = f"{root.node[:-1]}/world>"
 
-    def node(self, element: Element) -> Term:
+    def node(self, element: SdfElement) -> Term:
         """Return the node of *element*; that of the world also for a file that describes none."""
         return self.earth if element.tag == "sdf" else element.node
 
     def statements(self) -> Iterator[Triple]:
         """Yield all derived triples."""
         yield from self._left_out()
-        for element, scope in self.scopes.around.items():
+        for element, scope in self.scopes.enclosing.items():
             yield element.node, src("scope"), self.node(scope.element)
-            self.frames.place(element)
+            self.frames.pose_in_world(element)
             base, body = self.frames.base(element), self.frames.body(element)
             if body is not None and element.tag in ("frame", "model"):
                 yield element.node, src("attachedTo"), self.node(body)
             if element.tag != "link" and (element.tag != "joint" or self._moved(element)):
-                yield from self._seen(element, body, base, self.frames.place(element))
+                yield from self._seen(element, body, base, self.frames.pose_in_world(element))
             if element.tag in ("link", "joint"):
                 yield from self._parts(element, body)
             if element.tag == "joint":
@@ -66,7 +68,7 @@ class _Resolution:
         yield from self._gears()
 
     def _gears(self) -> Iterator[Triple]:
-        joints = (each for each in self.scopes.around if each.tag == "joint")
+        joints = (each for each in self.scopes.enclosing if each.tag == "joint")
         for box, leader, follower, sense in gears(self.frames, joints):
             yield box.node, src("leader"), leader.node
             yield box.node, src("follower"), follower.node
@@ -84,7 +86,11 @@ class _Resolution:
                 yield each.node, src("leftOutFor"), entities[0].node
 
     def _seen(
-        self, element: Element, body: Element | None, base: Element | None, place: Transform | None
+        self,
+        element: SdfElement,
+        body: SdfElement | None,
+        base: SdfElement | None,
+        place: Transform | None,
     ) -> Iterator[Triple]:
         """Yield the pose of *element* on its *body*.
 
@@ -100,20 +106,20 @@ class _Resolution:
                 yield pose.node, src("relativeTo"), self.node(seer)
             else:
                 yield element.node, src("coincidesWith"), self.node(seer)
-        elif (on := self.frames.place(body)) is not None:
+        elif (on := self.frames.pose_in_world(body)) is not None:
             yield element.node, src("placedOn"), self.node(body)
             yield from _pose(element.node, "placed", between(on, place))
 
-    def _fixed(self, element: Element, seer: Element, body: Element) -> bool:
+    def _fixed(self, element: SdfElement, seer: SdfElement, body: SdfElement) -> bool:
         """Tell whether *element* and *seer*, in whose frame its pose is, are fixed to *body*."""
         return element.tag != "model" and self.frames.body(seer) is body
 
-    def _seat(self, element: Element) -> Element | None:
+    def _seat(self, element: SdfElement) -> SdfElement | None:
         """Return the element with the frame of *element*.
 
         A joint without a pose has that of its child.
         """
-        at: Element | None = element
+        at: SdfElement | None = element
         seen = set()
         while at is not None and at.tag == "joint" and not self._moved(at):
             if at in seen:
@@ -122,20 +128,20 @@ class _Resolution:
             at = self.frames.end(at, "child")
         return at
 
-    def _parts(self, element: Element, body: Element | None) -> Iterator[Triple]:
+    def _parts(self, element: SdfElement, body: SdfElement | None) -> Iterator[Triple]:
         """The poses of what is in a link or a joint."""
         for part in element.children:
             pose = part.first("pose") if part.tag not in (*FRAMES, "inertial") else None
             if pose is None:
                 continue
             name = pose.attributes.get("relative_to") or pose.attributes.get("frame", "")
-            seer = self.frames.named(name, element, pose, "relative_to") if name else element
-            seen, own = self.frames.place(seer) if seer else None, written(pose)
+            seer = self.frames.find(name, element, pose, "relative_to") if name else element
+            seen, own = self.frames.pose_in_world(seer) if seer else None, transform_of(pose)
             if pose.numbers and seen is not None and own is not None:
                 yield from self._seen(part, body, seer, composed(seen, own))
 
-    def _joint(self, joint: Element) -> Iterator[Triple]:
-        place = self.frames.place(joint)
+    def _joint(self, joint: SdfElement) -> Iterator[Triple]:
+        place = self.frames.pose_in_world(joint)
         seat = self._seat(joint)
         if seat is not None:
             yield joint.node, src("childFrame"), self.node(seat)
@@ -145,7 +151,7 @@ class _Resolution:
             if body is None:
                 continue
             yield joint.node, src(f"{tag}Body"), self.node(body)
-            on = self.frames.place(body)
+            on = self.frames.pose_in_world(body)
             if tag == "parent" and place is not None and on is not None:
                 yield from _pose(joint.node, tag, between(on, place))
         for axis in (each for each in joint.children if each.tag in AXES):
@@ -156,12 +162,12 @@ class _Resolution:
             mimic = axis.first("mimic")
             leader = mimic.attributes.get("joint", "") if mimic else ""
             if mimic is not None and leader:
-                found = self.frames.named(leader, joint, mimic, "joint")
+                found = self.frames.find(leader, joint, mimic, "joint")
                 if found is not None:
                     yield mimic.node, src("leader"), found.node
 
     @staticmethod
-    def _moved(joint: Element) -> bool:
+    def _moved(joint: SdfElement) -> bool:
         pose = joint.first("pose")
         return pose is not None and bool(pose.numbers)
 

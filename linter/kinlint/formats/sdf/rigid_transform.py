@@ -40,7 +40,7 @@ def _rotation(roll: float, pitch: float, yaw: float) -> Quaternion:
     )
 
 
-def turned(q: Quaternion, v: Vector) -> Vector:
+def rotated(q: Quaternion, v: Vector) -> Vector:
     """The vector *v* of a frame turned by *q*, as the frame that it is turned from sees it."""
     x, y, z, w = q
     tx, ty, tz = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
@@ -55,13 +55,13 @@ def inverse(a: Transform) -> Transform:
     """The pose of the second frame as the first sees it."""
     (px, py, pz), (x, y, z, w) = a
     back = (-x, -y, -z, w)
-    return turned(back, (-px, -py, -pz)), back
+    return rotated(back, (-px, -py, -pz)), back
 
 
 def composed(a: Transform, b: Transform) -> Transform:
     """The pose *b*, seen by a frame of the pose *a*, as seen by what sees *a*."""
     (px, py, pz), (ax, ay, az, aw) = a
-    (x, y, z), (bx, by, bz, bw) = turned(a[1], b[0]), b[1]
+    (x, y, z), (bx, by, bz, bw) = rotated(a[1], b[0]), b[1]
     return (px + x, py + y, pz + z), (
         aw * bx + ax * bw + ay * bz - az * by,
         aw * by - ax * bz + ay * bw + az * bx,

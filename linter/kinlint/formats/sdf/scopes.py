@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from kinlint.formats.sdf.sdf_elements import Element
+from kinlint.formats.sdf.sdf_elements import SdfElement
 
 FRAMES = ("link", "joint", "frame", "model")
 """The elements whose names stand for frames."""
@@ -15,16 +15,16 @@ SEPARATOR = "::"
 
 
 @dataclass(eq=False)
-class Scope:
+class SdfScope:
     """The names of one world or model, with those of models that are merged into it.
 
     `unread` are the names of what it includes from files that nobody could read; None among them
     is one whose name is in the file.
     """
 
-    element: Element
-    outer: Scope | None = None
-    names: dict[str, Element] = field(default_factory=dict)
+    element: SdfElement
+    outer: SdfScope | None = None
+    names: dict[str, SdfElement] = field(default_factory=dict)
     unread: set[str | None] = field(default_factory=set)
 
 
@@ -43,43 +43,43 @@ class Scopes:
     `included` is the `include` that a model comes from, and `models` are all models.
     """
 
-    world: Element
-    of: dict[Element, Scope] = field(default_factory=dict)
-    around: dict[Element, Scope] = field(default_factory=dict)
-    included: dict[Element, Element] = field(default_factory=dict)
-    models: list[Element] = field(default_factory=list)
+    world: SdfElement
+    own: dict[SdfElement, SdfScope] = field(default_factory=dict)
+    enclosing: dict[SdfElement, SdfScope] = field(default_factory=dict)
+    included: dict[SdfElement, SdfElement] = field(default_factory=dict)
+    models: list[SdfElement] = field(default_factory=list)
 
     @classmethod
-    def below(cls, root: Element) -> Scopes:
+    def below(cls, root: SdfElement) -> Scopes:
         """The scopes of a whole file; *root* stands for the world if it has none."""
         scopes = cls(root)
-        scopes._enter(root, Scope(root))
+        scopes._enter(root, SdfScope(root))
         for world in root.all("world"):
-            scopes._enter(world, Scope(world))
+            scopes._enter(world, SdfScope(world))
         return scopes
 
-    def _enter(self, element: Element, scope: Scope) -> None:
+    def _enter(self, element: SdfElement, scope: SdfScope) -> None:
         """Take in the names of *element* and of all models in it."""
         pending = [(element, scope)]
         while pending:
             at, inside = pending.pop()
-            self.of.setdefault(at, inside)
+            self.own.setdefault(at, inside)
             for child, name, merged in self._members(at, inside):
-                self.around[child] = inside
+                self.enclosing[child] = inside
                 if child.tag == "model":
                     self.models.append(child)
-                    pending.append((child, inside if merged else Scope(child, inside)))
+                    pending.append((child, inside if merged else SdfScope(child, inside)))
                 if not merged:
                     inside.names.setdefault(name, child)
 
-    def _members(self, at: Element, scope: Scope) -> Iterator[tuple[Element, str, bool]]:
+    def _members(self, at: SdfElement, scope: SdfScope) -> Iterator[tuple[SdfElement, str, bool]]:
         """The frames of *at*, what they are called, and whether they are merged into it."""
         for child in at.children:
             if child.tag in FRAMES:
                 yield child, child.name, False
             elif child.tag == "include":
                 merged = child.attributes.get("merge", "").lower() in ("true", "1")
-                name = child.said("name")
+                name = child.child_text("name")
                 file = child.first("sdf")
                 model = file.first("model") if file else None
                 if model is not None:
@@ -88,25 +88,25 @@ class Scopes:
                 elif file is None:
                     scope.unread.add(None if merged else name or None)
 
-    def find(self, name: str, user: Element) -> Element | Unknown:
+    def find(self, name: str, user: SdfElement) -> SdfElement | Unknown:
         """Return the element that *name* refers to where *user*, an element in a scope, uses it."""
-        scope = self.around[user]
+        scope = self.enclosing[user]
         if name == WORLD and name not in scope.names and scope.element.tag != "model":
             return scope.element
         return self._found(name, scope, user.holder or scope.element)
 
-    def outermost(self, user: Element) -> Element:
+    def outermost(self, user: SdfElement) -> SdfElement:
         """The world that *user* is in."""
-        scope = self.around[user]
+        scope = self.enclosing[user]
         while scope.outer is not None:
             scope = scope.outer
         return scope.element
 
-    def inside(self, name: str, model: Element) -> Element | Unknown:
+    def find_inside(self, name: str, model: SdfElement) -> SdfElement | Unknown:
         """Return the element that *name* refers to inside *model*."""
-        return self._found(name, self.of[model], model)
+        return self._found(name, self.own[model], model)
 
-    def _found(self, name: str, scope: Scope, home: Element) -> Element | Unknown:
+    def _found(self, name: str, scope: SdfScope, home: SdfElement) -> SdfElement | Unknown:
         while True:
             if name == MODEL and home.tag == "model":
                 return home
@@ -117,4 +117,4 @@ class Scopes:
             if not separator or model is None or model.tag != "model":
                 certain = None not in scope.unread and first not in scope.unread
                 return Unknown(certain, tuple(scope.names))
-            name, scope, home = rest, self.of[model], model
+            name, scope, home = rest, self.own[model], model

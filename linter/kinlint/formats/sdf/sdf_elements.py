@@ -12,7 +12,7 @@ _CHILD, _AT, _TEXT = f"<{SDF}", f"<{ATTRIBUTE}", f"<{SRC}text"
 
 
 @dataclass(eq=False, slots=True)
-class Element:
+class SdfElement:
     """An element: the node that stands for it, where it stands, and what it says.
 
     `numbers` are the components of its text, if that is a vector; `order` is how many elements
@@ -21,10 +21,10 @@ class Element:
 
     node: Term
     tag: str
-    parent: Element | None
+    parent: SdfElement | None
     order: int = 0
     attributes: dict[str, str] = field(default_factory=dict)
-    children: list[Element] = field(default_factory=list)
+    children: list[SdfElement] = field(default_factory=list)
     text: str = ""
     numbers: list[float] = field(default_factory=list)
 
@@ -33,25 +33,25 @@ class Element:
         """Return its name, or an empty text."""
         return self.attributes.get("name", "")
 
-    def all(self, tag: str) -> Iterator[Element]:
+    def all(self, tag: str) -> Iterator[SdfElement]:
         """The children with *tag*."""
         return (each for each in self.children if each.tag == tag)
 
-    def first(self, tag: str) -> Element | None:
+    def first(self, tag: str) -> SdfElement | None:
         """The first child with *tag*."""
         return next(self.all(tag), None)
 
-    def said(self, tag: str) -> str:
+    def child_text(self, tag: str) -> str:
         """The text of the first child with *tag*, or nothing."""
         found = self.first(tag)
         return found.text.strip() if found else ""
 
     def truth(self, tag: str) -> bool:
         """Tell whether the first child with *tag* is true."""
-        return self.said(tag).lower() in ("true", "1")
+        return self.child_text(tag).lower() in ("true", "1")
 
     @property
-    def holder(self) -> Element | None:
+    def holder(self) -> SdfElement | None:
         """The element that it stands in, whatever file that is in."""
         above = self.parent
         if above is not None and above.tag == "sdf" and above.parent is not None:
@@ -69,16 +69,18 @@ class Element:
         return tuple(int(part) for part in parts) if all(p.isdecimal() for p in parts) else ()
 
 
-def tree(document: Term, statements: Iterable[Triple]) -> Element | None:
+def tree(document: Term, statements: Iterable[Triple]) -> SdfElement | None:
     """The root element of what *statements* say of *document*, with all below it."""
-    top = Element(document, "", None)
+    top = SdfElement(document, "", None)
     known = {document: top}
     for subject, predicate, value in statements:
         element = known.get(subject)
         if element is None:
             continue
         if predicate.startswith(_CHILD) and is_iri(value):
-            child = known[value] = Element(value, predicate[len(_CHILD) : -1], element, len(known))
+            child = known[value] = SdfElement(
+                value, predicate[len(_CHILD) : -1], element, len(known)
+            )
             element.children.append(child)
         elif predicate.startswith(_AT):
             element.attributes.setdefault(predicate[len(_AT) : -1], literal_value(value))

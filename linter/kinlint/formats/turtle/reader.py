@@ -49,16 +49,16 @@ def _document(
     nodes: dict[Term, NodeSpans] = {}
     lists = {f"<{RDF}first>", f"<{RDF}rest>"}
     layer = SourceLayer(graph := document_iri(source.name), blanks)
-    layer.file(TURTLE.name, source.name, Span(0, len(source.text)))
+    layer.state_file(TURTLE.name, source.name, Span(0, len(source.text)))
     for subject, predicate, value, places in statements:
-        if doubles.lost(value):
-            layer.lost(subject, value, places[2], doubles.TOO_LARGE)
+        if doubles.is_too_large(value):
+            layer.state_lost_value(subject, value, places[2], doubles.TOO_LARGE)
         else:
             spans.setdefault((subject, predicate, value), places[2])
         if predicate not in lists and subject not in nodes:
             nodes[subject] = grammar.nodes.get(subject) or NodeSpans(places[0], places[0])
-    layer.described(nodes)
-    layer.uses_terms(terms(spans))
+    layer.state_described(nodes)
+    layer.state_terms(terms(spans))
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})

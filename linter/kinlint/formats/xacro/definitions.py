@@ -44,7 +44,7 @@ class Macro:
     inside: list[Element] = field(default_factory=list)
 
     @cached_property
-    def uses(self) -> frozenset[str]:
+    def used_names(self) -> frozenset[str]:
         """The names in what the body evaluates, and in its defaults, and the blocks it inserts."""
         return frozenset(_names_in(self.inside)) | frozenset(_names(self.defaults))
 
@@ -95,12 +95,12 @@ def _state_unused(
         reached.add(id(each))
         if each.is_open or not each.calls <= by_name.keys():
             return
-        uses |= each.uses
+        uses |= each.used_names
         waiting += [called for name in each.calls for called in by_name.get(name, ())]
     name = macro.element.getAttribute("name")
     for parameter, span in macro.parameters.items():
         if parameter.lstrip("*") not in uses:
-            layer.about(
+            layer.add_node(
                 "UnusedParameter",
                 at(macro.element.origin.source, span),
                 ("parameter", literal(parameter)),
@@ -112,9 +112,9 @@ def _state_unused(
 def _state_hidden(layer: SourceLayer, inner: Element, outer: Element, at: At) -> None:
     origin = outer.origin
     line = origin.source.position(origin.start).line
-    layer.about(
+    layer.add_node(
         "ShadowedProperty",
-        at(inner.origin.source, inner.place("name")),
+        at(inner.origin.source, inner.span_of("name")),
         ("property", literal(inner.getAttribute("name"))),
         ("outer", literal(f"{origin.source.name}:{line}")),
         ("node", layer.document),

@@ -196,7 +196,7 @@ class Element(Node):
             yield element
             waiting.extend(reversed(list(element.elements)))
 
-    def place(self, attribute: str | None = None) -> Span:
+    def span_of(self, attribute: str | None = None) -> Span:
         """Return the span of the value of *attribute*, or else of the tag."""
         spans = self.origin.attributes.get(attribute or "")
         return spans.value if spans else self.origin.tag

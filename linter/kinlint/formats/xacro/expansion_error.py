@@ -81,7 +81,7 @@ class Fault:
     name: str = ""
 
 
-def said(error: BaseException) -> str:
+def message(error: BaseException) -> str:
     """Return the message of *error*, in one line."""
     if isinstance(error, KeyError) and error.args:
         return f"there is no '{error.args[0]}'"
@@ -96,7 +96,7 @@ def said(error: BaseException) -> str:
     return text
 
 
-def fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
+def expansion_fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
     """Return the fault of *error*, which ended an expansion of *main*, with its place."""
     if isinstance(error, Malformed):
         end = min(error.offset + 1, len(error.source.text))
@@ -105,10 +105,10 @@ def fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
     calls = _calls(frames)
     if isinstance(error, RecursionError):
         return _endless(_calls(frames), watch, main)
-    source, span = _place(frames, watch, main, said(error))
+    source, span = _place(frames, watch, main, message(error))
     if calls and calls[-1] is _blamed(frames, watch):
         calls.pop()
-    reason = said(error) + _through(calls)
+    reason = message(error) + _through(calls)
     known = error if isinstance(error, Unknown | Failure) else Failure("")
     return Fault(reason, source, span, known.kind, known.name)
 
@@ -155,7 +155,7 @@ def _place(
 
 
 def _at(element: Element, attribute: str | None) -> tuple[SourceText, Span]:
-    return element.origin.source, element.place(attribute)
+    return element.origin.source, element.span_of(attribute)
 
 
 def _endless(calls: list[Element], watch: Watch, main: SourceText) -> Fault:

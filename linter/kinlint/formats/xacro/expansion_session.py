@@ -26,12 +26,12 @@ from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.formats.xacro import yaml_table
 from kinlint.formats.xacro.dom import Element, Text, Watch
 from kinlint.formats.xacro.expansion import Expansion, Remark
-from kinlint.formats.xacro.expansion_error import Failure, fault
+from kinlint.formats.xacro.expansion_error import Failure, expansion_fault
 from kinlint.formats.xacro.expansion_limits import Bounds, Refused, TooMuch
 from kinlint.formats.xacro.expression import Members, evaluate
 from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize
 from kinlint.formats.xacro.included_files import Pieces, table
-from kinlint.formats.xacro.kept_comments import inherit, removing
+from kinlint.formats.xacro.kept_comments import comment_remover, inherit
 from kinlint.formats.xacro.origin import Origin
 from kinlint.formats.xacro.substitution import Substitution
 from kinlint.formats.xacro.text_evaluation import Texts
@@ -79,7 +79,7 @@ class Session:
                 self._files[id(self.pieces.main)] = self._copy(result.parsed)
                 self._evaluate(result.parsed.root)
             except Exception as error:  # noqa: BLE001  whatever xacro raises is about the file
-                result.fault = fault(error, self._watch, self.pieces.main)
+                result.fault = expansion_fault(error, self._watch, self.pieces.main)
         return result
 
     def _evaluate(self, root: Element | None) -> None:
@@ -116,7 +116,7 @@ class Session:
             "message": self._remark,
             "parse": self._parse,
             "print_location": lambda: "",
-            "remove_previous_comments": removing(stop),
+            "remove_previous_comments": comment_remover(stop),
             "reqd_attrs": self._required,
             "substitution_args_context": {"arg": self._substitution.arguments},
             "verbosity": 0,
@@ -234,7 +234,7 @@ class Session:
             return
         message = " ".join(message.split())
         symbol = message.removeprefix(REDEFINED) if message.startswith(REDEFINED) else ""
-        span = element.place("name" if symbol else None)
+        span = element.span_of("name" if symbol else None)
         remark = Remark(message, element.origin.source, span, symbol)
         if remark not in self._remarks:
             self._remarks.append(remark)

@@ -89,7 +89,7 @@ def table(path: Path, near: Path) -> bytes:
     return contents(path, near, TABLE_SIZE)
 
 
-def place(name: str) -> Path:
+def file_path(name: str) -> Path:
     """Return the path of the file called *name*.
 
     That of standard input is in the working directory.

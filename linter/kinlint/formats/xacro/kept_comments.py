@@ -12,7 +12,7 @@ OURS = re.compile(r"\s*kinlint:")
 WHOLE_FILE = re.compile(r"\s*kinlint:\s*file-ignore\b")
 
 
-def removing(stop: Text) -> Callable[[Node], None]:
+def comment_remover(stop: Text) -> Callable[[Node], None]:
     """Return a function that removes the comments in front of a node, but not suppressions.
 
     It does so as xacro does, and puts *stop* behind the node, so that the next one loses none of

@@ -20,7 +20,7 @@ from kinlint.formats.xacro.expansion import Expansion
 from kinlint.formats.xacro.expansion_error import MALFORMED, Fault
 from kinlint.formats.xacro.expansion_session import Session
 from kinlint.formats.xacro.format import XACRO
-from kinlint.formats.xacro.included_files import Pieces, place
+from kinlint.formats.xacro.included_files import Pieces, file_path
 from kinlint.formats.xacro.source_mapping import Mapped, Places
 from kinlint.formats.xacro.xacro_parser import Parsed
 from kinlint.formats.xml.xml_recognition import sniff
@@ -42,7 +42,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     A file that does not expand, or only defines what others use, has only the latter.
     """
-    pieces = Pieces(source, place(source.name), options)
+    pieces = Pieces(source, file_path(source.name), options)
     packages = options.packages_of(source.name)
     session = Session(pieces, options.xacro_arguments_of(source.name), packages)
     expansion = session.expand()
@@ -56,12 +56,12 @@ def read(source: SourceText, options: ReadOptions) -> Document:
                 robot = registry.read(expanded, options)
             except SourceError as error:
                 span = written.span(_told(error, expanded))
-                layer.about("ExpansionFailure", span, ("reason", literal(error.cause)))
+                layer.add_node("ExpansionFailure", span, ("reason", literal(error.cause)))
             else:
                 triple = layer.document, src("format"), literal(XACRO.name)
                 layer.triples[triple] = Span(0, min(1, len(source.text)))
                 return _moved(robot, source, written, layer, pieces)
-    layer.file(XACRO.name, source.name, Span(0, len(source.text)))
+    layer.state_file(XACRO.name, source.name, Span(0, len(source.text)))
     places = SourceMap(layer.triples, layer.nodes)
     return Document(
         source, layer.document, tuple(layer.triples), places, pieces=pieces.listed, format=XACRO
@@ -92,7 +92,7 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
 
     for element, included in expansion.includes if expansion.fault is None else ():
         triple = graph, src("includes"), document_iri(included.name)
-        layer.triples.setdefault(triple, at(element.origin.source, element.place("filename")))
+        layer.triples.setdefault(triple, at(element.origin.source, element.span_of("filename")))
     if expansion.fault is not None:
         _state_fault(layer, expansion.fault, at)
     for remark in expansion.remarks:
@@ -100,7 +100,7 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
         if remark.symbol:
             kind, prop, value = "ShadowedSymbol", "symbol", remark.symbol
         span = at(remark.source, remark.span)
-        layer.about(kind, span, (prop, literal(value)), ("node", graph))
+        layer.add_node(kind, span, (prop, literal(value)), ("node", graph))
     state_definitions(layer, expansion.files, at)
     return layer
 
@@ -109,13 +109,13 @@ def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Spa
     node = ("node", layer.document)
     if fault.kind in UNKNOWN:
         kind, prop = UNKNOWN[fault.kind]
-        layer.about(kind, at(fault.source, fault.span), (prop, literal(fault.name)), node)
+        layer.add_node(kind, at(fault.source, fault.span), (prop, literal(fault.name)), node)
         return
     span, reason = at(fault.source, fault.span), ("reason", literal(fault.reason))
     if fault.kind == MALFORMED:
-        layer.about("MalformedText", span, reason, ("unread", TRUE), node)
+        layer.add_node("MalformedText", span, reason, ("unread", TRUE), node)
     else:
-        layer.about("ExpansionFailure", span, reason, node)
+        layer.add_node("ExpansionFailure", span, reason, node)
 
 
 def _moved(

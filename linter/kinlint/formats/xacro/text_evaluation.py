@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from kinlint.files.bounded_read import Unreadable
-from kinlint.formats.xacro.expansion_error import Failure, Malformed, said
+from kinlint.formats.xacro.expansion_error import Failure, Malformed, message
 from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
 from kinlint.formats.xacro.expression import evaluate
 from kinlint.formats.xacro.substitution import Unknown
@@ -77,7 +77,7 @@ class Texts:
                 raise
             except Exception as error:  # noqa: BLE001  of any kind
                 raise Failure(
-                    f"substitution '$({_short(inside)})' has no value: {said(error)}"
+                    f"substitution '$({_short(inside)})' has no value: {message(error)}"
                 ) from None
         return match[0][1:] if match["escape"] else match[0]
 
@@ -91,7 +91,7 @@ class Texts:
             raise Failure(str(error)) from None
         except Exception as error:  # noqa: BLE001  expressions fail in any way
             shown = _short(expression.strip())
-            raise Failure(f"expression '{shown}' has no value: {said(error)}") from None
+            raise Failure(f"expression '{shown}' has no value: {message(error)}") from None
 
     def _joined(self, results: list[str], places: list[tuple[int, int]]) -> Traced:
         result = Traced(self.bounds.text("".join(results)))

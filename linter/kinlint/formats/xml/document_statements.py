@@ -8,8 +8,8 @@ from itertools import islice
 
 from kinlint.addresses import namespaces
 from kinlint.formats.source_layer import SourceLayer, src
-from kinlint.formats.xml.expat_parsing import Parsed
-from kinlint.formats.xml.span_lookup import Places
+from kinlint.formats.xml.expat_parsing import ExpatResult
+from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.terms import XSD, Term, literal
 from kinlint.text import SourceText, Span
 
@@ -17,7 +17,10 @@ MOST_SCOPES = 50
 
 
 def describe(
-    layer: SourceLayer, scopes: Iterable[tuple[str, Iterable[str]]], root: Term, places: Places
+    layer: SourceLayer,
+    scopes: Iterable[tuple[str, Iterable[str]]],
+    root: Term,
+    places: ElementPlaces,
 ) -> None:
     """States the root and the namespaces of what is named in *scopes*, the first ones at least."""
     place = places.tag(0).name
@@ -28,17 +31,17 @@ def describe(
 
 
 def state_flaws(
-    layer: SourceLayer, source: SourceText, parsed: Parsed, nodes: Sequence[Term]
+    layer: SourceLayer, source: SourceText, parsed: ExpatResult, nodes: Sequence[Term]
 ) -> None:
     """States where *source* is not well-formed; of one that nobody can read, only what stops."""
     whole = ("node", layer.document)
     if parsed.fatal is not None:
         span, reason, _ = parsed.fatal
         unread = ("unread", literal("true", f"{XSD}boolean"))
-        layer.about("MalformedText", span, whole, ("reason", literal(reason)), unread)
+        layer.add_node("MalformedText", span, whole, ("reason", literal(reason)), unread)
         return
     for span, reason in source.misread:
-        layer.about("MalformedText", span, whole, ("reason", literal(reason)))
+        layer.add_node("MalformedText", span, whole, ("reason", literal(reason)))
     if not parsed.text.flaws:
         return
     starts = [parsed.offset(start) for start in parsed.elements.starts]
@@ -46,11 +49,11 @@ def state_flaws(
         number = bisect_right(starts, span.start) - 1
         node = ("node", nodes[number]) if number >= 0 else whole
         if attribute is None:
-            layer.about("MalformedText", span, node, ("reason", literal(reason)))
+            layer.add_node("MalformedText", span, node, ("reason", literal(reason)))
         else:
             tag = _tag(source, Span(starts[number], span.start))
             said = ("attribute", literal(attribute)), ("tag", literal(tag))
-            layer.about("RepeatedAttribute", span, node, *said)
+            layer.add_node("RepeatedAttribute", span, node, *said)
 
 
 def _tag(source: SourceText, span: Span) -> str:

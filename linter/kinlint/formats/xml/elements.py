@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from kinlint.addresses import child_address, repeated_address, root_of
 from kinlint.formats.xml.schema import ANY, ElementType, Schema
-from kinlint.formats.xml.schema_diagnostics import Remarks
+from kinlint.formats.xml.schema_diagnostics import Diagnostics
 from kinlint.formats.xml.value_reading import SPACE, Form, reading
 from kinlint.terms import XSD, Term, Triple, iri_value, literal
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
@@ -49,7 +49,7 @@ class Elements:
 
     def __init__(self, document: Term, schema: Schema) -> None:
         self.schema = schema
-        self.remarks = Remarks(schema)
+        self.remarks = Diagnostics(schema)
         self.statements: list[Triple] = []
         self.index: dict[Term, int] = {}
         self.starts: list[int] = []
@@ -133,7 +133,7 @@ class Elements:
                         add((node, slot.predicate, value))
                     elif value is None:
                         add((node, slot.predicate, literal(written)))
-                        remarks.malformed(number, tag, key, written, slot)
+                        remarks.note_malformed_value(number, tag, key, written, slot)
                     else:
                         components = slot.components(len(value))
                         for component, each in zip(components, value, strict=True):
@@ -143,11 +143,11 @@ class Elements:
                 self.scopes.append((address, type_.scope))
             before = first.setdefault(tag, number)
             if before != number and tag in outer.once:
-                remarks.repeated(number, holder, tag, before)
+                remarks.note_repeated(number, holder, tag, before)
             if type_ is ANY:
-                remarks.stranger(number, outer, tag, first)
+                remarks.note_unlisted_element(number, outer, tag, first)
             elif type_.checked or not number:
-                remarks.typed(number, type_, attributes)
+                remarks.check_element(number, type_, attributes)
             frames.append((address, node, type_, number, {}))
             if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
                 raise TooMuch(_excess(len(frames), address), starts[number])
@@ -169,7 +169,7 @@ class Elements:
                 if each not in first:
                     remarks.note("MissingElement", number, None, tag=each, parentTag=tag)
             if scopes and number in scopes:
-                remarks.leave(number)
+                remarks.leave_element(number)
             self.closed = number
 
         return end
@@ -178,14 +178,14 @@ class Elements:
         self, number: int, node: Term, type_: ElementType, key: str, attributes: Mapping[str, str]
     ) -> None:
         """States the one of *attributes* that is called *key*, which its element does not list."""
-        if not self.remarks.belongs(number, type_, key, attributes):
+        if not self.remarks.check_unlisted(number, type_, key, attributes):
             return
         written = attributes[key]
         value = _STRINGS[written]
         said = value if isinstance(value, str) else literal(written)
         self.statements.append((node, f"<{ATTRIBUTE}{key}>", said))
         if value is None:
-            self.remarks.unexpanded(number, key, written)
+            self.remarks.note_unexpanded(number, key, written)
 
     def _text(self, number: int, node: Term, type_: ElementType, tag: str, written: str) -> None:
         """States the text of an element."""
@@ -195,18 +195,18 @@ class Elements:
             if type_.open:
                 add((node, _TEXT, value if isinstance(value, str) else literal(written)))
             if value is None:
-                self.remarks.unexpanded(number, "", written)
+                self.remarks.note_unexpanded(number, "", written)
             elif not type_.open:
                 self.remarks.note("StrayText", number, "", written=written, tag=tag)
             return
         value = slot.reading[written]
         if value is None:
             add((node, _TEXT, literal(written)))
-            self.remarks.malformed(number, tag, "", written, slot)
+            self.remarks.note_malformed_value(number, tag, "", written, slot)
         elif isinstance(value, str):
             add((node, _TEXT, value))
             if type_.choices:
-                self.remarks.chosen(number, type_, "", written)
+                self.remarks.check_choice(number, type_, "", written)
         else:
             components = slot.components(len(value))
             self.statements.extend((node, c, v) for c, v in zip(components, value, strict=True))

@@ -11,10 +11,10 @@ from xml.parsers.expat import errors
 from kinlint.errors import SourceError
 from kinlint.formats.xml.byte_offsets import Offsets
 from kinlint.formats.xml.elements import Elements, TooMuch
-from kinlint.formats.xml.recovery import Mended, is_sound, mended
+from kinlint.formats.xml.recovery import RecoveredText, is_sound, recovered
 from kinlint.formats.xml.span_lookup import NAME
 from kinlint.formats.xml.suppression_comments import Comments
-from kinlint.formats.xml.syntax_error import Flaw
+from kinlint.formats.xml.syntax_error import SyntaxFlaw
 from kinlint.formats.xml.tag_scanner import DEFINITION, first_tag
 from kinlint.text import SourceText, Span
 
@@ -34,14 +34,14 @@ NO_ELEMENT, UNENDED, MISMATCH = (
 
 
 @dataclass(frozen=True, slots=True)
-class Parsed:
+class ExpatResult:
     """Result of expat, up to `fatal` if that says why reading stopped."""
 
     elements: Elements
     comments: Comments
     offset: Offsets
-    text: Mended
-    fatal: Flaw | None = None
+    text: RecoveredText
+    fatal: SyntaxFlaw | None = None
 
     @property
     def complete(self) -> bool:
@@ -49,7 +49,7 @@ class Parsed:
         return self.elements.closed == 0
 
 
-def parse(source: SourceText, fresh: Callable[[], Elements]) -> Parsed:
+def parse(source: SourceText, fresh: Callable[[], Elements]) -> ExpatResult:
     """Parse *source* into the elements that *fresh* makes.
 
     Raises SourceError, with line and column, for a document type definition and for what is larger
@@ -59,10 +59,10 @@ def parse(source: SourceText, fresh: Callable[[], Elements]) -> Parsed:
         raise SourceError(source.name, f"more than {MOST_CHARACTERS} characters")
     if DEFINITION in source.text:
         _refuse_definitions(source)
-    parsed = _parsed(source, Mended(source.text), fresh())
+    parsed = _parsed(source, RecoveredText(source.text), fresh())
     if parsed.fatal is None and is_sound(source.text):
         return parsed
-    text = mended(source.text)
+    text = recovered(source.text)
     if text.flaws:
         parsed = _parsed(source, text, fresh())
     if parsed.fatal is not None and parsed.complete:
@@ -72,12 +72,12 @@ def parse(source: SourceText, fresh: Callable[[], Elements]) -> Parsed:
         at = len(source.text) - len(rest)
         line = rest.splitlines()[0] if rest else ""
         root = source.text[slice(*_tag(source, parsed, 0))]
-        flaw = Flaw(Span(at, at + len(line.rstrip())), f"content after the end of <{root}>")
+        flaw = SyntaxFlaw(Span(at, at + len(line.rstrip())), f"content after the end of <{root}>")
         parsed = _parsed(source, text.cut(at, flaw), fresh())
     return parsed
 
 
-def _parsed(source: SourceText, text: Mended, elements: Elements) -> Parsed:
+def _parsed(source: SourceText, text: RecoveredText, elements: Elements) -> ExpatResult:
     offset, comments = Offsets(text.text, text.inserted), Comments(source)
     parser = expat.ParserCreate("utf-8")
     elements.listen(parser, text.stands_for)
@@ -90,8 +90,8 @@ def _parsed(source: SourceText, text: Mended, elements: Elements) -> Parsed:
         raise SourceError(source.name, str(error), place.line, place.column) from None
     except expat.ExpatError as error:
         at = offset(max(parser.ErrorByteIndex, 0))
-        fatal = _fatal(source, Parsed(elements, comments, offset, text), error.code, at)
-    return Parsed(elements, comments, offset, text, fatal)
+        fatal = _fatal(source, ExpatResult(elements, comments, offset, text), error.code, at)
+    return ExpatResult(elements, comments, offset, text, fatal)
 
 
 def _refuse_definitions(source: SourceText) -> None:
@@ -103,7 +103,7 @@ def _refuse_definitions(source: SourceText) -> None:
         raise SourceError(source.name, cause, place.line, place.column)
 
 
-def _fatal(source: SourceText, parsed: Parsed, code: int, at: int) -> Flaw:
+def _fatal(source: SourceText, parsed: ExpatResult, code: int, at: int) -> SyntaxFlaw:
     """Return the flaw that stopped expat at the character *at*."""
     frames = parsed.elements.frames
     number = frames[-1][3]
@@ -111,19 +111,19 @@ def _fatal(source: SourceText, parsed: Parsed, code: int, at: int) -> Flaw:
         at = source.text.rfind("</", 0, at + 2)
         end = source.text.find(">", at) + 1
         opened = source.text[slice(*_tag(source, parsed, number))]
-        return Flaw(Span(at, end), f"{source.text[at:end]} closes <{opened}>")
+        return SyntaxFlaw(Span(at, end), f"{source.text[at:end]} closes <{opened}>")
     if code == NO_ELEMENT and number >= 0:
         span = _tag(source, parsed, number)
-        return Flaw(span, f"<{source.text[slice(*span)]}> is never closed")
+        return SyntaxFlaw(span, f"<{source.text[slice(*span)]}> is never closed")
     if code == NO_ELEMENT:
-        return Flaw(Span(0, min(1, len(source.text))), "the file has no element")
+        return SyntaxFlaw(Span(0, min(1, len(source.text))), "the file has no element")
     span = Span(at, min(at + 1, len(source.text)))
     if code == UNENDED:
-        return Flaw(span, "what begins here never ends")
-    return Flaw(span, expat.ErrorString(code) or "a syntax error")
+        return SyntaxFlaw(span, "what begins here never ends")
+    return SyntaxFlaw(span, expat.ErrorString(code) or "a syntax error")
 
 
-def _tag(source: SourceText, parsed: Parsed, number: int) -> Span:
+def _tag(source: SourceText, parsed: ExpatResult, number: int) -> Span:
     """The name of an element."""
     start = parsed.offset(parsed.elements.starts[number]) + 1
     match = NAME.match(source.text, start)

@@ -11,7 +11,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.formats.xml.span_lookup import Places
+from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import Span
 from kinlint.vocabulary import ATTRIBUTE
@@ -25,7 +25,7 @@ DOUBLE = f"^^<{XSD}double>"
 
 
 def state_spacing(
-    layer: SourceLayer, places: Places, nodes: Sequence[Term], statements: Sequence[Triple]
+    layer: SourceLayer, places: ElementPlaces, nodes: Sequence[Term], statements: Sequence[Triple]
 ) -> None:
     """States each such value of an attribute that is a number, or several, by *statements*."""
     spaced = list(_spaced(places))
@@ -42,10 +42,10 @@ def state_spacing(
         for reason in _reasons(places.text[slice(*span)], vector=vector):
             details = ("attribute", key), ("tag", tag), ("reason", reason)
             terms = ((name, literal(each)) for name, each in details)
-            layer.about("UnreadSpace", span, ("node", nodes[number]), *terms)
+            layer.add_node("UnreadSpace", span, ("node", nodes[number]), *terms)
 
 
-def _spaced(places: Places) -> Iterator[tuple[int, str, Span]]:
+def _spaced(places: ElementPlaces) -> Iterator[tuple[int, str, Span]]:
     """The attributes with such values: the number of the element, the name, and the value."""
     starts: list[int] = []
     for match in SPACED.finditer(places.text):

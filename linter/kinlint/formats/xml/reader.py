@@ -18,9 +18,9 @@ from kinlint.formats.xml.document_statements import describe, state_flaws
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
 from kinlint.formats.xml.number_spacing import state_spacing
-from kinlint.formats.xml.references import names, resolved
+from kinlint.formats.xml.references import names, resolve_references
 from kinlint.formats.xml.schema import schema
-from kinlint.formats.xml.span_lookup import ElementSpans, Places, TripleSpans
+from kinlint.formats.xml.span_lookup import ElementPlaces, ElementSpans, TripleSpans
 from kinlint.text import SourceText, Span
 
 
@@ -42,9 +42,11 @@ def _read(source: SourceText, form: Format) -> Document:
     graph, table = document_iri(source.name), schema(form.name)
     parsed = parse(source, lambda: Elements(graph, table))
     elements = parsed.elements if parsed.fatal is None else Elements(graph, table)
-    places = Places(source.text, parsed.offset, elements.index, elements.starts, elements.ends)
+    places = ElementPlaces(
+        source.text, parsed.offset, elements.index, elements.starts, elements.ends
+    )
     layer = SourceLayer(graph, BlankNodes(source.name))
-    layer.file(form.name, source.name, Span(0, len(source.text)))
+    layer.state_file(form.name, source.name, Span(0, len(source.text)))
     nodes = list(elements.index)
     if nodes:
         describe(layer, elements.scopes, nodes[0], places)
@@ -54,7 +56,9 @@ def _read(source: SourceText, form: Format) -> Document:
         state_spacing(layer, places, nodes, elements.statements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
-    leading = dict(resolved(names(statements, table), table, elements.index) if table.flat else ())
+    leading = dict(
+        resolve_references(names(statements, table), table, elements.index) if table.flat else ()
+    )
     statements += leading
     statements += layer.triples
     spans = TripleSpans(places, statements, layer.triples, leading)

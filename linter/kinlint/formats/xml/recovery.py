@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
-from kinlint.formats.xml.syntax_error import Flaw
+from kinlint.formats.xml.syntax_error import SyntaxFlaw
 from kinlint.text import Span
 
 DECLARATION = re.compile(r"<\?[xX][mM][lL](?=[\s?])")
@@ -40,7 +40,7 @@ HIGHEST, LONGEST_CODE = 0x10FFFF, 8
 
 
 @dataclass(frozen=True, slots=True)
-class Mended:
+class RecoveredText:
     """A text as a parser gets it, and what was wrong with it.
 
     `inserted` are the characters that the original lacks. `stands_for` maps others to what they
@@ -48,16 +48,16 @@ class Mended:
     """
 
     text: str
-    flaws: Sequence[Flaw] = ()
+    flaws: Sequence[SyntaxFlaw] = ()
     inserted: Sequence[int] = ()
     stands_for: Mapping[int, str] | None = None
 
-    def cut(self, at: int, flaw: Flaw) -> Mended:
+    def cut(self, at: int, flaw: SyntaxFlaw) -> RecoveredText:
         """The same with nothing but space from the character *at* of the original on."""
         inserted = [each for count, each in enumerate(self.inserted) if each - count < at]
         at += len(inserted)
         text = self.text[:at] + " " * (len(self.text) - at)
-        return Mended(text, [*self.flaws, flaw], inserted, self.stands_for)
+        return RecoveredText(text, [*self.flaws, flaw], inserted, self.stands_for)
 
 
 class _Edit(NamedTuple):
@@ -75,17 +75,17 @@ def is_sound(text: str) -> bool:
     return not DECLARATION.match(text) or SOUND.match(text) is not None
 
 
-def mended(text: str) -> Mended:
+def recovered(text: str) -> RecoveredText:
     """Return *text* with all neutralised that may not stand where it does."""
     flaws = [
-        Flaw(Span(*match.span()), f"the character U+{ord(match[0][0]):04X}")
+        SyntaxFlaw(Span(*match.span()), f"the character U+{ord(match[0][0]):04X}")
         for match in CONTROL.finditer(text)
     ]
     if flaws:
         text = CONTROL.sub(lambda match: " " * len(match[0]), text)
     spare = [each for each in SPARE if each not in text][: len(MARKUP)]
     if len(spare) < len(MARKUP):
-        return Mended(text, flaws)
+        return RecoveredText(text, flaws)
     pieces, inserted, at, size = list[str](), list[int](), 0, 0
     for edit in _edits(text, dict(zip(MARKUP, spare, strict=True))):
         (start, end), new = edit.span, edit.new
@@ -96,11 +96,11 @@ def mended(text: str) -> Mended:
         size += len(new)
         at = end
         if edit.reason:
-            flaws.append(Flaw(edit.shown or edit.span, edit.reason, edit.attribute))
+            flaws.append(SyntaxFlaw(edit.shown or edit.span, edit.reason, edit.attribute))
     pieces.append(text[at:])
     flaws.sort(key=lambda flaw: flaw.span)
     stands_for = {ord(new): old for old, new in zip(MARKUP, spare, strict=True)}
-    return Mended("".join(pieces), flaws, inserted, stands_for)
+    return RecoveredText("".join(pieces), flaws, inserted, stands_for)
 
 
 def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:

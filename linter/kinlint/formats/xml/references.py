@@ -16,7 +16,7 @@ from kinlint.terms import Term, Triple, iri_value, is_literal, literal, literal_
 ROOTS = {each.namespace: each.roots for each in FORMATS}
 
 
-class Name(NamedTuple):
+class NameUse(NamedTuple):
     """At a `place`, a property of `element`, its `value` is the name of another one."""
 
     element: Term
@@ -31,7 +31,7 @@ class Name(NamedTuple):
         return "" if "$" in text else text
 
     @property
-    def says(self) -> bool:
+    def is_reference(self) -> bool:
         """Tell whether the element refers to something."""
         return bool(self.text) or (self.reference.required and literal_value(self.value) == "")
 
@@ -53,11 +53,11 @@ def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple,
             yield triple, type_
 
 
-def names(statements: Iterable[Triple], table: Schema) -> Iterator[Name]:
+def names(statements: Iterable[Triple], table: Schema) -> Iterator[NameUse]:
     """Yield the names by which elements refer to others, in *statements* that put parents first."""
     for (element, place, value), type_ in typed(statements, table):
         if (reference := type_.references.get(place)) is not None:
-            yield Name(element, place, value, reference)
+            yield NameUse(element, place, value, reference)
 
 
 def file_names(document: Document) -> Iterator[Triple]:
@@ -68,7 +68,7 @@ def file_names(document: Document) -> Iterator[Triple]:
                 yield triple
 
 
-def names_in(document: Document) -> Iterator[Name]:
+def names_in(document: Document) -> Iterator[NameUse]:
     """Yield the names by which elements of *document*, a tree, refer to others."""
     yield from names(document.statements, schema(document.format.lifted_as))
 
@@ -80,8 +80,8 @@ def properties(form: Format) -> frozenset[Term]:
     return frozenset(each.predicate for type_ in each_type for each in type_.references.values())
 
 
-def resolved(
-    found: Iterable[Name],
+def resolve_references(
+    found: Iterable[NameUse],
     table: Schema,
     known: Collection[Term],
     joined: tuple[Term, Collection[Term]] | None = None,
@@ -97,7 +97,7 @@ def resolved(
     for each in found:
         reference = each.reference
         foreign = any(space != table.namespace for space, _ in reference.targets)
-        if not each.says or foreign != (joined is not None):
+        if not each.is_reference or foreign != (joined is not None):
             continue
         target, tag, nodes = None, "", known
         for space, tag in reference.targets:
@@ -115,7 +115,7 @@ def resolved(
                 yield from ((gap, said) for gap in _dangling(each, tag, target))
 
 
-def _dangling(name: Name, tag: str, target: Term) -> Iterator[Triple]:
+def _dangling(name: NameUse, tag: str, target: Term) -> Iterator[Triple]:
     """Yield that there is no *target* with *tag*, which an element refers to by *name*."""
     gap = f"{name.element[:-1]};{iri_value(name.reference.predicate).rpartition('#')[2]}>"
     yield name.element, src("dangling"), gap

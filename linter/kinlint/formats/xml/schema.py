@@ -31,7 +31,7 @@ class Slot:
     _components: list[Term] = field(default_factory=list)
 
     @classmethod
-    def of(cls, iri_: str, form: Form) -> Slot:
+    def from_iri(cls, iri_: str, form: Form) -> Slot:
         """The slot whose property is *iri_*."""
         return cls(iri(iri_), reading(form), iri_)
 
@@ -228,11 +228,13 @@ class _Tables:
             tag,
             iri(self.namespace + tag),
             {
-                name: Slot.of(ATTRIBUTE + name, Form(tuple(each), infinite))
+                name: Slot.from_iri(ATTRIBUTE + name, Form(tuple(each), infinite))
                 for name, each in kinds.items()
             },
             required=tuple(said.get("required", ())),
-            content=Slot.of(f"{SRC}text", Form(tuple(content), infinite)) if content else None,
+            content=Slot.from_iri(f"{SRC}text", Form(tuple(content), infinite))
+            if content
+            else None,
             files=frozenset(map(_place, said.get("file", ()))),
             scope=tuple(each.rpartition("#")[2] for each in said.get("scope", ())),
             choices={name: tuple(words) for name, words in choices.items()},

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml.schema import ElementType, Lifetime, Schema, Slot, version
-from kinlint.formats.xml.span_lookup import Places
+from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.formats.xml.value_reading import UNEXPANDED
 from kinlint.suggestion import nearest
 from kinlint.terms import XSD, Term, iri, literal
@@ -27,7 +27,7 @@ ABOUT_NAMES = {"UndeclaredAttribute", "UndeclaredPrefix", "LaterFeature", "Earli
 MOST_PLACES = 3
 
 
-class Note(NamedTuple):
+class Diagnostic(NamedTuple):
     """Something to state of an element, at an attribute, at its text ("") or at its tag (None)."""
 
     kind: str
@@ -37,11 +37,11 @@ class Note(NamedTuple):
 
 
 @dataclass
-class Remarks:
+class Diagnostics:
     """Diagnostics so far. `scopes` are the prefixes that open elements declare."""
 
     schema: Schema
-    notes: list[Note] = field(default_factory=list)
+    notes: list[Diagnostic] = field(default_factory=list)
     scopes: dict[int, list[str]] = field(default_factory=dict)
     _declared: dict[str, int] = field(default_factory=dict)
     _undeclared: set[str] = field(default_factory=set)
@@ -53,9 +53,9 @@ class Remarks:
         self, kind: str, number: int, place: str | None, **details: str | int | bool | None
     ) -> None:
         """Keep a note for `state`."""
-        self.notes.append(Note(kind, number, place, details))
+        self.notes.append(Diagnostic(kind, number, place, details))
 
-    def belongs(
+    def check_unlisted(
         self, number: int, type_: ElementType, key: str, attributes: Mapping[str, str]
     ) -> bool:
         """Tell whether the unlisted attribute *key* has a meaning; if not, it declares a prefix."""
@@ -65,7 +65,7 @@ class Remarks:
             self._declared[name] = self._declared.get(name, 0) + 1
             return False
         if colon:
-            self.uses(number, key, prefix)
+            self.check_prefix(number, key, prefix)
         elif not type_.open:
             free = [each for each in type_.attributes if each not in attributes]
             resembles = self._nearest(key, free)
@@ -79,23 +79,25 @@ class Remarks:
             )
         return True
 
-    def uses(self, number: int, place: str | None, prefix: str) -> None:
+    def check_prefix(self, number: int, place: str | None, prefix: str) -> None:
         """A name with *prefix* is used; the first of each that nobody declares is noted."""
         if prefix == "xml" or prefix in self._undeclared or self._declared.get(prefix):
             return
         self._undeclared.add(prefix)
         self.note("UndeclaredPrefix", number, place, prefix=prefix)
 
-    def leave(self, number: int) -> None:
+    def leave_element(self, number: int) -> None:
         """The element *number* ends, and with it what its prefixes stand for."""
         for prefix in self.scopes.pop(number, ()):
             self._declared[prefix] -= 1
 
-    def stranger(self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]) -> None:
+    def note_unlisted_element(
+        self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]
+    ) -> None:
         """An element that *outer* does not list; *first* are the tags that were there."""
         prefix, colon, _ = tag.partition(":")
         if colon:
-            self.uses(number, None, prefix)
+            self.check_prefix(number, None, prefix)
             if prefix == "xacro":
                 self.note("Unexpanded", number, None, written=f"<{tag}>")
         elif not outer.open:
@@ -113,7 +115,7 @@ class Remarks:
                     tag=tag, parentTag=outer.tag or None, resembles=resembles,
                 )  # fmt: skip
 
-    def typed(self, number: int, type_: ElementType, attributes: Mapping[str, str]) -> None:
+    def check_element(self, number: int, type_: ElementType, attributes: Mapping[str, str]) -> None:
         """An element of the format: what it lacks, and what its version does not have."""
         if not number:
             self._version = attributes.get("version", self.schema.version)
@@ -122,7 +124,7 @@ class Remarks:
                 self.note("MissingAttribute", number, None, attribute=name, tag=type_.tag)
         for name in type_.choices:
             if name in attributes:
-                self.chosen(number, type_, name, attributes[name])
+                self.check_choice(number, type_, name, attributes[name])
         if not type_.dated:
             return
         if type_.lifetime is not None:
@@ -131,7 +133,7 @@ class Remarks:
             if name in attributes:
                 self._dated(number, name, type_, name, lifetime)
 
-    def chosen(self, number: int, type_: ElementType, key: str, written: str) -> None:
+    def check_choice(self, number: int, type_: ElementType, key: str, written: str) -> None:
         """A value of what has only a few; *key* is empty for text."""
         known = type_.choices[key]
         if written not in known and "$" not in written:
@@ -155,10 +157,12 @@ class Remarks:
         elif until is not None and declared > until:
             self.note("EarlierFeature", number, place, until=life.until, **said)
 
-    def malformed(self, number: int, tag: str, key: str, written: str, slot: Slot) -> None:
+    def note_malformed_value(
+        self, number: int, tag: str, key: str, written: str, slot: Slot
+    ) -> None:
         """A value that is not what *slot* takes; *key* is empty for text."""
         if UNEXPANDED.search(written):
-            self.unexpanded(number, key, written)
+            self.note_unexpanded(number, key, written)
             return
         expected = slot.reading.expected
         self.note(
@@ -167,11 +171,11 @@ class Remarks:
             reason=slot.reading.reason(written),
         )  # fmt: skip
 
-    def unexpanded(self, number: int, key: str, written: str) -> None:
+    def note_unexpanded(self, number: int, key: str, written: str) -> None:
         """An expression of xacro in a value; *key* is empty for text."""
         self.note("Unexpanded", number, key, written=written)
 
-    def repeated(self, number: int, holder: int, tag: str, before: int) -> None:
+    def note_repeated(self, number: int, holder: int, tag: str, before: int) -> None:
         """Note a further element where the format takes one; *before* is the first."""
         order = self._orders[holder, tag] = self._orders.get((holder, tag), 1) + 1
         self.note("RepeatedElement", number, None, tag=tag, ordinal=order, first=before)
@@ -185,7 +189,7 @@ class Remarks:
             self._alike[key] = nearest(word, known)
         return self._alike[key]
 
-    def state(self, layer: SourceLayer, places: Places, nodes: list[Term]) -> None:
+    def state(self, layer: SourceLayer, places: ElementPlaces, nodes: list[Term]) -> None:
         """Put all that was noted into *layer*; *nodes* are the elements by their number."""
         for kind, number, place, details in self.notes:
             said = dict(details)
@@ -196,10 +200,12 @@ class Remarks:
             terms = [(name, _term(value)) for name, value in said.items()]
             if kind == "UnknownChoice":
                 terms.append(("property", iri(ATTRIBUTE + place) if place else src("text")))
-            layer.about(kind, _span(places, kind, number, place), ("node", nodes[number]), *terms)
+            layer.add_node(
+                kind, _span(places, kind, number, place), ("node", nodes[number]), *terms
+            )
 
 
-def _span(places: Places, kind: str, number: int, place: str | None) -> Span:
+def _span(places: ElementPlaces, kind: str, number: int, place: str | None) -> Span:
     tag = places.tag(number)
     if place is None:
         return tag.name
@@ -216,7 +222,7 @@ def _listed(tags: Sequence[str]) -> str:
     return f"{', '.join(most)} or {last}" if most else last
 
 
-def _content(places: Places, number: int) -> list[str]:
+def _content(places: ElementPlaces, number: int) -> list[str]:
     """An element as it is written, but for space."""
     return places.text[slice(*places.whole(number))].split()
 

@@ -41,7 +41,7 @@ class Tag(NamedTuple):
     end: int
 
 
-class Places:
+class ElementPlaces:
     """The elements of a text: `index` numbers them, `starts` and `ends` are offsets in bytes.
 
     An end is where the second tag of an element begins, if it has two.
@@ -99,15 +99,15 @@ class Places:
             elif markup[0][1] not in "!?":
                 depth += -1 if markup[0][1] == "/" else markup[0][-2] != "/"
         found.append(Span(at, end))
-        return [span for each in found if (span := self.bare(each)).end > span.start]
+        return [span for each in found if (span := self.stripped(each)).end > span.start]
 
-    def bare(self, span: Span) -> Span:
+    def stripped(self, span: Span) -> Span:
         """Return *span* without the space at its ends."""
         raw = self.text[span.start : span.end]
         start = span.start + len(raw) - len(raw.lstrip(SPACE))
         return Span(start, max(start, span.end - len(raw) + len(raw.rstrip(SPACE))))
 
-    def said(self, node: Term, predicate: Term, value: Term) -> Span:
+    def value_span(self, node: Term, predicate: Term, value: Term) -> Span:
         """Return the span of *value* of an element: in an attribute, in its text, or as a child."""
         child = self.index.get(value)
         if child is not None:
@@ -119,7 +119,7 @@ class Places:
             span = attributes.get(name)
             if span is not None:
                 exact = value[-1] == '"'
-                return span if exact else self.bare(span)
+                return span if exact else self.stripped(span)
             part = COMPONENT.fullmatch(name)
             if part and part[1] in attributes:
                 return self._component([attributes[part[1]]], int(part[2]))
@@ -158,7 +158,7 @@ class TripleSpans(Mapping[Triple, Span]):
 
     def __init__(
         self,
-        places: Places,
+        places: ElementPlaces,
         statements: list[Triple],
         given: dict[Triple, Span],
         derived: Mapping[Triple, Triple],
@@ -176,7 +176,7 @@ class TripleSpans(Mapping[Triple, Span]):
             return given
         if triple not in self._known:
             raise KeyError(triple)
-        return self._places.said(*self._derived.get(triple, triple))
+        return self._places.value_span(*self._derived.get(triple, triple))
 
     def __contains__(self, triple: Any) -> bool:
         return triple in self._known
@@ -191,7 +191,7 @@ class TripleSpans(Mapping[Triple, Span]):
 class ElementSpans(Mapping[Term, NodeSpans]):
     """The spans of elements, by looking, and of other nodes, as given."""
 
-    def __init__(self, places: Places, given: dict[Term, NodeSpans]) -> None:
+    def __init__(self, places: ElementPlaces, given: dict[Term, NodeSpans]) -> None:
         self._places, self._given = places, given
 
     def __getitem__(self, node: Term) -> NodeSpans:

@@ -87,7 +87,7 @@ class Comments:
 
 def _state(match: re.Match[str], layer: SourceLayer, covered: Term | None) -> None:
     """States the directive *match* of the node *covered*; of a file it needs none."""
-    note = layer.about("Comment", Span(*match.span()), ("node", covered))
+    note = layer.add_node("Comment", Span(*match.span()), ("node", covered))
     place = Span(*match.span())
     target = layer.document if match[1] else covered or note
     layer.triples[target, iri(f"{KL}ignore"), note] = place

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from kinlint.text import Span
 
 
-class Flaw(NamedTuple):
+class SyntaxFlaw(NamedTuple):
     """Syntax error at *span*; *attribute* is the name of one given twice."""
 
     span: Span

@@ -57,7 +57,7 @@ def sniff(text: str, name: str = "") -> Format | None:
     return sharing[0] if sharing else None if tag in OTHERS else hint
 
 
-def unread(text: str) -> str | None:
+def unsupported_kind(text: str) -> str | None:
     """Return the kind of XML of *text*, if it describes a robot but is not supported yet."""
     found = root(text)
     return OTHERS.get(found[0]) if found else None

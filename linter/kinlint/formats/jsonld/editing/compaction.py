@@ -91,7 +91,7 @@ class Compaction:
         found = [
             member
             for key, item in zip(keys, items, strict=True)
-            if (member := self.under(scope, key, prop, [item], agrees)) is not None
+            if (member := self.member_for_key(scope, key, prop, [item], agrees)) is not None
         ]
         if not found:
             raise Unsayable(f"no term for {prop} under the contexts of the file")
@@ -99,7 +99,7 @@ class Compaction:
         best = max(found, key=lambda each: (not isinstance(each.value, dict), each.key in terms))
         return best._replace(key=self._prefixed(scope, prop)) if best.key == prop else best
 
-    def under(  # noqa: PLR0913
+    def member_for_key(  # noqa: PLR0913
         self, scope: Scope, key: str, prop: str, items: list[Item],
         agrees: Callable[[Item], bool], *, listed: bool = False,
     ) -> Member | None:  # fmt: skip
@@ -126,7 +126,7 @@ class Compaction:
         container = self._processor.get_context_value(scope.keys, key, "@container") or ()
         return not _MAPS.isdisjoint(container)
 
-    def says(
+    def has_value(
         self, scope: Scope, key: str, prop: str, value: Any, agrees: Callable[[Item], bool]
     ) -> bool:
         """Tell whether *value* under *key* expands to one item that *agrees* accepts."""

@@ -84,7 +84,7 @@ class Changes:
             edits += layout.contained(touched.container, touched.gone, touched.new)
         for span, value in self._tokens.items():
             indent, used = layout.line(span.start)
-            edits.append(Edit(span, self.style.written(value, indent, used=used)))
+            edits.append(Edit(span, self.style.serialized(value, indent, used=used)))
         return [edit for edit in _joined(edits) if self.text[slice(*edit.span)] != edit.text]
 
     def _empty(self) -> None:

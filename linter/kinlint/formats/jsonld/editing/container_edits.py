@@ -85,7 +85,7 @@ class Layout:
 
     def _exchanged(self, old: Child, piece: Piece) -> list[Edit]:
         indent, used = self.line(old.value.start)
-        value = self.style.written(piece.value, indent, used=used)
+        value = self.style.serialized(piece.value, indent, used=used)
         edits = []
         if old.key is not None and piece.key is not None and piece.key != old.key:
             edits.append(Edit(old.key.span, self.style.text(piece.key)))
@@ -114,7 +114,7 @@ class Layout:
             value = [piece.value for piece in pieces]
         indent, used = self.line(container.start)
         flat = False if container is self.root and self.style.newline else None
-        text = self.style.written(value, indent, used=used, flat=flat)
+        text = self.style.serialized(value, indent, used=used, flat=flat)
         return Edit(Span(container.start, container.end), text)
 
     def _inserted(
@@ -142,7 +142,7 @@ class Layout:
         flat = None
         if isinstance(container, Array) and isinstance(piece.value, dict):
             flat = None if self._has_flat(container) else False
-        return name + style.written(piece.value, indent, used=len(name) + 1, flat=flat)
+        return name + style.serialized(piece.value, indent, used=len(name) + 1, flat=flat)
 
     def _colon(self, container: Object | Array) -> str:
         first = children(container)[0]

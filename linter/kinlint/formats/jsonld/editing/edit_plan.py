@@ -15,7 +15,7 @@ from kinlint.formats.jsonld.editing.new_values import Values
 from kinlint.formats.jsonld.editing.style import Style
 from kinlint.formats.jsonld.editing.target_triples import Goal
 from kinlint.formats.jsonld.editing.tracing import Scope
-from kinlint.formats.jsonld.editing.triple_places import Place, Places
+from kinlint.formats.jsonld.editing.triple_places import Place, TriplePlaces
 from kinlint.terms import Term, Triple
 from kinlint.text import Span
 
@@ -24,7 +24,12 @@ class Plan(Goal):
     """The changes of one text that say one delta."""
 
     def __init__(
-        self, document: Document, places: Places, style: Style, compaction: Compaction, delta: Delta
+        self,
+        document: Document,
+        places: TriplePlaces,
+        style: Style,
+        compaction: Compaction,
+        delta: Delta,
     ) -> None:
         super().__init__(places, delta)
         self.document = document

@@ -22,7 +22,7 @@ from kinlint.formats.jsonld.editing.compaction import Compaction
 from kinlint.formats.jsonld.editing.edit_plan import Plan
 from kinlint.formats.jsonld.editing.style import Style, style
 from kinlint.formats.jsonld.editing.tracing import Scope, trace
-from kinlint.formats.jsonld.editing.triple_places import Places
+from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
@@ -36,8 +36,8 @@ class Editor:
         self._options = options
 
     @cached_property
-    def _places(self) -> Places:
-        return Places(trace(self._document.source, self._options))
+    def _places(self) -> TriplePlaces:
+        return TriplePlaces(trace(self._document.source, self._options))
 
     @cached_property
     def _style(self) -> Style:

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.text_path import children
-from kinlint.formats.jsonld.editing.triple_places import Places
+from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 
 _SIBLINGS = 500
 
 
-def number_before(places: Places, owner: Object, key: str) -> int:
+def number_before(places: TriplePlaces, owner: Object, key: str) -> int:
     """The number of the child of *owner* after which *key* belongs, -1 if it comes first."""
     names = [str(child.key) for child in children(owner)]
     meanings = [name if name == "@context" else places.meaning(owner, name) for name in names]
@@ -34,7 +34,7 @@ def number_before(places: Places, owner: Object, key: str) -> int:
     return len(names) - 1
 
 
-def _siblings(places: Places, owner: Object) -> Iterator[Object]:
+def _siblings(places: TriplePlaces, owner: Object) -> Iterator[Object]:
     """Objects in the same array, those with the same types first."""
     seat = places.tree.seat(owner)
     if seat is None or not isinstance(seat.holder, Array):

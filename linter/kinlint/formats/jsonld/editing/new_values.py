@@ -13,7 +13,7 @@ from kinlint.formats.jsonld.editing.style import Verbatim
 from kinlint.formats.jsonld.editing.target_triples import Goal
 from kinlint.formats.jsonld.editing.text_path import Seat
 from kinlint.formats.jsonld.editing.tracing import Scope
-from kinlint.formats.jsonld.editing.value_objects import Item, literal_items, says
+from kinlint.formats.jsonld.editing.value_objects import Item, is_form_of, literal_items
 from kinlint.terms import RDF_TYPE, Term, iri_value, is_blank, is_iri, is_literal
 from kinlint.text import SourceText
 
@@ -44,10 +44,10 @@ class Values:
             return Member(key, self._embedded(scope.keys, key, term))
         items = self._items(term, old)
         if key is not None:
-            return self._compaction.under(scope, key, prop, items, partial(self._is, term))
+            return self._compaction.member_for_key(scope, key, prop, items, partial(self._is, term))
         return self._compaction.member(scope, prop, items, partial(self._is, term))
 
-    def inside(self, scope: Scope, prop: str, term: Term, key: str, content: Seat) -> Any:
+    def inner_value(self, scope: Scope, prop: str, term: Term, key: str, content: Seat) -> Any:
         """The JSON to put at *content*, the `@value` or `@id` of an object that *key* has.
 
         None if *term* cannot be written by that alone.
@@ -62,7 +62,7 @@ class Values:
             if named:
                 inner = self._compaction.identifier(scope.keys, item["@id"])
             whole = {**around, str(content.at): inner}
-            if self._compaction.says(scope, key, prop, whole, partial(self._is, term)):
+            if self._compaction.has_value(scope, key, prop, whole, partial(self._is, term)):
                 return inner
         return None
 
@@ -73,7 +73,7 @@ class Values:
         """
         items = self._items(term, old)
         how = partial(self._is, term)
-        member = self._compaction.under(scope, key, prop, items, how, listed=True)
+        member = self._compaction.member_for_key(scope, key, prop, items, how, listed=True)
         if member is None:
             raise Unsayable(f"the key '{key}' cannot hold the value")
         return member.value
@@ -154,7 +154,7 @@ class Values:
     def _is(self, term: Term, item: Item) -> bool:
         """Tell whether the expanded *item* means *term*."""
         if is_literal(term):
-            return "@value" in item and says(item, term)
+            return "@value" in item and is_form_of(item, term)
         if self._goal.is_list(term):
             values = [value for _, value in self._goal.sequence(term)]
             found = item.get("@list")

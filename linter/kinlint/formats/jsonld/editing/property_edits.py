@@ -72,7 +72,7 @@ class _Node:
         prop, scope = iri_value(heir[1]), plan.scope(place.owner)
         content = self._content(old)
         if content is not None:
-            inner = plan.values.inside(scope, prop, heir[2], place.key, content)
+            inner = plan.values.inner_value(scope, prop, heir[2], place.key, content)
             if inner is not None:
                 plan.said.add(heir)
                 plan.changes.replace(content.span, inner)

@@ -50,7 +50,9 @@ def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
         plan.changes.rename(spans.whole, _text(new))
         return
     seat = (
-        _key_at(plan, spans.whole) if triple[1] == _KEY else plan.places.tree.at(spans.whole.start)
+        _key_at(plan, spans.whole)
+        if triple[1] == _KEY
+        else plan.places.tree.seat_at(spans.whole.start)
     )
     if seat is None:
         raise Unsayable("it is not known where it is written")
@@ -69,7 +71,7 @@ def _spare(plan: Plan, holder: Object, key: Key) -> None:
 
 def _key_at(plan: Plan, span: Span) -> Seat | None:
     """The member whose key is the token at *span*."""
-    holder = plan.places.tree.around(span.start)
+    holder = plan.places.tree.container_at(span.start)
     if not isinstance(holder, Object):
         return None
     keys = [key for key in holder if isinstance(key, Key) and key.start == span.start]

@@ -54,7 +54,9 @@ class Style:
     flat_objects: bool
     ascii: bool
 
-    def written(self, value: Any, indent: str, *, flat: bool | None = None, used: int = 0) -> str:
+    def serialized(
+        self, value: Any, indent: str, *, flat: bool | None = None, used: int = 0
+    ) -> str:
         """Return *value* as JSON at a line indented by *indent*.
 
         *used* is the number of characters taken on the line. *flat* keeps an object on one line, or
@@ -98,10 +100,10 @@ class Style:
             texts = []
             for key, item in value.items():
                 name = f"{self.text(key)}{self.colon}"
-                texts.append(name + self.written(item, inner, used=len(name) + 1))
+                texts.append(name + self.serialized(item, inner, used=len(name) + 1))
             opening, closing = "{", "}"
         else:
-            texts = [self.written(item, inner, used=1) for item in value]
+            texts = [self.serialized(item, inner, used=1) for item in value]
             opening, closing = "[", "]"
         joint = f",{self.newline}{inner}"
         return f"{opening}{self.newline}{inner}{joint.join(texts)}{self.newline}{indent}{closing}"

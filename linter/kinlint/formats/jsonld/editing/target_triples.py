@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.edits import Delta, Unsayable
-from kinlint.formats.jsonld.editing.triple_places import Places
+from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
@@ -21,7 +21,7 @@ class Goal:
     which more may be found than the delta says.
     """
 
-    def __init__(self, places: Places, delta: Delta) -> None:
+    def __init__(self, places: TriplePlaces, delta: Delta) -> None:
         self.places = places
         self.removed = dict.fromkeys(delta.removed)
         self.added = dict.fromkeys(delta.added)

@@ -58,7 +58,7 @@ class TextTree:
         if container is self.root:
             return None
         if id(container) not in self._seats:
-            self.at(container.start)
+            self.seat_at(container.start)
         return self._seats.get(id(container))
 
     def above(self, container: Object | Array) -> Iterator[Seat]:
@@ -67,7 +67,7 @@ class TextTree:
             yield seat
             container = seat.holder
 
-    def around(self, offset: int) -> Any:
+    def container_at(self, offset: int) -> Any:
         """The innermost container round *offset*."""
         value, holder = self.root, self.root
         while isinstance(value, (Object, Array)):
@@ -77,7 +77,7 @@ class TextTree:
                 self._seats[id(value)] = seat
         return holder
 
-    def at(self, offset: int) -> Seat | None:
+    def seat_at(self, offset: int) -> Seat | None:
         """The seat of the value that begins at *offset*; None if that is the root or a key."""
         value, seat = self.root, None
         while isinstance(value, (Object, Array)) and value.start != offset:

@@ -9,7 +9,7 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Object, Parsed
 from kinlint.formats.jsonld.active_context import Context
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.pyld import frozendict
 from kinlint.formats.jsonld.reader import undisturbed
@@ -31,7 +31,7 @@ class Scope(NamedTuple):
 class Tracing(Processor):
     """Expansion that notes scope and origin of each object, by its identity, while `tracing`."""
 
-    def __init__(self, memory: Memory, base: str) -> None:
+    def __init__(self, memory: ContextCache, base: str) -> None:
         super().__init__(memory, base)
         self.scopes: dict[int, Scope] = {}
         self.origins: dict[int, Origin] = {}
@@ -102,7 +102,9 @@ def trace(source: SourceText, options: ReadOptions) -> Trace:
     with undisturbed():
         parsed = parse(source)
         kept = [(array, list(array)) for array in _outermost(parsed.value)]
-        processor = Tracing(Memory.of(options, options.contexts.release), options.base)
+        processor = Tracing(
+            ContextCache.from_options(options, options.contexts.release), options.base
+        )
         blanks = BlankNodes(source.name)
         tracks = Tracks(blanks)
         processor.on_node = lambda node: tracks.add([node], parsed.span)

@@ -30,7 +30,7 @@ class Place(NamedTuple):
         return Seat(self.owner, self.key)
 
 
-class Places:
+class TriplePlaces:
     """The way from triples and nodes to the tokens of a text."""
 
     def __init__(self, trace: Trace) -> None:
@@ -138,7 +138,7 @@ class Places:
 
     def seat(self, span: Span) -> Seat | None:
         """The value for which the token at *span* stands: of an `@id`, all of its object."""
-        seat = self.tree.at(span.start)
+        seat = self.tree.seat_at(span.start)
         if seat is None or not isinstance(seat.holder, Object) or not isinstance(seat.at, Key):
             return seat
         if self.meaning(seat.holder, seat.at) in _CONTENT:

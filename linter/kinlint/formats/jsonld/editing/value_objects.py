@@ -79,7 +79,7 @@ def spelled(text: str, spellings: Collection[str]) -> str | None:
     return shortest if _NUMBER.fullmatch(shortest) else None
 
 
-def says(item: Item, term: Term) -> bool:
+def is_form_of(item: Item, term: Term) -> bool:
     """Tell whether the expanded value *item* is the literal *term*.
 
     Numbers are compared by value.

@@ -14,8 +14,13 @@ from kinlint.formats.jsonld.incremental.blank_labels import Labelling, Named
 from kinlint.formats.jsonld.incremental.part import Notes, shifted
 from kinlint.formats.jsonld.incremental.part_order import Arrangement
 from kinlint.formats.jsonld.incremental.part_statements import Stating
-from kinlint.formats.jsonld.incremental.shifted_places import ASIDE, Nodes, Places, numbered
-from kinlint.formats.jsonld.loss_report import place, shadowed, state_losses, state_uses
+from kinlint.formats.jsonld.incremental.shifted_places import (
+    ASIDE,
+    ShiftedNodeSpans,
+    ShiftedTripleSpans,
+    numbered,
+)
+from kinlint.formats.jsonld.loss_report import shadowed, sort_key, state_losses, state_uses
 from kinlint.formats.jsonld.losses import Loss, LossWatch
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.text import SourceText, Span
@@ -37,10 +42,10 @@ def assembled(source: SourceText, given: Arrangement, stating: Stating, known: N
     parts, shifts = given.parts, given.shifts
     labelling = Labelling(source.name, parts)
     layer = SourceLayer(document_iri(source.name), labelling.blanks)
-    layer.file(JSONLD.name, source.name, Span(0, len(source.text)))
+    layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
     file = tuple(layer.triples)
-    layer.owns(_first((part.namespaces for part in parts), shifts))
-    layer.uses_terms(_first((part.terms for part in parts), shifts))
+    layer.state_namespaces(_first((part.namespaces for part in parts), shifts))
+    layer.state_terms(_first((part.terms for part in parts), shifts))
     uses = (use for notes in given.notes() for use in notes.uses)
     state_uses(layer, uses, stating.release)
     named = labelling.finish(known)
@@ -50,8 +55,8 @@ def assembled(source: SourceText, given: Arrangement, stating: Stating, known: N
     described = (triple for part in arranged.parts for triple in part.described)
     for triple in chain(file, described, layer.triples):
         stated.setdefault(triple, ASIDE)
-    nodes = Nodes(arranged, layer)
-    places = SourceMap(Places(stated, arranged, layer, nodes), nodes)
+    nodes = ShiftedNodeSpans(arranged, layer)
+    places = SourceMap(ShiftedTripleSpans(stated, arranged, layer, nodes), nodes)
     prefixes = stating.prefixes
     document = Document(source, layer.document, tuple(stated), places, prefixes, format=JSONLD)
     return Assembly(document, named)
@@ -82,4 +87,4 @@ def _losses(notes: Sequence[Notes]) -> list[Loss]:
             shadows[shadow] = min(span, shadows.get(shadow, span))
     found = [*watch.losses, *watch.references(), *watch.nests()]
     found += [loss for each in notes for loss in each.others]
-    return sorted([*found, *shadowed(shadows.items())], key=place)
+    return sorted([*found, *shadowed(shadows.items())], key=sort_key)

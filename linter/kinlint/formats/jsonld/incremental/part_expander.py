@@ -7,7 +7,7 @@ from typing import Any
 
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.active_context import Context
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.traced_values import ExpandedArray, Origin
 from kinlint.text import Span
@@ -24,7 +24,7 @@ class PartedProcessor(Processor):
     is the object that holds the graph, `place` where its elements stand with their brackets.
     """
 
-    def __init__(self, memory: Memory, base: str, take: Callable[[Array], None]) -> None:
+    def __init__(self, memory: ContextCache, base: str, take: Callable[[Array], None]) -> None:
         super().__init__(memory, base)
         self._take = take
         self._taken: list[Any] = []

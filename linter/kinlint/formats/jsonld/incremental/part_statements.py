@@ -8,7 +8,7 @@ from typing import Any
 
 from kinlint.addresses import document_iri
 from kinlint.formats.json_text.json_values import Array, Object, Parsed
-from kinlint.formats.jsonld.context_cache import Memory
+from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import Record
 from kinlint.formats.jsonld.incremental.part import Asked, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible, PartedProcessor
@@ -35,7 +35,7 @@ class Stating:
         self.parts: list[Part] = []
         self.release = options.contexts.release
         self._graph = document_iri(name)
-        memory = Memory.of(options, options.contexts.release)
+        memory = ContextCache.from_options(options, options.contexts.release)
         self._processor = PartedProcessor(memory, options.base, self._take)
         self._compared = Comparison(options)
         self._hull = self._processor.record

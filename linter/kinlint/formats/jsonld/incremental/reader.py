@@ -20,7 +20,7 @@ from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText, Span
 
-__all__ = ["Indivisible", "Reading", "again", "begin"]
+__all__ = ["Indivisible", "Reading", "read_divided", "reread"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,7 +61,7 @@ class Reading:
         return self.assembly.document
 
 
-def begin(source: SourceText, options: ReadOptions) -> Reading:
+def read_divided(source: SourceText, options: ReadOptions) -> Reading:
     """Read *source* part by part.
 
     Raises Indivisible if it cannot be read like that, perhaps not at all; SourceError if it is no
@@ -83,7 +83,7 @@ def begin(source: SourceText, options: ReadOptions) -> Reading:
         return Reading(options, division, division.assembled(source, {}))
 
 
-def again(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
+def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
     """Read *source*, whose text is almost that of *before*.
 
     Raises Indivisible if that does not help, SourceError if *source* is no JSON.

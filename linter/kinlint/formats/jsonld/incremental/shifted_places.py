@@ -33,7 +33,7 @@ def numbered(groups: Sequence[Collection[T]]) -> dict[T, int]:
     return found
 
 
-class Nodes(Mapping[Term, NodeSpans]):
+class ShiftedNodeSpans(Mapping[Term, NodeSpans]):
     """The places of the nodes of parts that are *arranged*.
 
     Where several parts have a node, the first counts; *layer* goes before all of them.
@@ -74,7 +74,7 @@ class Nodes(Mapping[Term, NodeSpans]):
         return len(self._numbers)
 
 
-class Places(Mapping[Triple, Span]):
+class ShiftedTripleSpans(Mapping[Triple, Span]):
     """The places of all that is *stated*, each with the number of the part that says it.
 
     The parts are *arranged*. What none says is in *layer*, or is that *nodes* are described.
@@ -85,7 +85,7 @@ class Places(Mapping[Triple, Span]):
         stated: Mapping[Triple, int],
         arranged: Arrangement,
         layer: SourceLayer,
-        nodes: Nodes,
+        nodes: ShiftedNodeSpans,
     ) -> None:
         self._stated = stated
         self._parts = arranged.parts

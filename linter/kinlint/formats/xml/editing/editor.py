@@ -16,7 +16,7 @@ from kinlint.formats.xml.editing.element_sites import SEVERAL, Site, Sites
 from kinlint.formats.xml.editing.insertion import Written, insertion, replacement
 from kinlint.formats.xml.editing.new_elements import Fresh
 from kinlint.formats.xml.editing.start_tag import NAME, StartTag
-from kinlint.formats.xml.editing.syntax_fixes import mendings, split
+from kinlint.formats.xml.editing.syntax_fixes import split_delta, syntax_edits
 from kinlint.formats.xml.editing.text_edits import text_edits
 from kinlint.terms import Term, is_blank, is_literal, literal_value
 from kinlint.text import Span
@@ -31,9 +31,11 @@ class Editor:
 
     def edits(self, delta: Delta) -> list[Edit]:
         """The smallest edits that say *delta*, in order; raises Unsayable if there are none."""
-        rest, about = split(self._document, delta)
+        rest, about = split_delta(self._document, delta)
         edits = _Writing(self._sites, rest).edits() if rest else []
-        return merged([*edits, *mendings(self._document, self._sites, about)]) if about else edits
+        return (
+            merged([*edits, *syntax_edits(self._document, self._sites, about)]) if about else edits
+        )
 
 
 class _Writing:
@@ -41,7 +43,7 @@ class _Writing:
 
     def __init__(self, sites: Sites, delta: Delta) -> None:
         self._sites = sites
-        self._changes = Changes.of(delta, sites.elements)
+        self._changes = Changes.from_delta(delta, sites.elements)
         said = (literal_value(value) for _, _, value in delta.removed if is_literal(value))
         self._kept = frozenset(said)
         self._fresh = Fresh(sites, self._changes, self._kept, self._taken)
@@ -88,8 +90,8 @@ class _Writing:
         What is done to a text that stands for several elements is done once, for all of them.
         """
         own = list(edits)
-        made = list(site.moved(own))
-        if (uses := self._sites.uses(site)) > 1:
+        made = list(site.document_edits(own))
+        if (uses := self._sites.use_count(site)) > 1:
             for edit in own:
                 key = id(site.layout), edit
                 self._awaited[key] = self._awaited.get(key, uses) - 1
@@ -106,13 +108,13 @@ class _Writing:
             self._make(site, text_edits(site, old, change, self._kept, partial(place, "")))
 
     def _site(self, node: Term) -> Site:
-        site, tag = self._sites.use(node), self._changes.renamed.get(node)
+        site, tag = self._sites.shared_site(node), self._changes.renamed.get(node)
         return site._replace(tag=tag) if tag else site
 
     def _rename(self, node: Term, tag: str) -> None:
         if not NAME.fullmatch(tag):
             raise Unsayable(f"{tag} is no name in XML")
-        site = self._sites.use(node)
+        site = self._sites.shared_site(node)
         names = site.layout.names(site.number)
         self._make(site, [Edit(span, tag) for span in names])
 
@@ -121,7 +123,9 @@ class _Writing:
         site = self._site(parent)
         layout, number = site.layout, site.number
         places = {
-            self._sites.use(each).number: each for each in gone if self._stands_in(each, site)
+            self._sites.shared_site(each).number: each
+            for each in gone
+            if self._stands_in(each, site)
         }
         behind: dict[int | None, list[Written]] = {}
         for tag, node in self._changes.children[parent]:
@@ -136,13 +140,13 @@ class _Writing:
         self._make(site, [insertion(site, new, at) for at, new in behind.items()])
 
     def _stands_in(self, node: Term, site: Site) -> bool:
-        own = self._sites.use(node)
+        own = self._sites.shared_site(node)
         return own.begin == site.begin and own.layout.parents[own.number] == site.number
 
     def _delete(self, gone: list[Term]) -> None:
         texts: dict[int, list[Site]] = {}
         for node in gone:
-            site = self._sites.use(node)
+            site = self._sites.shared_site(node)
             if site.layout.parents[site.number] < 0:
                 raise Unsayable("a file has a root element")
             parent = self._sites.elements[node].parent
@@ -152,7 +156,7 @@ class _Writing:
                 texts.setdefault(site.begin, []).append(site)
         for sites in texts.values():
             numbers = dict.fromkeys(each.number for each in sites)
-            self._edits += sites[0].moved(removals(sites[0].layout, numbers))
+            self._edits += sites[0].document_edits(removals(sites[0].layout, numbers))
 
 
 def _is_in(inner: Span, outer: Span) -> bool:

@@ -36,7 +36,7 @@ class Changes:
     values: dict[Term, Change] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, delta: Delta, known: Mapping[Term, Element]) -> Changes:
+    def from_delta(cls, delta: Delta, known: Mapping[Term, Element]) -> Changes:
         """The changes of *delta*; raises Unsayable for what is no matter of elements."""
         changes = cls(known)
         changes._structure(delta)

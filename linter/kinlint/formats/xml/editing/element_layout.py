@@ -11,7 +11,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
 from kinlint.formats.xml.schema import Schema
-from kinlint.formats.xml.span_lookup import WRITTEN, Places, Tag
+from kinlint.formats.xml.span_lookup import WRITTEN, ElementPlaces, Tag
 from kinlint.formats.xml.value_reading import SPACE
 from kinlint.text import SourceText, Span
 
@@ -50,7 +50,9 @@ class Layout:
             raise Unsayable("the text is not well-formed")
         self.source, self.text = source, source.text
         found = parsed.elements
-        self.places = Places(source.text, parsed.offset, found.index, found.starts, found.ends)
+        self.places = ElementPlaces(
+            source.text, parsed.offset, found.index, found.starts, found.ends
+        )
         self.parents: list[int] = []
         self.children: list[list[int]] = []
         self._number: dict[int, int] = {}

@@ -36,7 +36,7 @@ class Site(NamedTuple):
         start, end = self.layout.whole(self.number)
         return Span(start + self.begin, end + self.begin)
 
-    def moved(self, edits: Iterable[Edit]) -> Iterator[Edit]:
+    def document_edits(self, edits: Iterable[Edit]) -> Iterator[Edit]:
         """Yield *edits* of the text as edits of the document."""
         for (start, end), text in edits:
             yield Edit(Span(start + self.begin, end + self.begin), text)
@@ -58,7 +58,7 @@ class Sites:
     def __getitem__(self, node: Term) -> Site:
         """Return the place of *node*; raises Unsayable if it has none, or stands for several."""
         self.check_uses([node])
-        return self.use(node)
+        return self.shared_site(node)
 
     def check_uses(self, nodes: Iterable[Term]) -> None:
         """Raises Unsayable if a text that wrote one of *nodes* wrote others too."""
@@ -66,11 +66,11 @@ class Sites:
         if any(self._shared[place] > count for place, count in places.items()):
             raise Unsayable(SEVERAL)
 
-    def uses(self, site: Site) -> int:
+    def use_count(self, site: Site) -> int:
         """Return the number of elements that the text at *site* stands for, at least."""
         return self._shared[id(site.layout.source), site.layout.start(site.number)]
 
-    def use(self, node: Term) -> Site:
+    def shared_site(self, node: Term) -> Site:
         """Return the place of *node*, maybe as one of several; raises Unsayable if it has none."""
         element, start = self.elements.get(node), self._start(node)
         if element is None:

@@ -13,7 +13,7 @@ from functools import lru_cache
 from kinlint.document import Document
 from kinlint.edits import Delta
 from kinlint.formats.source_layer import src
-from kinlint.formats.xml.editing.spelling import spelled, tokens
+from kinlint.formats.xml.editing.spelling import lexical_form, tokens
 from kinlint.formats.xml.editing.stated_elements import KEPT, slot_of, tag_of
 from kinlint.terms import RDF_TYPE, Term, Triple, is_literal, literal_value
 
@@ -83,4 +83,4 @@ def _words(values: Mapping[int, Term]) -> tuple[float | str, ...]:
 
 @lru_cache(KEPT)
 def _said(value: Term) -> tuple[float | str, ...]:
-    return tokens(spelled(value))
+    return tokens(lexical_form(value))

@@ -47,8 +47,10 @@ class Fresh:
         head = " ".join((tag, *listed(slots, quote, layout, self.kept)))
         text = ""
         if "" in slots:
-            plain = rewriting.written(rewriting.after({}, {}, slots[""], "text"), self.kept)
-            text = spelling.data(plain, layout.source)
+            plain = rewriting.formatted_values(
+                rewriting.merged_values({}, {}, slots[""], "text"), self.kept
+            )
+            text = spelling.escaped_text(plain, layout.source)
         if children and text:
             raise Unsayable("there are elements in place of a text")
 

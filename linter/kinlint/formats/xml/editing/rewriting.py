@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinlint.edits import Edit, Unsayable
-from kinlint.formats.xml.editing.spelling import plain, spelled, tokens
+from kinlint.formats.xml.editing.spelling import lexical_form, tokens, unescaped
 from kinlint.formats.xml.value_reading import UNEXPANDED
 from kinlint.terms import Term, literal_value
 from kinlint.text import Span
@@ -22,7 +22,7 @@ Values = Mapping[int, Term]
 Place = Callable[[int], "Span | None"]
 
 
-def after(old: Values, removed: Values, added: Values, name: str) -> dict[int, Term]:
+def merged_values(old: Values, removed: Values, added: Values, name: str) -> dict[int, Term]:
     """Return *old* without *removed*, and with *added*."""
     left = {number: value for number, value in old.items() if number not in removed}
     mixed = added and left and (0 in added) != (0 in left)
@@ -38,22 +38,22 @@ def _missing(values: Values) -> int:
     return next(number for number in range(1, len(values) + 2) if number not in values)
 
 
-def written(values: Values, kept: frozenset[str]) -> str:
+def formatted_values(values: Values, kept: frozenset[str]) -> str:
     """Return *values* as plain text; those spelled as in *kept* keep their spelling."""
-    text = " ".join(spelled(values[number], kept) for number in sorted(values))
+    text = " ".join(lexical_form(values[number], kept) for number in sorted(values))
     if UNEXPANDED.search(text):
         raise Unsayable("xacro would take the value for an expression")
     return text
 
 
-def said(values: Values) -> str:
+def current_text(values: Values) -> str:
     """Return *values* as the file spells them."""
     return " ".join(literal_value(values[number]) for number in sorted(values))
 
 
 def matches(raw: str, values: Values) -> bool:
     """Tell whether *values* were read from *raw* of the XML text."""
-    return tokens(plain(raw)) == tokens(said(values))
+    return tokens(unescaped(raw)) == tokens(current_text(values))
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Rewriting:
         """
         if 0 in self.old or 0 in self.new:
             first, *rest = spans
-            whole = self.write(written(self.new, self.kept))
+            whole = self.write(formatted_values(self.new, self.kept))
             return [Edit(first, whole), *(Edit(each, "") for each in rest)]
         words = [Span(*m.span()) for each in spans for m in WORD.finditer(self.text, *each)]
         if len(words) != len(self.old):
@@ -119,4 +119,4 @@ class Rewriting:
         ]
 
     def _component(self, number: int) -> str:
-        return self.write(written({0: self.new[number]}, self.kept))
+        return self.write(formatted_values({0: self.new[number]}, self.kept))

@@ -35,7 +35,7 @@ def _token(word: str) -> float | str:
     return TRUTHS[lower] if lower in TRUTHS else SPECIAL.get(lower, word)
 
 
-def plain(raw: str) -> str:
+def unescaped(raw: str) -> str:
     """Return *raw* of an XML text with references to characters resolved."""
     return REFERENCE.sub(_character, raw) if "&" in raw else raw
 
@@ -53,7 +53,7 @@ def is_number(term: Term) -> bool:
     return term[-1:] == ">" and is_literal(term) and literal_datatype(term) in NUMERIC
 
 
-def spelled(term: Term, kept: frozenset[str] = frozenset()) -> str:
+def lexical_form(term: Term, kept: frozenset[str] = frozenset()) -> str:
     """Return a value as text; one spelled as in *kept* keeps its spelling.
 
     Numbers have as many digits as carry the value. Raises Unsayable for what is no literal.
@@ -73,7 +73,7 @@ def shortest(value: float) -> str:
     return repr(value + 0.0).removesuffix(".0") if value else "0"
 
 
-def attribute(value: str, quote: str, source: SourceText) -> str:
+def escaped_attribute(value: str, quote: str, source: SourceText) -> str:
     """Return *value* escaped for an attribute between *quote* marks."""
     text = value.replace("&", "&amp;").replace("<", "&lt;").replace(quote, QUOTES[quote])
     for each, reference in BREAKS.items():
@@ -81,13 +81,13 @@ def attribute(value: str, quote: str, source: SourceText) -> str:
     return encodable(text, source)
 
 
-def data(value: str, source: SourceText) -> str:
+def escaped_text(value: str, source: SourceText) -> str:
     """Return *value* escaped for the text between tags."""
     text = value.replace("&", "&amp;").replace("<", "&lt;").replace("]]>", "]]&gt;")
     return encodable(text.replace("\r", "&#13;"), source)
 
 
-def section(value: str, source: SourceText) -> str:
+def cdata_content(value: str, source: SourceText) -> str:
     """Return *value* as content of a CDATA section; raises Unsayable for what would end it."""
     text = encodable(value, source)
     if "]]>" in value or text != value:

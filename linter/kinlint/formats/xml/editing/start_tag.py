@@ -23,7 +23,7 @@ def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> It
     """The attributes of a new element, as they are written."""
     for name, value in sorted(slots.items(), key=lambda each: each[0] != FIRST):
         if name:
-            text = rewriting.written(rewriting.after({}, {}, value, name), kept)
+            text = rewriting.formatted_values(rewriting.merged_values({}, {}, value, name), kept)
             yield assignment(name, text, quote, layout)
 
 
@@ -31,7 +31,7 @@ def assignment(name: str, value: str, quote: str, layout: Layout) -> str:
     """An attribute as it is written."""
     if not NAME.fullmatch(name):
         raise Unsayable(f"{name} is no name in XML")
-    return f"{name}={quote}{spelling.attribute(value, quote, layout.source)}{quote}"
+    return f"{name}={quote}{spelling.escaped_attribute(value, quote, layout.source)}{quote}"
 
 
 @dataclass
@@ -56,7 +56,7 @@ class StartTag:
         come: dict[str, dict[int, Term]] = {}
         for name in (each for each in {**change.removed, **change.added} if each):
             old, removed = self.slots.get(name, {}), change.removed.get(name, {})
-            new = rewriting.after(old, removed, change.added.get(name, {}), name)
+            new = rewriting.merged_values(old, removed, change.added.get(name, {}), name)
             if old and name not in self._first:
                 raise Unsayable(rewriting.NOT_LITERAL)
             literal = not old or rewriting.matches(layout.source[self._first[name].value], old)
@@ -70,7 +70,7 @@ class StartTag:
                 come[name] = new
         for name in [each for each in come if each in self._first]:
             raise Unsayable(f"there is another {name} already")
-        texts = {name: rewriting.written(new, self.kept) for name, new in come.items()}
+        texts = {name: rewriting.formatted_values(new, self.kept) for name, new in come.items()}
         for old_name, new_name in list(self._pairs(gone, texts)):
             gone.remove(old_name)
             yield from self._renamed(old_name, new_name, texts.pop(new_name))
@@ -79,7 +79,7 @@ class StartTag:
 
     def _write(self, attribute: Attribute, value: str) -> str:
         quote = self.layout.text[attribute.value.end]
-        return spelling.attribute(value, quote, self.layout.source)
+        return spelling.escaped_attribute(value, quote, self.layout.source)
 
     def _changed(self, name: str, new: rewriting.Values, *, literal: bool) -> list[Edit]:
         attribute, old = self._first[name], self.slots[name]
@@ -89,13 +89,13 @@ class StartTag:
             return value.edits_of_parts()
         is_string = old.get(0, "").endswith('"')
         span = attribute.value
-        return value.edits([span if is_string else self.layout.places.bare(span)])
+        return value.edits([span if is_string else self.layout.places.stripped(span)])
 
     def _pairs(self, gone: list[str], come: dict[str, str]) -> Iterator[tuple[str, str]]:
         """Yield each old attribute with its replacement: the one of the same value, or the next."""
         left, free = list(come), list(gone)
         for name in gone:
-            said = spelling.tokens(rewriting.said(self.slots[name]))
+            said = spelling.tokens(rewriting.current_text(self.slots[name]))
             same = next((each for each in left if spelling.tokens(come[each]) == said), None)
             if same is not None:
                 left.remove(same)
@@ -109,7 +109,7 @@ class StartTag:
             raise Unsayable(f"{new} is no name in XML")
         self._once(old)
         yield Edit(attribute.key, new)
-        if spelling.tokens(rewriting.said(self.slots[old])) != spelling.tokens(value):
+        if spelling.tokens(rewriting.current_text(self.slots[old])) != spelling.tokens(value):
             yield Edit(attribute.value, self._write(attribute, value))
 
     def _once(self, name: str) -> None:

@@ -38,7 +38,7 @@ OPEN, CLOSE = "<!--", "-->"
 PAIR = 2
 
 
-def split(document: Document, delta: Delta) -> tuple[Delta, list[Triple]]:
+def split_delta(document: Document, delta: Delta) -> tuple[Delta, list[Triple]]:
     """Return the part of *delta* about elements, and the removed triples about syntax errors."""
     gone = [each for each in delta.removed if is_blank(each[0])]
     if not gone:
@@ -49,7 +49,7 @@ def split(document: Document, delta: Delta) -> tuple[Delta, list[Triple]]:
     return Delta(rest, delta.added), about
 
 
-def mendings(document: Document, sites: Sites, about: list[Triple]) -> Iterator[Edit]:
+def syntax_edits(document: Document, sites: Sites, about: list[Triple]) -> Iterator[Edit]:
     """The edits of *document* after which it no longer says any of *about*."""
     places = {s: o for s, p, o in document.statements if p == NODE}
     spaced = {s for s, p, o in document.statements if p == RDF_TYPE and o == SPACED}
@@ -65,9 +65,9 @@ def mendings(document: Document, sites: Sites, about: list[Triple]) -> Iterator[
             continue
         site = sites[places[node]]
         if predicate == src("attribute"):
-            yield from site.moved(_without_attribute(site, span.start - site.begin))
+            yield from site.document_edits(_without_attribute(site, span.start - site.begin))
         else:
-            yield from site.moved(_without_text(site))
+            yield from site.document_edits(_without_text(site))
 
 
 def _without_attribute(site: Site, at: int) -> Iterator[Edit]:

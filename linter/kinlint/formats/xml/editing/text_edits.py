@@ -21,20 +21,26 @@ def text_edits(
     *place* tells where a component of it was read from; *kept* are spellings that stay.
     """
     layout, number = site.layout, site.number
-    new = rewriting.after(old, change.removed.get("", {}), change.added.get("", {}), "text")
+    new = rewriting.merged_values(old, change.removed.get("", {}), change.added.get("", {}), "text")
     runs = [] if layout.closed(number) else layout.places.runs(number)
     raw = "".join(
-        layout.source[run] if layout.in_section(run.start) else spelling.plain(layout.source[run])
+        layout.source[run]
+        if layout.in_section(run.start)
+        else spelling.unescaped(layout.source[run])
         for run in runs
     )
-    literal = spelling.tokens(raw) == spelling.tokens(rewriting.said(old))
+    literal = spelling.tokens(raw) == spelling.tokens(rewriting.current_text(old))
     if not literal and not (old and new and runs):
         raise Unsayable(rewriting.NOT_LITERAL)
     if old and not new:
         return [Edit(run, "") for run in runs]
     if not old:
-        return [_first(site, spelling.data(rewriting.written(new, kept), layout.source))]
-    write = spelling.section if layout.in_section(runs[0].start) else spelling.data
+        return [
+            _first(
+                site, spelling.escaped_text(rewriting.formatted_values(new, kept), layout.source)
+            )
+        ]
+    write = spelling.cdata_content if layout.in_section(runs[0].start) else spelling.escaped_text
     value = rewriting.Rewriting(
         layout.text, old, new, kept, partial(write, source=layout.source), place
     )
