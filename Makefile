@@ -1,12 +1,12 @@
-# What one does here, in five words. On Windows, the commands below them.
+# The five tasks of a contributor. On Windows, run the commands below each.
 PYTHON ?= python3
 BIN := .venv/bin
 
 .PHONY: help setup test check bench docs
-help:  ## say what there is
+help:  ## list the tasks
 	@sed -n 's/^\([a-z]*\): .*## /\1\t/p' Makefile
 
-setup: $(BIN)/kinlint  ## make .venv with all that is needed, and have git run the hooks
+setup: $(BIN)/kinlint  ## create .venv with all dependencies, and install the git hooks
 	$(BIN)/pre-commit install
 
 $(BIN)/kinlint: pyproject.toml
@@ -17,13 +17,13 @@ $(BIN)/kinlint: pyproject.toml
 test: $(BIN)/kinlint  ## run the tests that take seconds each; `.ci/run` runs all
 	$(BIN)/pytest -q -n auto
 
-check: $(BIN)/kinlint  ## hold code, types, layers, workflows and rule files to their checks
+check: $(BIN)/kinlint  ## run linters, type checks, import contracts and the rule formatter
 	.ci/check $(BIN)
 
-bench: $(BIN)/kinlint  ## measure how fast it is
+bench: $(BIN)/kinlint  ## run the benchmarks
 	$(BIN)/python tests/benchmarks
 
-docs: $(BIN)/kinlint  ## make the generated pages anew; those on real robots where their files are
+docs: $(BIN)/kinlint  ## regenerate the generated pages
 	$(BIN)/kinlint config --schema > linter/kinlint.schema.json.new
 	mv linter/kinlint.schema.json.new linter/kinlint.schema.json
 	if [ -d "$${KINLINT_DATA:-../shared/data}" ]; then \

@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import pytest
 from data import locate_data
@@ -41,12 +42,30 @@ def test_every_example_is_tried():
 
 def test_the_picture_of_the_stages_names_packages():
     """Each stage is done where the picture says."""
-    (picture,) = blocks("linter/README.md", language="mermaid")
-    packages = re.findall(r"(\w+)/", picture.text)
+    stages, _ = blocks("linter/README.md", language="mermaid")
+    packages = re.findall(r"(\w+)/", stages.text)
 
     assert packages
     for package in packages:
         assert (ROOT / "linter/kinlint" / package).is_dir(), package
+
+
+def test_the_picture_of_the_layers_is_that_of_the_contract():
+    """Each arrow leads from a layer of the import contract to a lower one."""
+    _, layers = blocks("linter/README.md", language="mermaid")
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["importlinter"]
+    contract = next(each for each in settings["contracts"] if each["type"] == "layers")
+    rank = {
+        name: number
+        for number, layer in enumerate(contract["layers"])
+        for name in layer.split(" | ")
+    }
+    arrows = [line.split(" --> ") for line in layers.text.splitlines() if "-->" in line]
+
+    assert arrows
+    for above, below in arrows:
+        for lower in re.sub(r"base\[.*", "document", below).split(" & "):
+            assert all(rank[upper.strip()] < rank[lower] for upper in above.split(" & ")), lower
 
 
 def test_the_readme_opens_with_what_is_found_in_the_tutorial(capsys, monkeypatch):
