@@ -1,15 +1,14 @@
-"""States what the names and poses of an SDF file come to, which no query could work out.
+"""Resolution of the names and poses of an SDF file, which no query could compute.
 
-Of each element: the scope it is in, the frame its pose is seen by, the bodies a joint joins and
-where the joint sits on them, the direction of an axis in the joint frame, the joints that a gearbox
-couples. What leads nowhere is stated, too.
+Stated are the scope of each element, the frame that its pose is relative to, the bodies that a
+joint connects and its poses on them, the direction of an axis in the joint frame, the joints that a
+gearbox couples, and references that lead nowhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.formats.sdf import references
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import Frames, Problem, transform_of
@@ -18,9 +17,9 @@ from kinlint.formats.sdf.rigid_transform import Transform, between, composed, ro
 from kinlint.formats.sdf.scopes import FRAMES, Scopes
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src
-from kinlint.formats.xml.references import names
+from kinlint.formats.xml.references import NameUse, names
 from kinlint.formats.xml.schema import schema
-from kinlint.terms import XSD, Term, Triple, literal
+from kinlint.terms import XSD, Term, Triple, literal, literal_value
 
 ENTITIES = ("model", "actor", "light")
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
@@ -35,7 +34,7 @@ def resolve_names(
     """
     scopes = Scopes.below(root)
     resolution = _Resolution(root, scopes, Frames(scopes))
-    leading = references.resolve_references(names(statements, schema(SDF.name)), scopes)
+    leading = resolve_references(names(statements, schema(SDF.name)), scopes)
     triples = [*dict.fromkeys((*resolution.statements(), *leading))]
     return triples, resolution.frames.problems
 
@@ -179,3 +178,27 @@ def _pose(node: Term, body: str, pose: Transform) -> Iterator[Triple]:
 
 def _number(value: float) -> Term:
     return literal(repr(value), f"{XSD}double")
+
+
+def resolve_references(found: Iterable[NameUse], scopes: Scopes) -> Iterator[Triple]:
+    """Yield what leads from the elements of the names *found* to what they name, if it is there."""
+    owners = dict(_owners(scopes))
+    for each in found:
+        owner = owners.get(each.element)
+        if owner is None:
+            continue
+        name = literal_value(each.value).strip()
+        inside = each.reference.inside
+        target = scopes.find_inside(name, owner) if inside else scopes.find(name, owner)
+        if isinstance(target, SdfElement):
+            yield each.element, each.reference.predicate, target.node
+
+
+def _owners(scopes: Scopes) -> Iterator[tuple[Term, SdfElement]]:
+    """Yield what is in a scope, and each element within it that is in none of its own."""
+    for owner in scopes.enclosing:
+        pending = [owner]
+        while pending:
+            element = pending.pop()
+            yield element.node, owner
+            pending += [each for each in element.children if each not in scopes.enclosing]

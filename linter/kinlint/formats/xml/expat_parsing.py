@@ -9,12 +9,10 @@ from xml.parsers import expat
 from xml.parsers.expat import errors
 
 from kinlint.errors import SourceError
-from kinlint.formats.xml.byte_offsets import Offsets
 from kinlint.formats.xml.elements import Elements, TooMuch
-from kinlint.formats.xml.recovery import RecoveredText, is_sound, recovered
-from kinlint.formats.xml.span_lookup import NAME
+from kinlint.formats.xml.recovery import RecoveredText, SyntaxFlaw, is_sound, recovered
+from kinlint.formats.xml.span_lookup import NAME, Offsets
 from kinlint.formats.xml.suppression_comments import Comments
-from kinlint.formats.xml.syntax_error import SyntaxFlaw
 from kinlint.formats.xml.tag_scanner import DEFINITION, first_tag
 from kinlint.text import SourceText, Span
 

@@ -14,10 +14,9 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.urdf.format import URDF
-from kinlint.formats.xml.document_statements import describe, state_flaws
+from kinlint.formats.xml.document_statements import describe, state_flaws, state_spacing
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
-from kinlint.formats.xml.number_spacing import state_spacing
 from kinlint.formats.xml.references import names, resolve_references
 from kinlint.formats.xml.schema import schema
 from kinlint.formats.xml.span_lookup import ElementPlaces, ElementSpans, TripleSpans

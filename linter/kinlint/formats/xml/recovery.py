@@ -12,8 +12,16 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
-from kinlint.formats.xml.syntax_error import SyntaxFlaw
 from kinlint.text import Span
+
+
+class SyntaxFlaw(NamedTuple):
+    """Syntax error at *span*; *attribute* is the name of one given twice."""
+
+    span: Span
+    reason: str
+    attribute: str | None = None
+
 
 DECLARATION = re.compile(r"<\?[xX][mM][lL](?=[\s?])")
 SOUND = re.compile(

@@ -6,16 +6,50 @@ Kept are only the offsets of the tags; everything finer is found by reading the 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from heapq import merge
 from typing import Any, NamedTuple
 
 from kinlint.document import NodeSpans
-from kinlint.formats.xml.byte_offsets import Offsets
 from kinlint.formats.xml.value_reading import SPACE
 from kinlint.terms import Term, Triple, iri
 from kinlint.text import Span
 from kinlint.vocabulary import ATTRIBUTE, SRC
+
+LETTER = re.compile(r"[^\x00-\x7f]")
+
+
+class Offsets:
+    """Turns the offsets of bytes in UTF-8 into offsets of characters.
+
+    *inserted* are the characters of *text*, in order, that are to count for nothing; all of them
+    are ASCII.
+    """
+
+    def __init__(self, text: str, inserted: Sequence[int] = ()) -> None:
+        self._bytes: list[int] = []
+        self._extra: list[int] = [0]
+        if text.isascii() and not inserted:
+            return
+        wide = (
+            (match.start(), len(match[0].encode("utf-8", "surrogatepass")) - 1)
+            for match in LETTER.finditer(text)
+        )
+        bytes_, extra = 0, 0
+        for at, more in merge(wide, ((at, 0) for at in inserted)):
+            self._bytes.append(at + bytes_)
+            bytes_ += more
+            extra += more or 1
+            self._extra.append(extra)
+
+    def __call__(self, byte: int) -> int:
+        """The offset of the character that begins at *byte*."""
+        if not self._bytes:
+            return byte
+        return byte - self._extra[bisect_right(self._bytes, byte - 1)]
+
 
 NAME = re.compile(r"[^\s=<>\"'/]+")
 WRITTEN = re.compile(r"\s*([^\s=<>\"'/]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")

@@ -18,8 +18,8 @@ from kinlint.vocabulary import KL
 if TYPE_CHECKING:
     from xml.parsers.expat import XMLParserType
 
-    from kinlint.formats.xml.byte_offsets import Offsets
     from kinlint.formats.xml.elements import Elements
+    from kinlint.formats.xml.span_lookup import Offsets
 
 MARK = "kinlint:"
 DIRECTIVE = re.compile(r"<!--\s*kinlint:\s*(file-)?ignore\b\s*(?:\[([^\]]*)\])?(.*?)-->", re.DOTALL)

@@ -1,17 +1,43 @@
-"""Changes of containers and tokens of a JSON text, gathered, and then made edits of the text."""
+"""Changes of containers and tokens of a JSON text, which become edits of the text."""
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from kinlint.edits import Edit, Unsayable
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.container_edits import Layout, Piece
-from kinlint.formats.jsonld.editing.deleted_ranges import Cuts
 from kinlint.formats.jsonld.editing.style import Style
 from kinlint.formats.jsonld.editing.text_path import Seat, TextTree, children
 from kinlint.text import Span
+
+
+class DeletedRanges:
+    """Ranges, of which any two are apart or one within the other, as tokens of JSON are."""
+
+    def __init__(self) -> None:
+        # The widest ones, ascending.
+        self._starts: list[int] = []
+        self._ends: list[int] = []
+
+    def add(self, span: Span) -> None:
+        """*span* is no more."""
+        if span in self:
+            return
+        first = bisect_right(self._starts, span.start - 1)
+        last = bisect_right(self._starts, span.end - 1)
+        self._starts[first:last] = [span.start]
+        self._ends[first:last] = [span.end]
+
+    def __contains__(self, span: Span) -> bool:
+        at = bisect_right(self._starts, span.start) - 1
+        return at >= 0 and span.end <= self._ends[at]
+
+    def __iter__(self) -> Iterator[Span]:
+        return map(Span, self._starts, self._ends)
 
 
 @dataclass
@@ -32,7 +58,7 @@ class Changes:
     text: str
     tree: TextTree
     style: Style
-    cut: Cuts = field(default_factory=Cuts)
+    cut: DeletedRanges = field(default_factory=DeletedRanges)
     lasting: set[int] = field(default_factory=set)
     _tokens: dict[Span, Any] = field(default_factory=dict)
     _wraps: dict[Span, tuple[list[Any], list[Any]]] = field(default_factory=dict)

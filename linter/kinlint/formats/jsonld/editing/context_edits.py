@@ -11,7 +11,7 @@ from kinlint.formats.jsonld.editing.container_edits import Piece
 from kinlint.formats.jsonld.editing.edit_plan import Plan
 
 
-def add(plan: Plan, iri: str) -> None:
+def add_context(plan: Plan, iri: str) -> None:
     """The outermost object names the context *iri*, whose terms yield to the file's own."""
     root = _root(plan)
     token = root.key("@context")
@@ -28,7 +28,7 @@ def add(plan: Plan, iri: str) -> None:
         plan.changes.wrap(token.value_span, iri, first=isinstance(context, Object))
 
 
-def declare(plan: Plan, prefixes: Mapping[str, str]) -> None:
+def declare_prefixes(plan: Plan, prefixes: Mapping[str, str]) -> None:
     """The outermost context of the file has *prefixes*."""
     if not prefixes:
         return

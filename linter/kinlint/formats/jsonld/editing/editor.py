@@ -9,17 +9,13 @@ from kinlint.contexts.prefixes import customary
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, Unsayable
 from kinlint.formats.json_text.json_values import Object
-from kinlint.formats.jsonld.editing import (
-    context_edits,
-    list_edits,
-    new_nodes,
-    node_deletion,
-    node_renaming,
-    property_edits,
-    source_layer_edits,
-)
 from kinlint.formats.jsonld.editing.compaction import Compaction
+from kinlint.formats.jsonld.editing.context_edits import declare_prefixes
 from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.list_edits import edit_lists
+from kinlint.formats.jsonld.editing.node_edits import add_nodes, delete_nodes, rename_nodes
+from kinlint.formats.jsonld.editing.property_edits import edit_properties
+from kinlint.formats.jsonld.editing.source_layer_edits import edit_source_layer
 from kinlint.formats.jsonld.editing.style import Style, style
 from kinlint.formats.jsonld.editing.tracing import Scope, trace
 from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
@@ -57,13 +53,13 @@ class Editor:
     def _edits(self, delta: Delta) -> list[Edit]:
         compaction = Compaction(self._places.trace.processor, self._prefixes)
         plan = Plan(self._document, self._places, self._style, compaction, delta)
-        source_layer_edits.write(plan)
-        node_renaming.write(plan)
-        node_deletion.write(plan)
-        list_edits.write(plan)
-        property_edits.write(plan)
-        new_nodes.write(plan)
-        context_edits.declare(plan, compaction.needed)
+        edit_source_layer(plan)
+        rename_nodes(plan)
+        delete_nodes(plan)
+        edit_lists(plan)
+        edit_properties(plan)
+        add_nodes(plan)
+        declare_prefixes(plan, compaction.needed)
         _check(plan)
         return plan.changes.edits()
 

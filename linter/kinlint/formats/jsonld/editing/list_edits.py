@@ -16,7 +16,7 @@ from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import Term, Triple, iri_value
 
 
-def write(plan: Plan) -> None:
+def edit_lists(plan: Plan) -> None:
     """Changes elements of the lists that stay, or that another takes the place of."""
     done: set[Triple] = set()
     for triple in plan.removed:

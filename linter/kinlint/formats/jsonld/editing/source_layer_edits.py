@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kinlint.edits import Unsayable
 from kinlint.formats.json_text.json_values import Key, Object
-from kinlint.formats.jsonld.editing import context_edits
+from kinlint.formats.jsonld.editing.context_edits import add_context
 from kinlint.formats.jsonld.editing.edit_plan import Plan
 from kinlint.formats.jsonld.editing.text_path import Seat
 from kinlint.formats.source_layer import src
@@ -16,7 +16,7 @@ _KEY, _CONTEXT = src("key"), src("context")
 _WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
 
 
-def write(plan: Plan) -> None:
+def edit_source_layer(plan: Plan) -> None:
     """Replaces and takes out what the source layer tells the place of.
 
     Raises Unsayable where the delta changes a statement about the file that no token makes.
@@ -35,7 +35,7 @@ def write(plan: Plan) -> None:
         if triple[:2] != (plan.document.graph, _CONTEXT):
             raise Unsayable("it follows from what the file says")
         plan.said.add(triple)
-        context_edits.add(plan, _text(triple[2]))
+        add_context(plan, _text(triple[2]))
 
 
 def _text(term: Term) -> str:

@@ -1,25 +1,71 @@
-"""States what the parts of a file say, each without the others."""
+"""Statements and source layer of each part of a file, independent of the others."""
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Collection, Mapping
-from typing import Any
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any, NamedTuple
 
 from kinlint.addresses import document_iri
 from kinlint.formats.json_text.json_values import Array, Object, Parsed
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import Record
-from kinlint.formats.jsonld.incremental.part import Asked, Part
+from kinlint.formats.jsonld.incremental.part import NOTHING, Asked, Notes, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible, PartedProcessor
-from kinlint.formats.jsonld.incremental.part_notes import Noticed
-from kinlint.formats.jsonld.loss_report import LOOKED_UP, Comparison
+from kinlint.formats.jsonld.loss_report import LOOKED_UP, Comparison, LossReport
 from kinlint.formats.jsonld.losses import LossWatch
-from kinlint.formats.jsonld.traced_values import Expanded
+from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
 from kinlint.text import Span
+
+
+class Noticed(NamedTuple):
+    """Observations of a part while it was expanded and stated.
+
+    Of the contexts that `record` says are used, those that are `known` are named elsewhere.
+    """
+
+    record: Record
+    known: Collection[int]
+    watch: LossWatch
+    triples: Triples
+    blanks: Asked
+    repeats: Collection[Object]
+    origins: Mapping[int, Origin]
+
+    def owners(self) -> Iterator[Origin]:
+        """The objects of the nodes of which something is lost."""
+        yield from (drop.origin.owner for drop in self.record.drops.values())
+        strays = (stray.origin for stray in self.record.strays.values())
+        repeated = (self.origins.get(id(each)) for each in self.repeats)
+        yield from (origin.owner for origin in (*strays, *repeated) if origin is not None)
+
+    def notes(self, compared: Comparison) -> tuple[Notes, int, int]:
+        """Return the notes, and the number of blank nodes asked for before each of two steps."""
+        record, watch, order = self.record, self.watch, self.blanks.order
+        report = LossReport(record, watch, self.triples, compared)
+        others = [*report.types(), *report.dropped()]
+        dropped = len(order)
+        others += report.strays()
+        strayed = len(order)
+        others += [*report.contexts(), *report.duplicates(self.repeats, self.origins)]
+        notes = Notes(
+            tuple(watch.losses),
+            tuple((str(written), loss) for written, loss in watch.values),
+            frozenset(map(str, watch.identifiers)),
+            tuple((outermost, tuple(inner)) for outermost, inner in watch.within.items()),
+            tuple(others),
+            tuple(
+                (token.span, str(token))
+                for start, token in record.uses.items()
+                if start not in self.known
+            ),
+            tuple((shadow, token.span) for shadow, token in record.shadow_uses.items()),
+        )
+        return (NOTHING if notes == NOTHING else notes), dropped, strayed
+
 
 MANY, CONTEXTS = 5_000, 500
 """Number of parts read again, and of contexts cached, at which everything is read anew."""

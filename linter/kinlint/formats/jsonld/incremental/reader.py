@@ -8,9 +8,8 @@ from kinlint.document import Document
 from kinlint.formats.json_text.json_parser import Element, parse
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS
-from kinlint.formats.jsonld.incremental.alignment import aligned
+from kinlint.formats.jsonld.incremental.alignment import aligned, difference
 from kinlint.formats.jsonld.incremental.blank_labels import Named
-from kinlint.formats.jsonld.incremental.changed_range import difference
 from kinlint.formats.jsonld.incremental.document_assembly import Assembly, assembled
 from kinlint.formats.jsonld.incremental.part import Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible

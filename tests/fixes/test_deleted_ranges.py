@@ -7,7 +7,7 @@ from itertools import pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.formats.jsonld.editing.deleted_ranges import Cuts
+from kinlint.formats.jsonld.editing.container_changes import DeletedRanges
 from kinlint.text import Span
 
 # A tree of brackets: any two of its ranges are apart or nested.
@@ -26,7 +26,7 @@ def ranges(tree: list, start: int = 0) -> list[Span]:
 @given(TREES.map(ranges), st.data())
 def test_a_range_is_cut_if_one_that_holds_it_is(spans: list[Span], data: st.DataObject) -> None:
     cut = data.draw(st.lists(st.sampled_from(spans)))
-    cuts = Cuts()
+    cuts = DeletedRanges()
     for span in cut:
         cuts.add(span)
     for span in spans:
