@@ -20,7 +20,7 @@ from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.edits import Edit, applied
 from kinlint.files.packages import Packages
 from kinlint.finding import Finding, Fix
-from kinlint.fixes.rounds import linted, mended
+from kinlint.fixes.rounds import fix_in_rounds, lint_texts
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.rule import Applicability
@@ -106,7 +106,7 @@ def tried(share: Share) -> Outcome:
     """What becomes of the fixes for *share*."""
     settings = Settings(default=FileSettings(packages=tuple(packages(share.home).items())))
     given = [each for each in share.sources if not each.companion]
-    offers = linted(share.sources, (), settings, book())
+    offers = lint_texts(share.sources, (), settings, book())
     report, outcome = offers.report, Outcome(share.form, len(given))
     outcome.findings = [(each.rule.code, bool(each.fixes)) for each in report.findings]
     outcome.refused = [(each.rule.code, why) for each, _, why in report.unfixed]
@@ -238,7 +238,7 @@ def _together(scratch: Scratch, settings: Settings) -> Iterator[Trial]:
     Files of xacro include others, so all of them are read again.
     """
     sources = scratch.share.sources
-    made = mended(sources, (), settings, book(), Applicability.SAFE)
+    made = fix_in_rounds(sources, (), settings, book(), Applicability.SAFE)
     texts = {before.name: encode(after) for before, after in made.changed}
     if not texts:
         return
@@ -262,7 +262,7 @@ def _unsteady(texts: Sequence[SourceText], changed: Iterable[str], settings: Set
     groups = list(group_sources(texts)) if apart else [list(texts)]
     touched = [each for each in groups if not _names(each).isdisjoint(changed)]
     every = list(chain.from_iterable(touched))
-    again = mended(every, (), settings, book(), Applicability.SAFE)
+    again = fix_in_rounds(every, (), settings, book(), Applicability.SAFE)
     return {before.name for before, _ in again.changed}
 
 

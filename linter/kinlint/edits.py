@@ -31,7 +31,7 @@ class Delta:
         return bool(self.removed or self.added)
 
 
-class Unsayable(Exception):
+class NotExpressible(Exception):
     """A delta cannot be written into the text, for the reason given."""
 
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from support import linting
 
-from kinlint.cache.serialization import Unwritable, read, written
+from kinlint.cache.serialization import NotSerializable, parse_report, serialize_report
 from kinlint.configuration.settings import Settings
-from kinlint.parallel.shard import Job, lint
+from kinlint.parallel.shard import Job, lint_shard
 from kinlint.report import Report
 from kinlint.text import SourceText, Span
 
@@ -29,11 +29,11 @@ def book():
 def test_every_part_of_a_report_comes_back(book, fixing, drawn):
     """Findings with all that belongs to them, fixes, refusals, robots."""
     source = SourceText("a robot.urdf", ROBOT)
-    ((report, _),) = lint([[source]], (), Job(Settings(drawn=drawn), book, fixing))
+    ((report, _),) = lint_shard([[source]], (), Job(Settings(drawn=drawn), book, fixing))
     assert report.findings
     assert any(one.fixes for one in report.findings) == fixing
     assert bool(report.structures) == drawn
-    again = read(written(report, [source]), [source], book)
+    again = parse_report(serialize_report(report, [source]), [source], book)
     assert replace(again, seconds=report.seconds) == report
     assert again.findings[0].location.source is source
 
@@ -46,18 +46,18 @@ def test_texts_that_were_not_given_come_along(book):
         original=b"x\x80",
     )
     given = SourceText("a.urdf", ROBOT)
-    ((report, _),) = lint([[given]], (), Job(Settings(), book))
+    ((report, _),) = lint_shard([[given]], (), Job(Settings(), book))
     moved = [replace(one, location=replace(one.location, source=other)) for one in report.findings]
     report = replace(report, findings=tuple(moved))
-    again = read(written(report, [given]), [given], book)
+    again = parse_report(serialize_report(report, [given]), [given], book)
     assert again.findings == report.findings
     assert len({id(one.location.source) for one in again.findings}) == 1
 
 
 def test_what_has_no_notation_is_not_kept():
     """Rather than kept in a way that cannot be read."""
-    with pytest.raises(Unwritable):
-        written(Report(files=(object(),)), [])
+    with pytest.raises(NotSerializable):
+        serialize_report(Report(files=(object(),)), [])
 
 
 @pytest.mark.parametrize(
@@ -66,11 +66,11 @@ def test_what_has_no_notation_is_not_kept():
 def test_what_is_no_report_is_refused(book, text):
     """Somehow: it counts as absent."""
     with pytest.raises((ValueError, TypeError, KeyError, IndexError)):
-        read(text, [], book)
+        parse_report(text, [], book)
 
 
 def test_nothing_but_data_is_made(book):
     """A notation names its classes; others are not looked up."""
     text = '{"texts": [], "report": {"files": ["object", "Path", "x"]}}'
     with pytest.raises(KeyError):
-        read(text, [], book)
+        parse_report(text, [], book)

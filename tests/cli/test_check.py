@@ -111,7 +111,7 @@ def test_options_become_settings(kinlint, pipeline, write, here):
     )
     settings = pipeline.settings
 
-    assert settings.of("arm.jsonld").choices == (
+    assert settings.for_file("arm.jsonld").choices == (
         Choice(
             select=("UNI", "LD001", "AP5"),
             extend_select=("LIM",),
@@ -148,7 +148,10 @@ def test_per_file_ignores(kinlint, pipeline, write):
         *("--extend-per-file-ignores", "leg.jsonld#/@graph/0:UNI"),
     )
     ignores = {
-        name: [(one.selectors, one.pointer, one.iri) for one in pipeline.settings.of(name).ignores]
+        name: [
+            (one.selectors, one.pointer, one.iri)
+            for one in pipeline.settings.for_file(name).ignores
+        ]
         for name in ("m/arm.jsonld", "leg.jsonld")
     }
     entity = (("LD001",), None, "https://example.org/x")

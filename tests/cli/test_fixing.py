@@ -86,7 +86,7 @@ def test_a_file_that_changed_meanwhile_is_not_overwritten(kinlint, arm, monkeypa
         arm.write_bytes(ARM.replace("base", "root").encode())
         return outcome
 
-    monkeypatch.setattr(fix_files, "mended", meanwhile)
+    monkeypatch.setattr(fix_files, "fix_in_rounds", meanwhile)
     code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
 
     assert code == 2

@@ -12,7 +12,7 @@ def test_rules_speak_as_the_file_nearest_to_a_model_says(kinlint, pipeline, writ
     write("arm/kinlint.toml", 'select = ["LD"]\nper-file-ignores = {"b.jsonld" = ["UNI"]}')
     write("arm/b.jsonld")
     kinlint()
-    leg, arm = (pipeline.settings.of(name) for name in ("leg/a.jsonld", "arm/b.jsonld"))
+    leg, arm = (pipeline.settings.for_file(name) for name in ("leg/a.jsonld", "arm/b.jsonld"))
 
     assert [(one.origin, one.ignore) for one in leg.choices] == [("kinlint.toml", ("UNI",))]
     assert [(one.origin, one.select) for one in arm.choices] == [("arm/kinlint.toml", ("LD",))]
@@ -142,9 +142,9 @@ def test_a_given_configuration_and_none(kinlint, pipeline, write):
 
     assert kinlint()[0] == 1
     assert kinlint("--isolated")[0] == 0
-    assert pipeline.settings.of("arm.jsonld").choices == ()
+    assert pipeline.settings.for_file("arm.jsonld").choices == ()
     assert kinlint("--config", "other.toml")[0] == 0
-    assert [one.ignore for one in pipeline.settings.of("arm.jsonld").choices] == [("UNI",)]
+    assert [one.ignore for one in pipeline.settings.for_file("arm.jsonld").choices] == [("UNI",)]
 
 
 def test_keys_on_the_command_line(kinlint, pipeline, write):
@@ -156,11 +156,11 @@ def test_keys_on_the_command_line(kinlint, pipeline, write):
     code, _, _ = kinlint(*(word for key in keys for word in ("--config", key)))
 
     assert code == 0
-    assert [one.origin for one in pipeline.settings.of("arm.jsonld").choices] == [
+    assert [one.origin for one in pipeline.settings.for_file("arm.jsonld").choices] == [
         "kinlint.toml",
         "--config",
     ]
-    assert [name for name, _ in pipeline.settings.of("arm.jsonld").choices[1].severity] == [
+    assert [name for name, _ in pipeline.settings.for_file("arm.jsonld").choices[1].severity] == [
         "UNI",
         "LD",
     ]

@@ -16,7 +16,7 @@ PACKAGE = '{"@context": "https://doi.org/10.5063/schema/codemeta-2.0", "@type": 
 
 
 def outcome(*inputs, settings=None):
-    sources, errors = read(inputs, settings or Settings())
+    sources, errors = read_models(inputs, settings or Settings())
     return [source.name for source in sources], [str(error) for error in errors]
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinlint.configuration.config_file import Config, Configs, config_of, load
+from kinlint.configuration.config_file import Config, Configs, load_config, parse_config
 from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError
 from kinlint.rule import Severity
@@ -21,7 +21,7 @@ def test_the_nearest_file_governs(tmp_path):
     write(tmp_path / "arm" / "models" / "arm.jsonld", "{}")
     configs = Configs()
 
-    near, far = configs.of(tmp_path / "arm" / "models"), configs.of(tmp_path / "leg")
+    near, far = configs.nearest(tmp_path / "arm" / "models"), configs.nearest(tmp_path / "leg")
 
     assert near.choices == (Choice(str(tmp_path / "arm" / "kinlint.toml"), ignore=("LD",)),)
     assert near.engine is None
@@ -42,7 +42,7 @@ def test_one_file_of_a_directory_counts(tmp_path, names, wanted):
         head = "[tool.kinlint]\n" if name == "pyproject.toml" else ""
         write(tmp_path / name, f'{head}fail-on = "info"')
 
-    assert Configs().of(tmp_path).origin == str(tmp_path / wanted)
+    assert Configs().nearest(tmp_path).origin == str(tmp_path / wanted)
 
 
 def test_a_pyproject_about_other_tools_is_passed_over(tmp_path):
@@ -50,12 +50,12 @@ def test_a_pyproject_about_other_tools_is_passed_over(tmp_path):
     write(tmp_path / "kinlint.toml", "partial = true")
     write(tmp_path / "arm" / "pyproject.toml", "[tool.ruff]\n")
 
-    assert Configs().of(tmp_path / "arm").partial is True
+    assert Configs().nearest(tmp_path / "arm").partial is True
 
 
 def test_nothing_governs_where_nothing_is(tmp_path):
     """No configuration file, no configuration."""
-    assert Configs().of(tmp_path) is None
+    assert Configs().nearest(tmp_path) is None
 
 
 def test_a_fixed_configuration_governs_everywhere(tmp_path):
@@ -63,12 +63,12 @@ def test_a_fixed_configuration_governs_everywhere(tmp_path):
     write(tmp_path / "kinlint.toml", "partial = true")
     fixed = Config("given")
 
-    assert Configs(fixed).of(tmp_path) is fixed
+    assert Configs(fixed).nearest(tmp_path) is fixed
 
 
 def test_paths_and_patterns_start_at_the_file(tmp_path):
     """Wherever the command runs."""
-    config = load(
+    config = load_config(
         write(
             tmp_path / "conf" / "kinlint.toml",
             'rules = "rules"\nshapes = ["../s.ttl"]\nexclude = ["old/*"]\nextra-contexts = "ctx"\n'
@@ -86,7 +86,7 @@ def test_paths_and_patterns_start_at_the_file(tmp_path):
 def test_contexts_may_be_named_one_by_one(tmp_path):
     """A table from IRIs to files."""
     text = '[extra-contexts]\n"https://acme.example/c.json" = "c.json"'
-    config = load(write(tmp_path / "kinlint.toml", text))
+    config = load_config(write(tmp_path / "kinlint.toml", text))
 
     assert config.extra_contexts == {"https://acme.example/c.json": tmp_path / "c.json"}
     assert config.context_directories is None
@@ -95,7 +95,7 @@ def test_contexts_may_be_named_one_by_one(tmp_path):
 def test_keys_of_per_file_ignores(tmp_path):
     """A glob, a place in the files of a glob, an entity."""
     keys = {"a.json": ["UNI"], "a.json#/@graph/0": ["LD"], "<https://acme.example/arm>": ["LD"]}
-    config = config_of({"per-file-ignores": keys}, "kinlint.toml", tmp_path)
+    config = parse_config({"per-file-ignores": keys}, "kinlint.toml", tmp_path)
 
     whole, place, entity = config.per_file_ignores
 
@@ -106,7 +106,7 @@ def test_keys_of_per_file_ignores(tmp_path):
 
 def test_severities(tmp_path):
     """Selectors and what their rules count as."""
-    config = config_of({"severity": {"UNI002": "info"}}, "kinlint.toml", tmp_path)
+    config = parse_config({"severity": {"UNI002": "info"}}, "kinlint.toml", tmp_path)
 
     assert config.choices[0].severity == (("UNI002", Severity.INFO),)
 
@@ -118,7 +118,7 @@ def test_extending_puts_one_configuration_on_another(tmp_path):
         'select = ["UNI"]\nfail-on = "info"\npartial = true\n'
         'extend-exclude = ["old"]\n[per-file-ignores]\n"a" = ["LD"]',
     )
-    config = load(
+    config = load_config(
         write(
             tmp_path / "arm" / "kinlint.toml",
             'extend = "../base.toml"\nignore = ["LD"]\nfail-on = "error"\n'
@@ -151,7 +151,7 @@ def test_an_extension_that_leads_nowhere(tmp_path, files, message):
         write(tmp_path / name, text)
 
     with pytest.raises(ConfigError, match=message):
-        load(tmp_path / "kinlint.toml")
+        load_config(tmp_path / "kinlint.toml")
 
 
 @pytest.mark.parametrize(
@@ -176,7 +176,7 @@ def test_an_extension_that_leads_nowhere(tmp_path, files, message):
 def test_what_is_wrong_is_told_by_file_key_and_expectation(tmp_path, text, message):
     """Nothing unknown or of the wrong kind is passed over."""
     with pytest.raises(ConfigError, match=message):
-        load(write(tmp_path / "kinlint.toml", text))
+        load_config(write(tmp_path / "kinlint.toml", text))
 
 
 def test_a_file_that_is_no_text(tmp_path):
@@ -184,7 +184,7 @@ def test_a_file_that_is_no_text(tmp_path):
     (tmp_path / "kinlint.toml").write_bytes(b"\xff\xfe")
 
     with pytest.raises(ConfigError, match="not UTF-8"):
-        load(tmp_path / "kinlint.toml")
+        load_config(tmp_path / "kinlint.toml")
 
 
 def test_the_file_is_named_from_the_working_directory(tmp_path, monkeypatch):
@@ -192,14 +192,14 @@ def test_the_file_is_named_from_the_working_directory(tmp_path, monkeypatch):
     write(tmp_path / "conf" / "kinlint.toml", "")
     monkeypatch.chdir(tmp_path)
 
-    assert load(tmp_path / "conf" / "kinlint.toml").origin == "conf/kinlint.toml"
+    assert load_config(tmp_path / "conf" / "kinlint.toml").origin == "conf/kinlint.toml"
 
 
 def test_an_entry_knows_where_it_stands(tmp_path):
     """Line ends and a byte order mark are left as they are."""
     text = "\ufeff# x\r\nper-file-ignores = {'<urn:x>' = [\"UNI\"]}\r\n"
     (tmp_path / "kinlint.toml").write_bytes(text.encode())
-    (entry,) = load(tmp_path / "kinlint.toml").per_file_ignores
+    (entry,) = load_config(tmp_path / "kinlint.toml").per_file_ignores
     source, span = entry.place
 
     assert source[span] == "'<urn:x>'"
@@ -223,11 +223,11 @@ def test_what_is_wrong_with_a_pyproject(tmp_path, text, message):
     (tmp_path / "pyproject.toml").write_text(text, "utf-8")
 
     with pytest.raises(ConfigError, match=message):
-        Configs().of(tmp_path)
+        Configs().nearest(tmp_path)
 
 
 def test_a_pyproject_that_says_nothing_of_kinlint_is_not_judged(tmp_path):
     """Not even if it is no TOML: that is for others to tell."""
     (tmp_path / "pyproject.toml").write_text("[tool", "utf-8")
 
-    assert Configs().of(tmp_path) is None
+    assert Configs().nearest(tmp_path) is None

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinlint.configuration.selection import Policies, policy
+from kinlint.configuration.selection import Policies, combine_policy
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
 from kinlint.errors import UsageError
@@ -27,7 +27,7 @@ CODES = {one.code for one in RULES}
 
 
 def chosen(*choices):
-    severities = policy(choices, Catalogue(RULES)).severities
+    severities = combine_policy(choices, Catalogue(RULES)).severities
     return {code for code, severity in severities.items() if severity is not None}
 
 
@@ -88,8 +88,10 @@ def test_severities_are_overridden_by_the_more_specific_selector():
     """Whatever their order; a higher layer beats a lower one."""
     severity = (("UNI002", Severity.ERROR), ("UNI", Severity.INFO))
 
-    made = policy((Choice(severity=severity),), Catalogue(RULES))
-    over = policy((Choice(severity=severity), Choice(severity=(("ALL", W),))), Catalogue(RULES))
+    made = combine_policy((Choice(severity=severity),), Catalogue(RULES))
+    over = combine_policy(
+        (Choice(severity=severity), Choice(severity=(("ALL", W),))), Catalogue(RULES)
+    )
 
     assert made.severity(RULES[0]) is Severity.INFO
     assert made.severity(RULES[1]) is Severity.ERROR
@@ -101,7 +103,9 @@ def test_a_rule_nobody_heard_of_speaks():
     """What an engine reports beside the catalogue is not lost."""
     stranger = rule("ZZZ001", "stranger")
 
-    assert policy((Choice(select=("UNI",)),), Catalogue(RULES)).severity(stranger) is not None
+    assert (
+        combine_policy((Choice(select=("UNI",)),), Catalogue(RULES)).severity(stranger) is not None
+    )
 
 
 @pytest.mark.parametrize(
@@ -120,9 +124,9 @@ def test_an_unknown_selector_tells_where_it_was_written():
     entry = Settings(default=FileSettings(ignores=(Ignore(("ZZZ",), "a.json", "kinlint.toml"),)))
 
     with pytest.raises(UsageError, match=r"^kinlint\.toml: unknown"):
-        Policies(settings, RULES).check()
+        Policies(settings, RULES).check_selectors()
     with pytest.raises(UsageError, match=r"^kinlint\.toml: a\.json: unknown"):
-        Policies(entry, RULES).check()
+        Policies(entry, RULES).check_selectors()
 
 
 def test_each_file_has_its_own_policy():
@@ -134,8 +138,10 @@ def test_each_file_has_its_own_policy():
         location = Location(SourceText(name, "{}"), Span(0, 1))
         return Finding(RULES[0], Severity.ERROR, "", location, "", "_:b")
 
-    assert policies.judged([found("a.jsonld")]) == []
-    assert [one.severity for one in policies.judged([found("b.jsonld")])] == [Severity.ERROR]
+    assert policies.apply_severities([found("a.jsonld")]) == []
+    assert [one.severity for one in policies.apply_severities([found("b.jsonld")])] == [
+        Severity.ERROR
+    ]
     assert policies.enabled(["a.jsonld"]) == CODES - {"UNI001"}
     assert policies.enabled(["a.jsonld", "b.jsonld"]) == CODES
     assert policies.enabled([]) == set()
@@ -151,4 +157,4 @@ def test_what_a_constraint_counts_as_holds_until_somebody_says_otherwise(choices
     place = Location(SourceText("a.jsonld", "{}"), Span(0, 1))
     mild = Finding(next(rule for rule in RULES if rule.code == "UNI001"), W, "", place, "", "_:b")
 
-    assert [one.severity for one in policies.judged([mild])] == [severity]
+    assert [one.severity for one in policies.apply_severities([mild])] == [severity]

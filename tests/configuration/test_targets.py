@@ -5,7 +5,7 @@ import json
 import pytest
 
 from kinlint.catalogue.rule_file import read_rules
-from kinlint.configuration.selection import Policies, policy
+from kinlint.configuration.selection import Policies, combine_policy
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError
@@ -46,28 +46,28 @@ RULES = (LUMPED, BARE, TASTE)
 )
 def test_what_rules_count_as(targets, form, expected):
     """The worst of the named targets, else of the format, else the rule's own."""
-    assert policy((), Catalogue(RULES), targets, form).severities == expected
+    assert combine_policy((), Catalogue(RULES), targets, form).severities == expected
 
 
 def test_what_the_user_says_counts_most():
     """A severity by configuration holds for every target."""
     choice = Choice(severity=(("INE004", WARNING),))
-    assert policy((choice,), Catalogue(RULES), ("gazebo",)).severities["INE004"] == WARNING
+    assert combine_policy((choice,), Catalogue(RULES), ("gazebo",)).severities["INE004"] == WARNING
 
 
 def test_targets_are_those_of_each_file():
     """The configuration nearest to a file says for whom it is meant."""
     files = {"a.urdf": FileSettings(targets=("gazebo",)), "b.urdf": FileSettings()}
     policies = Policies(Settings(files=files), RULES)
-    assert policies.of("a.urdf").severity(LUMPED) == WARNING
-    assert policies.of("b.urdf").severity(LUMPED) is None
+    assert policies.for_file("a.urdf").severity(LUMPED) == WARNING
+    assert policies.for_file("b.urdf").severity(LUMPED) is None
 
 
 def test_unknown_target():
     """A slip is told before work starts."""
     settings = Settings(default=FileSettings(targets=("gazbo",)))
     with pytest.raises(UsageError, match="unknown target 'gazbo', did you mean 'gazebo'"):
-        Policies(settings, RULES).check()
+        Policies(settings, RULES).check_selectors()
 
 
 FILE = """

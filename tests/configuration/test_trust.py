@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from kinlint.configuration.config_file import config_of
-from kinlint.configuration.fix_trust import trust
+from kinlint.configuration.config_file import parse_config
+from kinlint.configuration.fix_trust import combine_trust
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
@@ -31,12 +31,12 @@ UNI001, UNI002, LD001 = RULES
 
 
 def mended(*choices):
-    said = trust(choices, Catalogue(RULES))
-    return {one.code for one in RULES if said.mends(one)}
+    said = combine_trust(choices, Catalogue(RULES))
+    return {one.code for one in RULES if said.allows_fixes(one)}
 
 
 def counts(proven, *choices):
-    return trust(choices, Catalogue(RULES)).applicability(UNI001, proven)
+    return combine_trust(choices, Catalogue(RULES)).applicability(UNI001, proven)
 
 
 def test_without_a_choice_every_fix_is_wanted_as_it_is():
@@ -93,8 +93,8 @@ def test_a_higher_layer_may_trust_again():
 
 def test_a_fix_that_is_not_safe_here_says_why():
     """The reason that it has, or that the configuration says so."""
-    careful = trust([Choice(extend_unsafe_fixes=("UNI",))], Catalogue(RULES))
-    trusting = trust([Choice(extend_safe_fixes=("UNI",))], Catalogue(RULES))
+    careful = combine_trust([Choice(extend_unsafe_fixes=("UNI",))], Catalogue(RULES))
+    trusting = combine_trust([Choice(extend_safe_fixes=("UNI",))], Catalogue(RULES))
     guess, sure = Fix("Do it", UNSAFE, (), "", "It guesses."), Fix("Do it", SAFE, (), "")
 
     assert careful.weighed_fix(UNI001, guess) is guess
@@ -109,9 +109,9 @@ def test_each_file_has_its_own_trust():
     there = FileSettings(choices=(Choice(unfixable=("UNI",)),))
     policies = Policies(Settings(files={"b.jsonld": there}), RULES)
 
-    assert policies.trust("a.jsonld").mends(UNI001)
-    assert not policies.trust("b.jsonld").mends(UNI001)
-    assert policies.trust("b.jsonld").mends(LD001)
+    assert policies.trust("a.jsonld").allows_fixes(UNI001)
+    assert not policies.trust("b.jsonld").allows_fixes(UNI001)
+    assert policies.trust("b.jsonld").allows_fixes(LD001)
 
 
 @pytest.mark.parametrize(
@@ -123,7 +123,7 @@ def test_a_selector_that_names_nothing_is_a_mistake(name):
     policies = Policies(Settings(default=FileSettings(choices=(choice,))), RULES)
 
     with pytest.raises(UsageError, match=r"kinlint.toml: unknown rule selector 'UNI01'"):
-        policies.check()
+        policies.check_selectors()
 
 
 def test_a_configuration_says_it_all(tmp_path):
@@ -135,11 +135,11 @@ def test_a_configuration_says_it_all(tmp_path):
         "extend-unsafe-fixes": ["UNI002"],
         "unsafe-fixes": True,
     }
-    config = config_of(said, "kinlint.toml", tmp_path)
+    config = parse_config(said, "kinlint.toml", tmp_path)
 
     (choice,) = config.choices
     assert (choice.fixable, choice.unfixable) == (("UNI",), ("LD001",))
     assert (choice.extend_safe_fixes, choice.extend_unsafe_fixes) == (("UNI001",), ("UNI002",))
     assert config.unsafe_fixes is True
     with pytest.raises(ConfigError, match=r"unsafe-fixes: expected true or false"):
-        config_of({"unsafe-fixes": "yes"}, "kinlint.toml", tmp_path)
+        parse_config({"unsafe-fixes": "yes"}, "kinlint.toml", tmp_path)

@@ -6,7 +6,7 @@ from gitting import commit, git, needs_git
 from kinlint.errors import UsageError
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository
-from kinlint.project.revision_checkout import snapshot
+from kinlint.project.revision_checkout import checkout
 
 pytestmark = needs_git
 
@@ -154,7 +154,7 @@ def test_submodules_are_left_out(tree, tmp_path):
 
     revision = at(tree)
     assert (dict(revision.changed), revision.deleted) == ({}, frozenset())
-    with snapshot(revision) as root:
+    with checkout(revision) as root:
         assert (root / "module/m.urdf").read_text("utf-8") == "other\n"
 
 
@@ -189,7 +189,7 @@ def test_a_snapshot_has_the_files_of_the_revision(tree):
     (tree / "out").mkdir()
     (tree / "out/made.urdf").write_text("made\n", "utf-8")
 
-    with snapshot(at(tree)) as root:
+    with checkout(at(tree)) as root:
         assert (root / "a.urdf").read_text("utf-8") == "a\n" * 9
         assert (root / "sub/c.urdf").read_text("utf-8") == "c\n" * 9
         assert (root / "arm.STL").read_bytes() == b""
@@ -206,10 +206,10 @@ def test_what_git_lfs_keeps_comes_from_its_store(tree):
     (tree / "a.urdf").write_text(size, "utf-8")
     commit(tree)
     (tree / "a.urdf").write_text("other\n", "utf-8")
-    with snapshot(at(tree)) as root:
+    with checkout(at(tree)) as root:
         assert (root / "a.urdf").read_text("utf-8") == size
     kept = tree / ".git/lfs/objects" / oid[:2] / oid[2:4] / oid
     kept.parent.mkdir(parents=True)
     kept.write_text("12345", "utf-8")
-    with snapshot(at(tree)) as root:
+    with checkout(at(tree)) as root:
         assert (root / "a.urdf").read_text("utf-8") == "12345"

@@ -9,7 +9,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.configuration.settings import Settings
 from kinlint.engine.compiler.compile import compile_shapes
-from kinlint.fixes.rounds import linted, mended
+from kinlint.fixes.rounds import fix_in_rounds, lint_texts
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
@@ -61,7 +61,7 @@ def book(directory: Path, *rules):
 
 def offered(rules, text, name="arm.urdf"):
     """The findings in *text*, with the fixes that are offered, and what is refused."""
-    offers = linted([SourceText(name, text)], (), Settings(), rules)
+    offers = lint_texts([SourceText(name, text)], (), Settings(), rules)
     return offers.report.findings, [why for _, _, why in offers.refused]
 
 
@@ -73,4 +73,4 @@ def mend(rules, text, name="arm.urdf", least=Applicability.SAFE):
 
 def outcome(rules, text, name="arm.urdf", least=Applicability.UNSAFE):
     """What comes of *text* by all fixes that may be trusted at *least* so far."""
-    return mended([SourceText(name, text)], (), Settings(), rules, least)
+    return fix_in_rounds([SourceText(name, text)], (), Settings(), rules, least)

@@ -11,7 +11,7 @@ from kinlint.cli import fix_files
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
 from kinlint.fixes import writable
-from kinlint.fixes.rounds import linted, mended
+from kinlint.fixes.rounds import fix_in_rounds, lint_texts
 from kinlint.formats.decoding import decode
 from kinlint.project.discovery import Input
 from kinlint.rule import Applicability
@@ -97,14 +97,14 @@ def sources(*names):
 def fix(rules, *names, streamed=()):
     """Mends the files of *names* on disk; the report of what is left, and the files written."""
     texts = sources(*names)
-    outcome = mended(texts, (), Settings(), rules, Applicability.SAFE, None, streamed)
+    outcome = fix_in_rounds(texts, (), Settings(), rules, Applicability.SAFE, None, streamed)
     report = fix_files.written(outcome, [Input(name, Path(name).absolute()) for name in names])
     return report, [before.name for before, _ in outcome.changed]
 
 
 def refused(rules, *names):
     """The findings in the files of *names*, and why they are not fixed."""
-    offers = linted(sources(*names), (), Settings(), rules)
+    offers = lint_texts(sources(*names), (), Settings(), rules)
     assert not any(finding.fixes for finding in offers.report.findings)
     return len(offers.report.findings), [why for _, _, why in offers.report.unfixed]
 
@@ -112,7 +112,7 @@ def refused(rules, *names):
 def test_a_macro_that_is_used_twice_is_mended_once(here, limits):
     """In the file that it stands in, every other byte as it was."""
     put(arm__xacro=ROBOT.format(included="macros.xacro"), macros__xacro=MACROS)
-    (finding,) = linted(sources("arm.xacro"), (), Settings(), limits).report.findings
+    (finding,) = lint_texts(sources("arm.xacro"), (), Settings(), limits).report.findings
     (offer,) = finding.fixes
     assert [(edit.location.source.name, edit.text) for edit in offer.edits] == [
         ("macros.xacro", "-1"),
@@ -229,7 +229,7 @@ def test_files_that_may_not_be_written_stay(here, limits):
 def test_a_file_that_changed_meanwhile_stays(here, limits):
     """It is an error, and nothing counts as fixed."""
     put(arm__xacro=ROBOT.format(included="macros.xacro"), macros__xacro=MACROS)
-    outcome = mended(sources("arm.xacro"), (), Settings(), limits, Applicability.SAFE)
+    outcome = fix_in_rounds(sources("arm.xacro"), (), Settings(), limits, Applicability.SAFE)
     put(macros__xacro=MACROS.replace("stays", "new"))
 
     report = fix_files.written(outcome, [Input("arm.xacro", here / "arm.xacro")])

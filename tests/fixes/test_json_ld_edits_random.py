@@ -11,7 +11,7 @@ from hypothesis import event, given, settings
 from hypothesis import strategies as st
 from random_triples import EX, XSD, Changer, G
 
-from kinlint.edits import Unsayable, applied
+from kinlint.edits import NotExpressible, applied
 from kinlint.formats.jsonld.editing.editor import Editor
 
 CONTEXTS = [
@@ -102,7 +102,7 @@ def test_what_is_written_is_what_was_to_be_said(text: str, chance: random.Random
     delta = Changer(domain(before), chance).delta()
     try:
         edits = Editor(before, OPTIONS).edits(delta)
-    except Unsayable as why:
+    except NotExpressible as why:
         event(f"unsayable: {why}")
         return
     event("said")

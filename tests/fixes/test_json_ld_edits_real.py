@@ -10,7 +10,7 @@ from data import locate_data
 from editing_json_ld import OPTIONS, canonical, changed, check_edits, domain
 from random_triples import Changer
 
-from kinlint.edits import Unsayable, applied
+from kinlint.edits import NotExpressible, applied
 from kinlint.errors import SourceError
 from kinlint.formats.jsonld.editing.editor import Editor
 from kinlint.formats.jsonld.reader import read
@@ -34,7 +34,7 @@ def check(path: Path, count: int) -> tuple[int, int]:
         delta = Changer(triples, chance).delta()
         try:
             edits = editor.edits(delta)
-        except Unsayable:
+        except NotExpressible:
             not_said += 1
             continue
         check_edits(text, edits)

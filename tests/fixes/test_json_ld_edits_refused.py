@@ -7,7 +7,7 @@ import re
 import pytest
 from editing_json_ld import OPTIONS, document, domain, edited
 
-from kinlint.edits import Delta, Unsayable, applied
+from kinlint.edits import Delta, NotExpressible, applied
 from kinlint.formats.jsonld.editing import editor
 from kinlint.terms import RDF_TYPE, Term, Triple
 from kinlint.vocabulary import SRC
@@ -45,7 +45,7 @@ def stated(text: str, *names: str) -> list[Triple]:
 
 
 def refusal(text: str, removed: list[Triple], added: list[Triple]) -> str:
-    with pytest.raises(Unsayable) as refused:
+    with pytest.raises(NotExpressible) as refused:
         editor.Editor(document(text), OPTIONS).edits(Delta(tuple(removed), tuple(added)))
     return str(refused.value)
 

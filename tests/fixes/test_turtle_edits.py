@@ -7,7 +7,7 @@ from editing_json_ld import OPTIONS
 from support.linting import document
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Unsayable, applied
+from kinlint.edits import Delta, NotExpressible, applied
 from kinlint.formats.registry import editor
 from kinlint.terms import XSD, Term, Triple, literal
 
@@ -85,5 +85,5 @@ def test_what_turtle_does_not_say(removed: list[str], added: list[object], reaso
     model = found()
     old = [triple_at(model, text) for text in removed]
     new = [each if isinstance(each, tuple) else (*old[0][:2], each) for each in added]
-    with pytest.raises(Unsayable, match=reason):
+    with pytest.raises(NotExpressible, match=reason):
         editor(model, OPTIONS).edits(Delta(tuple(old), tuple(new)))  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from editing_xml import Triples, change, edited
 
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.formats.xml.editing import element_tree
@@ -418,13 +418,13 @@ def test_attributes_go_from_text_that_is_not_well_formed() -> None:
     ],
 )  # fmt: skip
 def test_what_cannot_be_said(removed: Triples, added: Triples, reason: str) -> None:
-    with pytest.raises(Unsayable) as caught:
+    with pytest.raises(NotExpressible) as caught:
         change(JOINT, removed, added)
     assert str(caught.value) == reason
 
 
 def test_the_root_cannot_go() -> None:
-    with pytest.raises(Unsayable, match="a file has a root element"):
+    with pytest.raises(NotExpressible, match="a file has a root element"):
         change(JOINT, [("", "urdf:robot")], [])
 
 

@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from random_changes import Changer
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.files.packages import Packages
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.options import ReadOptions
@@ -142,7 +142,7 @@ SEVERAL = "the text stands for several elements"
 def test_xacro_that_cannot_be_changed(
     tmp_path: Path, node: str, name: str, value: float | str, reason: str
 ) -> None:
-    with pytest.raises(Unsayable, match=reason):
+    with pytest.raises(NotExpressible, match=reason):
         xacro(tmp_path, [(node, name)], [(node, name, value)])
 
 
@@ -159,7 +159,7 @@ def test_any_change_of_xacro(tmp_path: Path, random: Random) -> None:
         return
     try:
         texts = edited(document, wanted)
-    except Unsayable:
+    except NotExpressible:
         return
     for name, source in texts.items():
         Path(name).write_text(source.text, encoding="utf-8")
@@ -201,13 +201,13 @@ def test_what_is_included_twice_is_left_alone(tmp_path: Path) -> None:
     twice = WORLD.replace("  </world>", f"{again}  </world>")
     mass = f"{INCLUDED}/model/part/link/l/inertial/mass"
     files = {"world.sdf": twice, "part/model.sdf": PART}
-    with pytest.raises(Unsayable, match=SEVERAL):
+    with pytest.raises(NotExpressible, match=SEVERAL):
         change(tmp_path, files, [(mass, "src:text")], [(mass, "src:text", 2.0)])
 
 
 def test_the_root_of_what_is_included_cannot_go(tmp_path: Path) -> None:
     files = {"world.sdf": WORLD, "part/model.sdf": PART}
-    with pytest.raises(Unsayable, match="a file has a root element"):
+    with pytest.raises(NotExpressible, match="a file has a root element"):
         change(tmp_path, files, [("#/world/w/include", "sdf:sdf")], [])
 
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from random_changes import Changer
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode, encode
 from kinlint.formats.options import ReadOptions
@@ -95,7 +95,7 @@ def check(document: Document, delta: Delta, editor: Editor) -> bool:
     """Whether *editor* can say *delta*; if so, it does."""
     try:
         edits = editor.edits(delta)
-    except Unsayable:
+    except NotExpressible:
         return False
     assert all(one.span.end <= other.span.start for one, other in pairwise(edits))
     own = written(document, edits).get(document.source.name, document.source)

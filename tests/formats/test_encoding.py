@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode, encode
 
@@ -37,13 +37,13 @@ def test_json_keeps_its_mark() -> None:
 
 
 def test_bytes_that_are_none_of_the_encoding_cannot_be_written_back() -> None:
-    with pytest.raises(Unsayable, match="some bytes of the file are not in its encoding"):
+    with pytest.raises(NotExpressible, match="some bytes of the file are not in its encoding"):
         encode(decode("arm.urdf", b'<robot name="\xe9"/>'))
 
 
 def test_characters_that_the_encoding_lacks_cannot_be_written() -> None:
     source = decode("arm.urdf", b'<?xml version="1.0" encoding="ascii"?><robot name="a"/>')
-    with pytest.raises(Unsayable, match=r"ASCII has no U\+00B5"):
+    with pytest.raises(NotExpressible, match=r"ASCII has no U\+00B5"):
         encode(replace(source, text=source.text.replace('"a"', '"µ"')))
 
 
@@ -59,6 +59,6 @@ def test_any_bytes_are_written_back_or_not_at_all(head: bytes, rest: bytes, name
     try:
         source = decode(name, head + rest)
         data = encode(source)
-    except (SourceError, Unsayable):
+    except (SourceError, NotExpressible):
         return
     assert data == head + rest

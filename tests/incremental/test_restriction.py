@@ -33,7 +33,7 @@ def solutions(store: Store, select: str, names: tuple[str, ...]) -> Counter[tupl
 @pytest.mark.parametrize("form", ["urdf", "sdf"])
 def test_nothing_else_is_found(form):
     """For each element that a query is narrowed by, the same solutions, as often."""
-    units = [Unit.of(each, None) for each in queries(form)]
+    units = [Unit.from_lifting(each, None) for each in queries(form)]
     narrowed = 0
     for file in sorted(SAMPLES.glob(f"*/*.{form}"))[::8]:
         source = SourceText(file.name, file.read_text("utf-8"))

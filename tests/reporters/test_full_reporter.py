@@ -10,7 +10,7 @@ from reported import BOTH, DYNAMICS, INERTIA_FINDING, PLAIN, at, here, report, r
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Premise, Related
 from kinlint.report import Report
-from kinlint.reporters.display_width import shown, width
+from kinlint.reporters.display_width import printable, width
 from kinlint.reporters.full import render
 from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
@@ -194,13 +194,15 @@ def test_carets_have_the_width_of_what_they_mark(made: Report) -> None:
     for finding in made.findings:
         source, span = finding.location.source, finding.location.span
         line, column = finding.location.start
-        if width(shown(source.line(line))) > 100 or set("\r\n") & set(source[span]):
+        if width(printable(source.line(line))) > 100 or set("\r\n") & set(source[span]):
             continue
         text = "".join(render(report(replace(finding, related=(), because=())), Style()))
         row = next(row for row in text.splitlines() if re.fullmatch(r" +\| +\^+", row))
         carets = row.split("| ", 1)[1]
-        assert len(carets) - len(carets.lstrip()) == width(shown(source.line(line)[: column - 1]))
-        assert carets.count("^") == max(1, width(shown(source[span].rstrip(" \t"))))
+        assert len(carets) - len(carets.lstrip()) == width(
+            printable(source.line(line)[: column - 1])
+        )
+        assert carets.count("^") == max(1, width(printable(source[span].rstrip(" \t"))))
 
 
 def test_no_line_of_an_excerpt_is_wider_than_the_terminal() -> None:

@@ -52,7 +52,7 @@ def rolled(text: str) -> dict[int, str]:
 def ours(text: str, *, bom: bool = False) -> dict[int, str]:
     source = SourceText("x", text, bom=bom)
     hashes = LineHashes(source)
-    return {line: hashes.of(line) for line in range(1, len(source.line_starts) + 1)}
+    return {line: hashes.line_hash(line) for line in range(1, len(source.line_starts) + 1)}
 
 
 @given(texts)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from drawn import HOSTILE, about, chain, picture
 
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.picture.formats import pieces
 from kinlint.reporters.terminal_style import Style
 
@@ -65,4 +65,4 @@ def test_mermaid_reads_them(tmp_path: Path, *, unicode: bool) -> None:
     assert len(found["named"]) == parts + len(ROBOTS)
     texts = (name.replace("ﬂ°°", "&#").replace("¶ß", ";") for name in found["named"])
     read = {unescape(text).partition("<br>")[0] for text in texts}
-    assert {shown(name) for name in HOSTILE if len(name) < 60 and name.strip()} <= read
+    assert {printable(name) for name in HOSTILE if len(name) < 60 and name.strip()} <= read

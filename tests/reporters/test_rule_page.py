@@ -5,7 +5,7 @@ from dataclasses import replace
 from reported import INERTIA, RULES
 
 from kinlint.reporters import rule_page, rule_pages
-from kinlint.reporters.rule_example import marked
+from kinlint.reporters.rule_example import parse_marks
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Applicability, Example, Repair
 from kinlint.text import Span
@@ -169,7 +169,7 @@ def test_a_rule_that_says_little_has_a_page() -> None:
 
 
 def test_marks_may_be_nested_and_many() -> None:
-    example = marked("a [|b [|c|] d|] e [|f|]", "jsonld")
+    example = parse_marks("a [|b [|c|] d|] e [|f|]", "jsonld")
     assert example.text == "a b c d e f"
     assert example.marks == (Span(2, 7), Span(4, 5), Span(10, 11))
 

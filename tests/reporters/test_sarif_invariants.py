@@ -136,7 +136,7 @@ def test_7_each_result_has_both_fingerprints(made: Report) -> None:
     identities = []
     for finding, result in pairs(made):
         location, fingerprints = finding.location, dict(result["partialFingerprints"])
-        line_hash = LineHashes(location.source).of(location.start.line)
+        line_hash = LineHashes(location.source).line_hash(location.start.line)
         identities.append(fingerprints.pop("kinlintFinding/v1"))
         assert fingerprints == {"primaryLocationLineHash": line_hash}
         assert identities[-1].partition(":")[0] == finding.fingerprint

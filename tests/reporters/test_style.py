@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from kinlint.reporters.terminal_style import Style, When, style_of
+from kinlint.reporters.terminal_style import Style, When, detect_style
 
 
 class Stream(io.StringIO):
@@ -46,7 +46,7 @@ def test_colours_follow_the_option_then_the_environment_then_the_terminal(
     environment: Mapping[str, str],
     colored: bool,  # noqa: FBT001
 ) -> None:
-    style = style_of(Stream(terminal=terminal), when, environment)
+    style = detect_style(Stream(terminal=terminal), when, environment)
     assert style.color is colored
     assert style.links is (colored and terminal)
 
@@ -59,8 +59,8 @@ def test_only_a_utf_stream_shows_unicode(
     encoding: str,
     unicode: bool,  # noqa: FBT001
 ) -> None:
-    assert style_of(Stream(terminal=False, encoding=encoding), "auto", {}).unicode is unicode
-    assert style_of(io.StringIO(), "auto", {}).unicode
+    assert detect_style(Stream(terminal=False, encoding=encoding), "auto", {}).unicode is unicode
+    assert detect_style(io.StringIO(), "auto", {}).unicode
 
 
 def test_a_plain_style_adds_nothing() -> None:

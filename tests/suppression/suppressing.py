@@ -64,7 +64,9 @@ def finding(one, node=ARM, name="arm.jsonld", text="x" * 100, span=PLACE):
 
 def applied(findings, documents, *, complete=True, **settings):
     policies = Policies(Settings(**settings), RULES)
-    return suppress.apply(findings, documents, policies, complete=complete, today=TODAY)
+    return suppress.apply_suppressions(
+        findings, documents, policies, complete=complete, today=TODAY
+    )
 
 
 def told(outcome):

@@ -4,7 +4,7 @@ import pytest
 
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.edits import Edit, Unsayable, applied
+from kinlint.edits import Edit, NotExpressible, applied
 from kinlint.fixes.texts import Texts
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.lint import examine
@@ -52,16 +52,16 @@ def test_one_finding(silenced):
 
 def test_a_suppression_at_fault_is_not_silenced(silenced):
     """It is to be mended."""
-    with pytest.raises(Unsayable, match="is to be mended"):
+    with pytest.raises(NotExpressible, match="is to be mended"):
         silenced(ARM, "LNT001")
 
 
 def test_nested_spans():
     """The innermost first; what lies elsewhere is none of them."""
     spans = [Span(0, 20), Span(2, 8), Span(3, 5), Span(3, 4), Span(10, 12), Span(0, 20)]
-    nest = IntervalIndex.of((span, (number, span)) for number, span in enumerate(spans))
-    assert [span for _, span in nest.around(Span(3, 4))] == [
+    nest = IntervalIndex.from_spans((span, (number, span)) for number, span in enumerate(spans))
+    assert [span for _, span in nest.containing(Span(3, 4))] == [
         (3, 4), (3, 5), (2, 8), (0, 20), (0, 20),
     ]  # fmt: skip
-    assert [number for number, _ in nest.around(Span(4, 6))] == [1, 5, 0]
-    assert list(IntervalIndex.of([(Span(2, 3), 1)]).around(Span(0, 1))) == []
+    assert [number for number, _ in nest.containing(Span(4, 6))] == [1, 5, 0]
+    assert list(IntervalIndex.from_spans([(Span(2, 3), 1)]).containing(Span(0, 1))) == []

@@ -114,4 +114,4 @@ def test_a_catalogue_without_these_rules_says_nothing_of_suppressions():
     given = document((ARM, kl("ignore"), literal("UNI001")), (LEG, kl("ignore"), literal("LD001")))
     policies = Policies(Settings(), (UNIT, DROPPED))
 
-    assert told(suppress.apply([finding(UNIT)], [given], policies)) == ["-UNI001"]
+    assert told(suppress.apply_suppressions([finding(UNIT)], [given], policies)) == ["-UNI001"]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
-from kinlint.baseline.entry_identity import Known
+from kinlint.baseline.entry_identity import Entry
 from kinlint.errors import SourceError, UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.pathname import missing, shown
@@ -28,10 +28,10 @@ class Baseline:
 
     path: Path
     source: SourceText
-    entries: tuple[Known, ...] = ()
+    entries: tuple[Entry, ...] = ()
 
 
-def read(path: Path, origin: str) -> Baseline:
+def read_baseline(path: Path, origin: str) -> Baseline:
     """The baseline at *path*, which *origin* asks for.
 
     Raises UsageError with the place and the cause where there is none.
@@ -54,7 +54,7 @@ def read(path: Path, origin: str) -> Baseline:
     return Baseline(path, source, entries)
 
 
-def _entries(source: SourceText, said: Any) -> Iterator[Known]:
+def _entries(source: SourceText, said: Any) -> Iterator[Entry]:
     if source.misread:
         _fail(source, source.misread[0][0], "not UTF-8")
     whole = Span(0, 0)
@@ -70,7 +70,7 @@ def _entries(source: SourceText, said: Any) -> Iterator[Known]:
         yield _entry(source, one)
 
 
-def _entry(source: SourceText, said: Object) -> Known:
+def _entry(source: SourceText, said: Object) -> Entry:
     texts = []
     for name in FIELDS:
         value = said.get(name)
@@ -81,7 +81,7 @@ def _entry(source: SourceText, said: Object) -> Known:
         texts.append(str(value))
     entity = said["entity"]
     path, rule, about, message, fingerprint = texts
-    return Known(path, rule, about, message, fingerprint, span=Span(entity.start, entity.end))
+    return Entry(path, rule, about, message, fingerprint, span=Span(entity.start, entity.end))
 
 
 def _fail(source: SourceText, span: Span, cause: str) -> NoReturn:
@@ -89,7 +89,7 @@ def _fail(source: SourceText, span: Span, cause: str) -> NoReturn:
     raise SourceError(source.name, cause, place.line, place.column)
 
 
-def write(path: Path, entries: Iterable[Known]) -> None:
+def write_baseline(path: Path, entries: Iterable[Entry]) -> None:
     """Write *entries* to the file at *path*, as a whole or not at all.
 
     Raises UsageError where that cannot be.

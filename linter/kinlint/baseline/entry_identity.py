@@ -15,7 +15,7 @@ from kinlint.text import Span
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
+class Entry:
     """A finding as it is remembered: `fingerprint` says nothing of the file, `path` is that file.
 
     `entity` and `message` are for people. `elsewhere` tells that the entity has an IRI of its own,
@@ -47,7 +47,7 @@ class Names:
     renamed: Mapping[str, str] = field(default_factory=dict)
     _known: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
-    def of(self, name: str) -> str:
+    def relative_path(self, name: str) -> str:
         """The path from `root` to the file that a source called *name* was read from."""
         if name not in self._known:
             path = name
@@ -66,20 +66,20 @@ def relative(path: Path, root: Path) -> str:
         return path.as_posix()
 
 
-def known(finding: Finding, names: Names) -> Known:
+def entry_of(finding: Finding, names: Names) -> Entry:
     """Return the entry that identifies *finding*."""
     own = finding.location.source.name
-    path, entity, iri = names.of(own), finding.entity, finding.iri
+    path, entity, iri = names.relative_path(own), finding.entity, finding.iri
     free = iri != "" and not is_address(iri) and not is_blank(iri) and not finding.rule.group_by
     if is_address(iri):
         name, mark, way = entity.partition("#")
-        entity = f"{names.of(name)}{mark}{way}"
+        entity = f"{names.relative_path(name)}{mark}{way}"
         iri = without_file(iri)
     # What a message says may be the name of a file, which depends on where kinlint runs.
     files = {own, *(each.location.source.name for each in finding.related)}
     meant = tuple(
-        "" if each == own else names.of(each) if each in files else each
+        "" if each == own else names.relative_path(each) if each in files else each
         for each in finding.meant or finding.arguments
     )
     same = replace(finding, iri=iri, meant=meant).fingerprint
-    return Known(path, finding.rule.code, entity, finding.message, same, free)
+    return Entry(path, finding.rule.code, entity, finding.message, same, free)

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from kinlint.baseline.entry_identity import Known, Names, known
+from kinlint.baseline.entry_identity import Entry, Names, entry_of
 from kinlint.finding import Finding
 
 
@@ -14,7 +14,7 @@ def _nothing(_path: str) -> bool:
     return False
 
 
-def _any(_one: Known) -> bool:
+def _any(_one: Entry) -> bool:
     return True
 
 
@@ -25,7 +25,7 @@ class Ledger:
     `gone` tells whether the file at a path no longer exists, so that it may have been renamed.
     """
 
-    entries: Sequence[Known]
+    entries: Sequence[Entry]
     names: Names
     gone: Callable[[str], bool] = _nothing
 
@@ -33,13 +33,13 @@ class Ledger:
         """Return the *findings* that were not known, in their order."""
         return self.compared(findings)[0]
 
-    def compared(self, findings: Iterable[Finding]) -> tuple[list[Finding], list[Known]]:
+    def compared(self, findings: Iterable[Finding]) -> tuple[list[Finding], list[Entry]]:
         """Return the *findings* that were not known, and the entries without a finding.
 
         Each entry matches one finding: in its file, or else in another one if its own is gone, or
         else in any other one if the entity has an IRI of its own.
         """
-        found = [(finding, known(finding, self.names)) for finding in findings]
+        found = [(finding, entry_of(finding, self.names)) for finding in findings]
         left = dict(enumerate(self.entries))
         steps: tuple[tuple[_Key, _Admits, _Admits], ...] = (
             (lambda one: (one.path, one.fingerprint), _any, _any),
@@ -63,5 +63,5 @@ class Ledger:
         return [finding for finding, _ in found], list(left.values())
 
 
-_Key = Callable[[Known], object]
-_Admits = Callable[[Known], bool]
+_Key = Callable[[Entry], object]
+_Admits = Callable[[Entry], bool]

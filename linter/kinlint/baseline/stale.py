@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator
 
 from kinlint.baseline.baseline_file import Baseline
-from kinlint.baseline.entry_identity import Known
+from kinlint.baseline.entry_identity import Entry
 from kinlint.baseline.ledger import Ledger
 from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.rule import Rule
-from kinlint.suppression.diagnostics import UNUSED, filled
+from kinlint.suppression.diagnostics import UNUSED, fill_message
 from kinlint.text import Location
 
 
-def stale(
-    left: Iterable[Known], report: Report, ledger: Ledger, searched: Callable[[str], bool]
-) -> list[Known]:
+def stale_entries(
+    left: Iterable[Entry], report: Report, ledger: Ledger, searched: Callable[[str], bool]
+) -> list[Entry]:
     """The entries of *ledger* that are *left* and that *report* would have if they were there.
 
     Nothing is known of files that were not linted, of rules that were not asked, and of anything
@@ -26,7 +26,7 @@ def stale(
     """
     if report.errors:
         return []
-    files = {ledger.names.of(name) for name in report.files}
+    files = {ledger.names.relative_path(name) for name in report.files}
     codes = {rule.code for rule in report.rules}
     paths = {one.path for one in ledger.entries}
     whole = all(path in files or ledger.gone(path) for path in paths)
@@ -42,8 +42,8 @@ def stale(
     ]
 
 
-def reported(
-    entries: Iterable[Known], baseline: Baseline, rules: Collection[Rule]
+def stale_findings(
+    entries: Iterable[Entry], baseline: Baseline, rules: Collection[Rule]
 ) -> Iterator[Finding]:
     """A finding in the file of *baseline* for each of its *entries*; none if no rule is asked."""
     rule = next((rule for rule in rules if rule.name == UNUSED), None)
@@ -51,7 +51,7 @@ def reported(
         return
     for one in entries:
         values = {"rule": one.rule, "known": one.entity or one.path}
-        message, template, arguments = filled(rule, values)
+        message, template, arguments = fill_message(rule, values)
         yield Finding(
             rule=rule,
             severity=rule.severity,

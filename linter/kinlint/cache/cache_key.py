@@ -54,12 +54,12 @@ class CacheKeys:
         ]
         object.__setattr__(self, "_base", _digest(said))
 
-    def of(self, sources: Sequence[SourceText], *, complete: bool) -> str:
+    def key(self, sources: Sequence[SourceText], *, complete: bool) -> str:
         """Return the key of the report of *sources*.
 
         *complete* tells that no file was left unread.
         """
-        each = [[plain(one), self._file(self.settings.of(one.name))] for one in sources]
+        each = [[plain(one), self._file(self.settings.for_file(one.name))] for one in sources]
         others = [] if all(map(includes_nothing, sources)) else self._special()
         return _digest([self._base, complete, each, others])
 

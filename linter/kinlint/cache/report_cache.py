@@ -10,7 +10,7 @@ from typing import Any
 
 from kinlint.cache.cache_key import CacheKeys
 from kinlint.cache.directory_store import DirectoryStore
-from kinlint.cache.serialization import Unwritable, read, written
+from kinlint.cache.serialization import NotSerializable, parse_report, serialize_report
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.files.tracked_io import Asked, Record, answer
@@ -34,7 +34,9 @@ class ReportCache:
     _changed: bool = False
 
     @classmethod
-    def of(cls, settings: Settings, book: Rulebook, *, fixing: bool) -> ReportCache | None:
+    def from_settings(
+        cls, settings: Settings, book: Rulebook, *, fixing: bool
+    ) -> ReportCache | None:
         """Return the cache that *settings* allow, or None."""
         if settings.cache is None or not book.digest:
             return None
@@ -42,13 +44,13 @@ class ReportCache:
 
     def recall(self, sources: Sequence[SourceText], *, complete: bool) -> Report | None:
         """The report that was kept of *sources*, if it would be the same today."""
-        text = self.entries.get(self.grounds.of(sources, complete=complete))
+        text = self.entries.get(self.grounds.key(sources, complete=complete))
         if text is None:
             return None
         try:
             asked, _, report = text.partition("\n")
             if all(self._holds(*each) for each in json.loads(asked)):
-                return read(report, sources, self.grounds.book)
+                return parse_report(report, sources, self.grounds.book)
         except Exception:  # noqa: BLE001  whatever is wrong with it, it is not what was kept
             return None
         return None
@@ -61,10 +63,10 @@ class ReportCache:
             return
         try:
             asked = json.dumps([_plain(*each) for each in record.answers.items()])
-            text = f"{asked}\n{written(report, sources)}"
-        except (Unwritable, TypeError):
+            text = f"{asked}\n{serialize_report(report, sources)}"
+        except (NotSerializable, TypeError):
             return
-        self.entries.put(self.grounds.of(sources, complete=complete), text)
+        self.entries.put(self.grounds.key(sources, complete=complete), text)
         self._changed = True
 
     def close(self) -> None:

@@ -34,11 +34,11 @@ OWN = ("root", "version", "seconds")
 """Fields of a report that belong to the run, not to the models."""
 
 
-class Unwritable(Exception):
+class NotSerializable(Exception):
     """Something in a report has no notation."""
 
 
-def written(report: Report, given: Sequence[SourceText]) -> str:
+def serialize_report(report: Report, given: Sequence[SourceText]) -> str:
     """Serialize *report* of *given* as JSON. Raises Unwritable."""
     writer = _Writer(given)
     values = {
@@ -49,7 +49,7 @@ def written(report: Report, given: Sequence[SourceText]) -> str:
     return json.dumps({"texts": writer.texts, "report": values}, separators=(",", ":"))
 
 
-def read(text: str, given: Sequence[SourceText], book: Rulebook) -> Report:
+def parse_report(text: str, given: Sequence[SourceText], book: Rulebook) -> Report:
     """The report of *given* that *text* has. Raises whatever, if it is of another notation."""
     stored = json.loads(text)
     reader = _Reader(given, book)
@@ -97,7 +97,7 @@ class _Writer:
             return ["error", value.name, value.cause, value.line, value.column]
         name = type(value).__name__
         if CLASSES.get(name) != type(value).__module__ or not is_dataclass(value):
-            raise Unwritable(name)
+            raise NotSerializable(name)
         return ["object", name, *(self.value(getattr(value, one.name)) for one in fields(value))]
 
     def _number(self, source: SourceText) -> int:

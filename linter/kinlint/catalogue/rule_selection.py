@@ -16,7 +16,7 @@ from kinlint.rule import Repair, Rule
 
 
 @dataclass(frozen=True)
-class Inquiry:
+class RuleSelection:
     """What a run asks of documents of some names and formats.
 
     `asked` are the rules that speak of any of them, `owners` those by IRI that do of their formats,
@@ -31,14 +31,14 @@ class Inquiry:
     repairs: Sequence[Repair]
 
     @classmethod
-    def of(
+    def for_documents(
         cls,
         documents: Sequence[Document],
         settings: Settings,
         rulebook: Rulebook,
         *,
         repairing: bool,
-    ) -> Inquiry:
+    ) -> RuleSelection:
         """What *settings* ask of *documents*, and if *repairing*, for repairs."""
         policies = Policies(settings, rulebook.rules, formats(documents))
         enabled = policies.enabled(document.source.name for document in documents)

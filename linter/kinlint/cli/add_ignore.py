@@ -13,17 +13,17 @@ from kinlint.cli import fix_files
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.fixes.offers import Sieve
-from kinlint.fixes.rounds import Mended, mended
+from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
 
-def silenced(  # noqa: PLR0913, PLR0917
+def add_ignores(  # noqa: PLR0913, PLR0917
     options: Namespace,
     sources: list[SourceText],
     failed: list[SourceError],
@@ -38,7 +38,7 @@ def silenced(  # noqa: PLR0913, PLR0917
     What cannot be silenced is told on standard error.
     """
     streamed = {one.name for one in found.inputs if one.path is None}
-    outcome = mended(
+    outcome = fix_in_rounds(
         sources, failed, settings, book, Applicability.SAFE, phases, streamed, found.asides, wanted,
         generator=partial(SuppressionGenerator, reason=options.add_ignore or None),
     )  # fmt: skip
@@ -50,8 +50,8 @@ def silenced(  # noqa: PLR0913, PLR0917
     return report
 
 
-def _told(outcome: Mended) -> Iterable[str]:
-    yield f"kinlint: {counted(len(outcome.report.fixed), 'finding')} silenced\n"
+def _told(outcome: RoundsResult) -> Iterable[str]:
+    yield f"kinlint: {plural(len(outcome.report.fixed), 'finding')} silenced\n"
     refused = [(finding, why) for finding, _, why in outcome.left.generator.refused]
     refused += [
         (each.finding, verdict.why)

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from kinlint.configuration.value_kinds import unknown
+from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
@@ -26,7 +26,7 @@ class Parser(argparse.ArgumentParser):
         self.helping.add_argument("-h", "--help", action="help", help="show this help")
 
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
-        """The options in *arguments*, which may stand between the words of `rest`.
+        """The options in *arguments*, which may stand between the positional words.
 
         What follows `--` is no option.
         """
@@ -45,7 +45,7 @@ class Parser(argparse.ArgumentParser):
             setattr(options, self._rest, [*getattr(options, self._rest), *words])
         return options
 
-    def rest(self, name: str, metavar: str, text: str) -> None:
+    def add_positionals(self, name: str, metavar: str, text: str) -> None:
         """Take any number of words that are no options, as *name*."""
         self.add_argument(name, nargs="*", metavar=metavar, help=text)
         self._rest = name
@@ -55,7 +55,7 @@ class Parser(argparse.ArgumentParser):
         """Return all arguments, in the order of the help."""
         return self._actions
 
-    def bare(self, option: str) -> None:
+    def require_equals(self, option: str) -> None:
         """Have *option* take its value behind `=` alone; without one it is empty."""
         self._bare.add(option)
 
@@ -84,7 +84,7 @@ def one_of(
 
     def read(text: str) -> str:
         text = (aliases or {}).get(text, text)
-        if problem := unknown(text, choices):
+        if problem := unknown_message(text, choices):
             raise argparse.ArgumentTypeError(problem)
         return text
 
@@ -100,14 +100,14 @@ def choices(kind: object) -> tuple[str, ...]:
     return _choices.get(kind, ())
 
 
-def filled(text: str) -> str:
+def non_empty(text: str) -> str:
     """A type for arguments that may not be empty."""
     if not text:
         raise argparse.ArgumentTypeError("expected a value, got ''")
     return text
 
 
-def listed(text: str) -> list[str]:
+def comma_list(text: str) -> list[str]:
     """A type for arguments with several values, at least one, separated by commas."""
     parts = [part for each in text.split(",") if (part := each.strip())]
     if not parts:

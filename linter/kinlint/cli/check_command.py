@@ -57,11 +57,11 @@ def run(arguments: Sequence[str]) -> int:
     if options.watch:
         from kinlint.cli.watch import watch  # noqa: PLC0415  few runs stay
 
-        return watch(options, checked)
-    return checked(options)
+        return watch(options, check_once)
+    return check_once(options)
 
 
-def checked(options: Namespace, settled: Callable[[Settings], None] | None = None) -> int:
+def check_once(options: Namespace, settled: Callable[[Settings], None] | None = None) -> int:
     """Lint what *options* name, once; the exit code. *settled* is told by which settings."""
     layers = Layers(configs(options), overrides(options))
     found = _find(options, layers)
@@ -83,21 +83,21 @@ def checked(options: Namespace, settled: Callable[[Settings], None] | None = Non
         book = rulebook.load(
             settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
         )
-    Policies(settings, book.rules).check()
+    Policies(settings, book.rules).check_selectors()
     if options.show_settings:
         more = {"output-format": outputs.main, "fail-on": fail_on}
         more |= {"baseline": shown(Path(known[0]))} if known else {}
         return _show_settings(settings, more, found, book)
     if options.verbose:
-        _tell(account().before(settings, book, map(layers.origin, found.inputs)))
+        _tell(verbose_pages().before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
     report = LintRun(settings, found, book, phases, outputs.watched).report(
         options, outputs, wanted
     )
-    report = report if knowledge is None else knowledge.told(report)
+    report = report if knowledge is None else knowledge.apply_to(report)
     if options.verbose:
-        _tell(account().after(report, settings, book))
+        _tell(verbose_pages().after(report, settings, book))
     if not options.silent:
         _warn(found)
     if options.show_suppressed:
@@ -130,7 +130,7 @@ def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
 def _find(options: Namespace, layers: Layers) -> Found:
     stdin = options.stdin_filename
     search = Search(
-        layers.excluding,
+        layers.exclusions,
         force=options.force_exclude,
         stdin=shown(absolute(stdin), stdin) if stdin else "<stdin>",
     )
@@ -139,9 +139,9 @@ def _find(options: Namespace, layers: Layers) -> Found:
     found = search.find(paths)
     if not options.in_project or options.show_files or options.profile:
         return found
-    from kinlint.cli.project_mode import amid  # noqa: PLC0415  few runs look beyond what is named
+    from kinlint.cli.project_mode import merge_with_project  # noqa: PLC0415  few runs look beyond what is named
 
-    return amid(found, search.find(["."]))
+    return merge_with_project(found, search.find(["."]))
 
 
 def _no_command(word: str) -> None:
@@ -191,7 +191,7 @@ def _knowledge(
     return KnownFindings(settings, book.rules, baseline, before, options)
 
 
-def account() -> ModuleType:
+def verbose_pages() -> ModuleType:
     """Import the module that prints what `-v` says."""
     return import_module("kinlint.cli.verbose")
 

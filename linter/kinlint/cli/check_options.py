@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import BooleanOptionalAction
 from typing import Any
 
-from kinlint.cli.argument_parser import Parser, count, filled, listed, one_of
+from kinlint.cli.argument_parser import Parser, comma_list, count, non_empty, one_of
 from kinlint.cli.commands import COMMANDS
 from kinlint.configuration.keys import (
     ENGINES,
@@ -17,8 +17,8 @@ from kinlint.configuration.keys import (
 from kinlint.configuration.value_kinds import ALIASES
 from kinlint.contexts.context_library import RELEASES
 
-LISTS: dict[str, Any] = {"type": listed, "action": "extend"}
-TEXTS: dict[str, Any] = {"action": "append", "type": filled}
+LISTS: dict[str, Any] = {"type": comma_list, "action": "extend"}
+TEXTS: dict[str, Any] = {"action": "append", "type": non_empty}
 FLAG: dict[str, Any] = {"action": "store_true"}
 
 WIDTH = max(map(len, COMMANDS))
@@ -46,7 +46,7 @@ def parser() -> Parser:
         epilog=EPILOG,
         usage="kinlint [check] [PATH...] [options]",
     )
-    made.rest("paths", "PATH", "what to lint")
+    made.add_positionals("paths", "PATH", "what to lint")
     made.helping.add_argument("-V", "--version", action="store_true", help="show the version")
     _rules(made)
     _fixes(made)
@@ -70,13 +70,13 @@ def _rules(made: Parser) -> None:
     add("--target", metavar="NAME", **LISTS, help=f"rules for it, too: {', '.join(TARGETS)}")
     add("--ignore-suppressions", **FLAG, help="report what is suppressed as if it were not")
     add("--show-suppressed", **FLAG, help="report what is suppressed, as suppressed")
-    made.bare("--add-ignore")
+    made.require_equals("--add-ignore")
     add("--add-ignore", metavar="[=REASON]", help="write suppressions of all that is found")
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")
     add("--shapes", metavar="FILE", **TEXTS, help="add the SHACL shapes in FILE")
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
     add("--no-cache", "-n", **FLAG, help="keep no reports, and recall none")
-    add("--cache-dir", type=filled, metavar="DIR", help="where reports and rules are kept")
+    add("--cache-dir", type=non_empty, metavar="DIR", help="where reports and rules are kept")
 
 
 def _fixes(made: Parser) -> None:
@@ -93,15 +93,18 @@ def _fixes(made: Parser) -> None:
 
 def _known(made: Parser) -> None:
     add = made.add_argument_group("New findings only").add_argument
-    add("--baseline", type=filled, metavar="FILE", help="report only what is not known there")
+    add("--baseline", type=non_empty, metavar="FILE", help="report only what is not known there")
     add("--write-baseline", **FLAG, help="make all that is found known there")
     add("--prune-baseline", **FLAG, help="forget there what is found no more")
     add(
-        "--new-from-rev", type=filled, metavar="REV", help="report what was not found at REV of git"
+        "--new-from-rev",
+        type=non_empty,
+        metavar="REV",
+        help="report what was not found at REV of git",
     )
     add(
         "--new-from-merge-base",
-        type=filled,
+        type=non_empty,
         metavar="REV",
         help="the same, since the working tree left the branch REV",
     )
@@ -113,7 +116,7 @@ def _files(made: Parser) -> None:
     add("--extend-exclude", metavar="GLOB", **LISTS, help="pass over these, too")
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
     add("--in-project", **FLAG, help="judge them as parts of all that is below this directory")
-    add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
+    add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")
     add("--watch", "-w", **FLAG, help="lint again whenever something changes, until Ctrl-C")
     add("--jobs", "-j", type=count, metavar="N", default=1, help="processes; 0: one for each CPU")
     add("--show-files", **FLAG, help="show what would be linted, and stop")
@@ -145,12 +148,12 @@ def _output(made: Parser) -> None:
     add(
         "-o",
         "--output-file",
-        type=filled,
+        type=non_empty,
         metavar="FILE",
         help="write there instead of standard output",
     )
     for name in OUTPUT_FORMATS:
-        add(f"--{name}-output", type=filled, metavar="FILE", help=f"write {name} there, too")
+        add(f"--{name}-output", type=non_empty, metavar="FILE", help=f"write {name} there, too")
     add(
         "--statistics",
         **FLAG,

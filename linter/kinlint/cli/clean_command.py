@@ -7,10 +7,10 @@ import sys
 from collections.abc import Sequence
 
 from kinlint.cache.removal import clear
-from kinlint.cli.argument_parser import Parser, filled
+from kinlint.cli.argument_parser import Parser, non_empty
 from kinlint.errors import UsageError
 from kinlint.project.layers import cache_directory
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 
 MEGA = 2**20
 
@@ -21,7 +21,7 @@ def parser() -> Parser:
         prog="kinlint clean",
         description="Remove what earlier runs kept: reports, and compiled rules.",
     )
-    made.add_argument("--cache-dir", type=filled, metavar="DIR", help="where they are kept")
+    made.add_argument("--cache-dir", type=non_empty, metavar="DIR", help="where they are kept")
     return made
 
 
@@ -34,7 +34,7 @@ def run(arguments: Sequence[str]) -> int:
     except OSError as error:
         raise UsageError(f"cannot remove {error.filename}: {error.strerror}") from None
     what = [
-        counted(number, name)
+        plural(number, name)
         for number, name in ((cleared.reports, "report"), (cleared.catalogues, "catalogue"))
         if number
     ]

@@ -21,7 +21,7 @@ def parser() -> Parser:
         " or one with what it holds.",
         usage="kinlint config [KEY...] [--schema]",
     )
-    made.rest("keys", "KEY", "the keys to tell of")
+    made.add_positionals("keys", "KEY", "the keys to tell of")
     made.add_argument("--schema", action="store_true", help="print the JSON schema of all")
     return made
 

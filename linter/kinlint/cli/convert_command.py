@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, filled, one_of
+from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
@@ -35,12 +35,12 @@ def parser() -> Parser:
     made = Parser(
         prog="kinlint convert", description=DESCRIPTION, usage="kinlint convert FILE... [options]"
     )
-    made.rest("paths", "FILE", "the robot; several files are one model")
+    made.add_positionals("paths", "FILE", "the robot; several files are one model")
     add = made.add_argument
     add(
         "-o",
         "--output-file",
-        type=filled,
+        type=non_empty,
         metavar="FILE",
         default=STDOUT,
         help="write there; -, the default, is standard output",
@@ -75,9 +75,9 @@ def run(arguments: Sequence[str]) -> int:
     from kinlint.conversion.composition import compose  # noqa: PLC0415
     from kinlint.conversion.output import WRITERS  # noqa: PLC0415
     from kinlint.conversion.robot_files import documents  # noqa: PLC0415
-    from kinlint.project.reading import read  # noqa: PLC0415  engines are slow to import
+    from kinlint.project.reading import read_models  # noqa: PLC0415  engines are slow to import
 
-    sources, errors = read(found.inputs, settings)
+    sources, errors = read_models(found.inputs, settings)
     for error in (*found.errors, *errors):
         raise error
     model = compose(documents(sources, settings), options.namespace)
@@ -98,7 +98,7 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     said += [f"--xacro-arg={each}" for each in options.xacro_arg or ()]
     same = linting.parser().read([*said, "--", *options.paths])
     layers = Layers(configs(same), overrides(same))
-    found = Search(layers.excluding).find(options.paths)
+    found = Search(layers.exclusions).find(options.paths)
     return found, layers.settings(found.inputs)
 
 

@@ -8,23 +8,23 @@ from dataclasses import replace
 from pathlib import Path
 
 from kinlint.configuration.settings import Settings
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.environment import WRITING
 from kinlint.files.pathglob import absolute
 from kinlint.finding import Finding
 from kinlint.fixes.offers import every
-from kinlint.fixes.rounds import Mended, mended
+from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
 from kinlint.formats.decoding import decode, encode
 from kinlint.project.discovery import Input
 from kinlint.report import Report
 from kinlint.reporters.diff import unified
-from kinlint.reporters.terminal_style import When, style_of
+from kinlint.reporters.terminal_style import When, detect_style
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
-__all__ = ["every", "least", "mended", "pass_on", "show", "unending", "written"]
+__all__ = ["every", "fix_in_rounds", "least", "pass_on", "show", "unsettled", "written"]
 
 Change = tuple[SourceText, SourceText]
 BOM = "\ufeff"
@@ -36,7 +36,7 @@ def least(settings: Settings) -> Applicability:
     return Applicability.UNSAFE if settings.unsafe_fixes else Applicability.SAFE
 
 
-def written(outcome: Mended, inputs: Iterable[Input], done: str = "fixed") -> Report:
+def written(outcome: RoundsResult, inputs: Iterable[Input], done: str = "fixed") -> Report:
     """Write the texts of *outcome* to the files of *inputs*; the report of what is left.
 
     So it goes with those that they include. A file that changed meanwhile, or cannot be written,
@@ -57,7 +57,7 @@ def written(outcome: Mended, inputs: Iterable[Input], done: str = "fixed") -> Re
                 if writing:
                     with replacement(path) as stream:
                         stream.write(data)
-            except (OSError, SourceError, Unsayable) as error:
+            except (OSError, SourceError, NotExpressible) as error:
                 failed[before.name] = _cause(error)
                 failed |= _partners(before.name, outcome.report.fixed, failed)
     errors = [SourceError(name, f"not {done}: {cause}") for name, cause in failed.items()]
@@ -66,7 +66,7 @@ def written(outcome: Mended, inputs: Iterable[Input], done: str = "fixed") -> Re
     return replace(report, errors=(*report.errors, *errors), fixed=kept)
 
 
-def unending(codes: Sequence[str]) -> str:
+def unsettled(codes: Sequence[str]) -> str:
     """Return the warning about rules, by their *codes*, whose fixes undo each other."""
     names = " and ".join(filter(None, (", ".join(codes[:-1]), codes[-1])))
     return f"fixes of {names} undo each other or find no end, and not all of them were made"
@@ -96,7 +96,7 @@ def _files(finding: Finding, *, edited: bool = False) -> Iterable[str]:
 
 def show(changed: Iterable[Change], color: When) -> None:
     """Write to standard output what *changed* in each file."""
-    style = style_of(sys.stdout, color)
+    style = detect_style(sys.stdout, color)
     for before, after in changed:
         old, new = (BOM * (one.bom and not style.color) + one.text for one in (before, after))
         sys.stdout.writelines(unified(before.name, old, new, style))

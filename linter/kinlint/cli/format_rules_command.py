@@ -11,7 +11,7 @@ from kinlint.cli.argument_parser import Parser
 from kinlint.engine.compiler.graph import parse
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 
 
 def parser() -> Parser:
@@ -22,7 +22,9 @@ def parser() -> Parser:
         " indentation, lines of at most 100 columns. Comments stay, and so does every character"
         " of the examples.",
     )
-    made.rest("paths", "PATH", "rule files and directories of them (default: the built-in)")
+    made.add_positionals(
+        "paths", "PATH", "rule files and directories of them (default: the built-in)"
+    )
     made.add_argument(
         "--check", action="store_true", help="write nothing; exit with 1 if a file would change"
     )
@@ -48,7 +50,7 @@ def run(arguments: Sequence[str]) -> int:
         if not options.check:
             file.write_text(wanted, "utf-8", newline="\n")
     verdict = f"{changed} {'would change' if options.check else 'changed'}"
-    sys.stdout.write(f"{counted(len(files), 'rule file')}: {verdict}.\n")
+    sys.stdout.write(f"{plural(len(files), 'rule file')}: {verdict}.\n")
     return 1 if changed and options.check else 0
 
 

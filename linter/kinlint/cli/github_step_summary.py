@@ -12,7 +12,7 @@ from kinlint.errors import UsageError
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository
 from kinlint.report import Report
-from kinlint.reporters.display_width import sound
+from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.step_summary import render
 from kinlint.structure import Structure
 
@@ -64,6 +64,6 @@ def _url(path: str, line: int | None) -> str:
     if not all(where) or path.startswith("/"):
         return ""
     server, repository, commit = where
-    return f"{server}/{repository}/blob/{commit}/{quote(sound(path))}" + (
+    return f"{server}/{repository}/blob/{commit}/{quote(replace_surrogates(path))}" + (
         f"#L{line}" if line else ""
     )

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, filled, one_of
+from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.selection import Policies
@@ -24,7 +24,7 @@ from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.picture.formats import FORMATS, SUFFIXES, pieces
 from kinlint.reporters.reporter_registry import put
-from kinlint.reporters.terminal_style import Style, style_of
+from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.rule import Severity
 
 STDOUT = "-"
@@ -46,7 +46,7 @@ def parser() -> Parser:
         epilog=EPILOG,
         usage="kinlint graph FILE... [options]",
     )
-    made.rest("paths", "FILE", "the robots; - is standard input")
+    made.add_positionals("paths", "FILE", "the robots; - is standard input")
     add = made.add_argument
     add(
         "--output-format",
@@ -57,7 +57,7 @@ def parser() -> Parser:
     add(
         "-o",
         "--output-file",
-        type=filled,
+        type=non_empty,
         metavar="FILE",
         default=STDOUT,
         help="write there; -, the default, is standard output",
@@ -73,8 +73,8 @@ def parser() -> Parser:
     add("--isolated", **linting.FLAG, help="without configuration files")
     add("--package", metavar="NAME=DIR", **linting.TEXTS, help="where the ROS package NAME lies")
     add("--xacro-arg", metavar="NAME:=VALUE", **linting.TEXTS, help="an argument for xacro files")
-    add("--stdin-filename", type=filled, metavar="F", help="what standard input is called")
-    add("--cache-dir", type=filled, metavar="DIR", help="where compiled rules are kept")
+    add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")
+    add("--cache-dir", type=non_empty, metavar="DIR", help="where compiled rules are kept")
     add(
         "--color",
         type=one_of(("auto", "always", "never")),
@@ -98,7 +98,9 @@ def run(arguments: Sequence[str]) -> int:
     report = _report(found, settings, options)
     frames = options.frames
     if path is None:
-        put(pieces(report, form, style_of(sys.stdout, options.color), frames=frames), sys.stdout)
+        put(
+            pieces(report, form, detect_style(sys.stdout, options.color), frames=frames), sys.stdout
+        )
     else:
         with replacing(path) as stream:
             put(pieces(report, form, Style(), frames=frames), stream)
@@ -128,7 +130,7 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     layers = Layers(configs(same), overrides(same))
     name = options.stdin_filename
     stdin = shown(absolute(name), name) if name else "<stdin>"
-    found = Search(layers.excluding, stdin=stdin).find(paths)
+    found = Search(layers.exclusions, stdin=stdin).find(paths)
     settings = layers.settings(
         found.inputs,
         rules=tuple(absolute(path) for path in options.rules or ()),
@@ -151,13 +153,13 @@ def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
     from kinlint.project.reading import read  # noqa: PLC0415
 
-    sources, errors = read(found.inputs, settings)
+    sources, errors = read_models(found.inputs, settings)
     for error in (*found.errors, *errors):
         raise error
     book = rulebook.load(
         settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
     )
-    Policies(settings, book.rules).check()
+    Policies(settings, book.rules).check_selectors()
     if options.no_findings:
         book = replace(book, rules=(), constraints=())
     report = lint.run([*sources, *find_nearby(sources, settings)], (), settings, book)

@@ -42,7 +42,7 @@ class LintRun:
         if asides:
             from kinlint.cli import project_mode  # noqa: PLC0415  few runs leave files aside
 
-            wanted = project_mode.named(wanted, asides)
+            wanted = project_mode.exclude_asides(wanted, asides)
         if options.add_ignore is not None:
             report = self._silenced(options, wanted)
         elif options.fix or options.fix_only or options.diff:
@@ -51,7 +51,7 @@ class LintRun:
             fixing = outputs.tells_fixes
             report = self.linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
         if asides:
-            report = project_mode.within(report, asides, new)
+            report = project_mode.without_asides(report, asides, new)
         return replace(report, unsafe=self.settings.unsafe_fixes, catalogue=self.book.digest)
 
     def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
@@ -62,9 +62,9 @@ class LintRun:
 
         with self.phases.phase("decoding"):
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
-            sources, errors = read(inputs, self.settings)
+            sources, errors = read_models(inputs, self.settings)
             if asides := self.found.asides:
-                from kinlint.cli.project_mode import concerning  # noqa: PLC0415
+                from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 
                 sources = concerning(sources, asides, self.settings)
             more = find_nearby(sources, self.settings)
@@ -77,7 +77,7 @@ class LintRun:
         inputs = self.found.inputs
         least = fix_files.least(self.settings)
         streamed = {one.name for one in inputs if one.path is None}
-        mended = fix_files.mended(
+        mended = fix_files.fix_in_rounds(
             sources,
             failed,
             self.settings,
@@ -89,7 +89,7 @@ class LintRun:
             wanted or fix_files.every,
         )
         if mended.restless and not options.silent:
-            sys.stderr.write(f"kinlint: warning: {fix_files.unending(mended.restless)}\n")
+            sys.stderr.write(f"kinlint: warning: {fix_files.unsettled(mended.restless)}\n")
         if options.diff:
             fix_files.show(mended.changed, options.color)
             return mended.report
@@ -98,11 +98,11 @@ class LintRun:
         return report
 
     def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:
-        from kinlint.cli.add_ignore import silenced  # noqa: PLC0415  most runs write nothing
+        from kinlint.cli.add_ignore import add_ignores  # noqa: PLC0415  most runs write nothing
         from kinlint.fixes.offers import every  # noqa: PLC0415
 
         sources, failed = self._read()
-        return silenced(
+        return add_ignores(
             options, sources, failed, self.found, self.settings, self.book, wanted or every,
             self.phases,
         )  # fmt: skip
@@ -116,7 +116,9 @@ class LintRun:
 
         job = Job(self.settings, self.book, fixing)
         kept = not any(one.path is None for one in self.found.inputs)
-        memory = ReportCache.of(self.settings, self.book, fixing=fixing) if kept else None
+        memory = (
+            ReportCache.from_settings(self.settings, self.book, fixing=fixing) if kept else None
+        )
         with ProgressBar(len(self.found.inputs), wanted=self.watched) as bar:
             sources, failed = self._read(bar)
             survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kinlint import __version__, resources
 from kinlint.catalogue.scaffold import EXAMPLES, scaffold
-from kinlint.cli.argument_parser import Parser, filled, one_of
+from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
@@ -30,10 +30,14 @@ def parser() -> Parser:
         " Once that is done, `kinlint test-rules` says whether the rule keeps its promises.",
         usage="kinlint new FAMILY/NAME [options]",
     )
-    made.rest("rules", "FAMILY/NAME", "such as limits/inverted-limit: the name is that of a fault")
+    made.add_positionals(
+        "rules", "FAMILY/NAME", "such as limits/inverted-limit: the name is that of a fault"
+    )
     add = made.add_argument
-    add("--directory", type=filled, metavar="DIR", default="rules", help="default: rules")
-    add("--code", type=filled, metavar="CODE", help="such as GRP001 (default: the next free one)")
+    add("--directory", type=non_empty, metavar="DIR", default="rules", help="default: rules")
+    add(
+        "--code", type=non_empty, metavar="CODE", help="such as GRP001 (default: the next free one)"
+    )
     add(
         "--format",
         type=one_of(tuple(EXAMPLES)),

@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinlint.baseline.baseline_file import DEFAULT, Baseline, read, write
-from kinlint.baseline.entry_identity import Known, Names, known
+from kinlint.baseline.baseline_file import DEFAULT, Baseline, read_baseline, write_baseline
+from kinlint.baseline.entry_identity import Entry, Names, entry_of
 from kinlint.baseline.ledger import Ledger
-from kinlint.baseline.stale import reported, stale
+from kinlint.baseline.stale import stale_entries, stale_findings
 from kinlint.configuration.config_file import Config
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -20,7 +20,7 @@ from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real, shown
 from kinlint.finding import Finding
 from kinlint.report import Report
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 from kinlint.rule import Rule
 from kinlint.text import SourceText
 
@@ -44,7 +44,7 @@ class KnownFindings:
             findings = ledger(self.baseline).new(findings)
         return findings if self.before is None else self.before.new(findings)
 
-    def told(self, report: Report) -> Report:
+    def apply_to(self, report: Report) -> Report:
         """Return *report* with new findings only, and the number of the others.
 
         Entries of the baseline without a finding are reported, or removed.
@@ -52,18 +52,18 @@ class KnownFindings:
         findings, aged = list(report.findings), list[Finding]()
         if self.baseline is not None:
             findings, left = ledger(self.baseline).compared(report.findings)
-            old = stale(left, report, ledger(self.baseline), self._searched(self.baseline))
+            old = stale_entries(left, report, ledger(self.baseline), self._searched(self.baseline))
             if self.options.write_baseline:
                 self._write(self.baseline, report, left, old)
                 findings = []
             elif self.options.prune_baseline:
                 self._prune(self.baseline, left, old)
             elif not self.settings.partial:
-                aged = list(reported(old, self.baseline, report.rules))
+                aged = list(stale_findings(old, self.baseline, report.rules))
         if self.before is not None:
             findings = self.before.new(findings)
         number = len(report.findings) - len(findings)
-        judged = Policies(self.settings, self.rules).judged(aged)
+        judged = Policies(self.settings, self.rules).apply_severities(aged)
         both = sorted((*findings, *judged), key=lambda one: one.sort_key)
         return replace(report, findings=tuple(both), baseline=number)
 
@@ -76,26 +76,28 @@ class KnownFindings:
         return lambda path: not tops.isdisjoint(real(root / path).parents)
 
     def _write(
-        self, baseline: Baseline, report: Report, left: Sequence[Known], old: Sequence[Known]
+        self, baseline: Baseline, report: Report, left: Sequence[Entry], old: Sequence[Entry]
     ) -> None:
         if report.errors:
-            told = counted(len(report.errors), "file")
+            told = plural(len(report.errors), "file")
             raise UsageError(f"{shown(baseline.path)}: not written: {told} could not be read")
         names, kept = ledger(baseline).names, self._lasting(left, old)
-        write(baseline.path, [*(known(each, names) for each in report.findings), *kept])
-        self._say(f"{counted(len(report.findings), 'finding')} written to {shown(baseline.path)}")
+        write_baseline(baseline.path, [*(entry_of(each, names) for each in report.findings), *kept])
+        self._say(f"{plural(len(report.findings), 'finding')} written to {shown(baseline.path)}")
 
-    def _prune(self, baseline: Baseline, left: Sequence[Known], old: Sequence[Known]) -> None:
+    def _prune(self, baseline: Baseline, left: Sequence[Entry], old: Sequence[Entry]) -> None:
         lost = len(left) - len(kept := self._lasting(left, old, prune=True))
         forgotten = set(map(id, left)) - set(map(id, kept))
         if lost:
-            write(baseline.path, [one for one in baseline.entries if id(one) not in forgotten])
+            write_baseline(
+                baseline.path, [one for one in baseline.entries if id(one) not in forgotten]
+            )
         entries = "entry" if lost == 1 else "entries"
         self._say(f"{lost:,} stale {entries} dropped from {shown(baseline.path)}")
 
     def _lasting(
-        self, left: Sequence[Known], old: Sequence[Known], *, prune: bool = False
-    ) -> list[Known]:
+        self, left: Sequence[Entry], old: Sequence[Entry], *, prune: bool = False
+    ) -> list[Entry]:
         """The entries *left* that are not *old*, nor, to *prune* them, of files that are gone."""
         dropped = set(map(id, old))
         if prune or self.options.prune_baseline:
@@ -125,7 +127,7 @@ def baseline_of(options: Namespace, project: Config) -> Baseline | None:
         return None
     if options.write_baseline and not path.exists():
         return Baseline(path, SourceText(shown(path), ""))
-    return read(path, origin)
+    return read_baseline(path, origin)
 
 
 def _named(options: Namespace, project: Config) -> tuple[str, Path | None]:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinlint.baseline.entry_identity import Names, known, relative
+from kinlint.baseline.entry_identity import Names, entry_of, relative
 from kinlint.baseline.ledger import Ledger
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.lint_run import LintRun
@@ -21,7 +21,7 @@ from kinlint.formats.records import JSON, SEARCHED
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Input, speaks_of_context
 from kinlint.project.layers import Layers
-from kinlint.project.revision_checkout import at, snapshot
+from kinlint.project.revision_checkout import checkout, checkout_path
 
 
 @dataclass(frozen=True)
@@ -47,16 +47,16 @@ class FindingsAtRevision:
             if then is not None and then != now
         }
         now = Names(top)
-        with snapshot(revision) as root:
+        with checkout(revision) as root:
             inputs, homes = [], []
             for one, then, home in self._given():
-                path = at(then, revision, root)
+                path = checkout_path(then, revision, root)
                 inputs.append(Input(str(path), path, one.named))
                 homes.append(Input(str(path), home, one.named))
                 # A link is read, and reported, in place of the file that it leads to.
-                renamed[relative(then, top)] = now.of(one.name)
+                renamed[relative(then, top)] = now.relative_path(one.name)
             for then in self._deleted(options.paths or ["."], root):
-                path = at(then, revision, root)
+                path = checkout_path(then, revision, root)
                 inputs.append(Input(str(path), path, named=False))
                 homes.append(Input(str(path), then, named=False))
             settings = self._moved(self.settings_of(Found(homes)), root)
@@ -65,7 +65,7 @@ class FindingsAtRevision:
             names = Names(root, renamed)
             if not options.silent:
                 self._warn(report.errors, names)
-            entries = [known(finding, names) for finding in report.findings]
+            entries = [entry_of(finding, names) for finding in report.findings]
         return Ledger(entries, now, gone.__contains__)
 
     def _given(self) -> Iterator[tuple[Input, Path, Path]]:
@@ -84,7 +84,9 @@ class FindingsAtRevision:
         for path in sorted(self.revision.deleted):
             if path.suffix.lower() not in SEARCHED:
                 continue
-            if path.suffix.lower() == JSON and not speaks_of_context(at(path, self.revision, root)):
+            if path.suffix.lower() == JSON and not speaks_of_context(
+                checkout_path(path, self.revision, root)
+            ):
                 continue
             top = next((top for top in tops if path.is_relative_to(top)), None)
             if top is not None and not self._excluded(path, top):
@@ -93,14 +95,14 @@ class FindingsAtRevision:
     def _excluded(self, path: Path, top: Path) -> bool:
         way = [path, *(each for each in path.parents if each != top and each.is_relative_to(top))]
         return any(
-            glob.matches(each) for each in way for glob in self.layers.excluding(each.parent)
+            glob.matches(each) for each in way for glob in self.layers.exclusions(each.parent)
         )
 
     def _moved(self, settings: Settings, root: Path) -> Settings:
         """Return *settings* with the paths of the repository as it was, except rules and shapes."""
 
         def moved(path: Path) -> Path:
-            return at(real(path), self.revision, root)
+            return checkout_path(real(path), self.revision, root)
 
         def file(one: FileSettings) -> FileSettings:
             return replace(
@@ -126,7 +128,7 @@ class FindingsAtRevision:
     def _warn(self, errors: Iterable[Exception], names: Names) -> None:
         for error in errors:
             name, cause = getattr(error, "name", ""), getattr(error, "cause", str(error))
-            place = f"{names.of(name)} at {self.revision.commit[:12]}"
+            place = f"{names.relative_path(name)} at {self.revision.commit[:12]}"
             sys.stderr.write(
                 f"kinlint: warning: {place}: {cause}; all that is found in it counts as new\n"
             )

@@ -14,8 +14,8 @@ from kinlint.configuration.config_file import (
     Configs,
     PerFile,
     XacroArgument,
-    config_of,
-    load,
+    load_config,
+    parse_config,
     per_file,
 )
 from kinlint.configuration.keys import KEYS, SEVERITIES
@@ -35,8 +35,8 @@ def overrides(options: Namespace) -> Config:
     keys = _keys(texts)
     if "extend" in keys:
         raise UsageError("--config: extend is for configuration files; here, --config PATH")
-    inline = config_of(keys, "--config", here) if keys else Config(ORIGIN)
-    above = inline.under(
+    inline = parse_config(keys, "--config", here) if keys else Config(ORIGIN)
+    above = inline.extended_by(
         Config(
             origin=ORIGIN,
             choices=_choices(options),
@@ -69,7 +69,7 @@ def configs(options: Namespace) -> Configs:
         if not path.is_file():
             near = "" if path.exists() else missing(path).removeprefix(NOTHING)
             raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE{near}")
-        return Configs(fixed=load(path))
+        return Configs(fixed=load_config(path))
     return Configs(fixed=Config("defaults") if options.isolated else None)
 
 

@@ -11,12 +11,12 @@ from kinlint.format_profile import lines
 from kinlint.formats import registry
 from kinlint.formats.options import ReadOptions
 from kinlint.project.discovery import Found
-from kinlint.project.reading import read
+from kinlint.project.reading import read_models
 
 
 def page(found: Found, settings: Settings, errors: list[SourceError]) -> Iterator[str]:
     """The lines of the page; why files cannot be read goes to *errors*."""
-    sources, failed = read(found.inputs, settings)
+    sources, failed = read_models(found.inputs, settings)
     errors += [*found.errors, *failed]
     options = ReadOptions.from_settings(settings)
 

@@ -28,7 +28,7 @@ A file with it may affect findings in any other file of the run.
 """
 
 
-def amid(given: Found, project: Found) -> Found:
+def merge_with_project(given: Found, project: Found) -> Found:
     """All of *project*, in its order, then what else is *given*; what is not given is aside.
 
     A `.json` file that a search passes over is passed over here, too.
@@ -48,7 +48,7 @@ def amid(given: Found, project: Found) -> Found:
     return Found(inputs, errors, given.barren, frozenset(asides))
 
 
-def concerning(
+def affecting_sources(
     sources: Sequence[SourceText], asides: Collection[str], settings: Settings
 ) -> list[SourceText]:
     """Return the *sources* that may affect findings in one that is not among *asides*."""
@@ -57,7 +57,7 @@ def concerning(
     from kinlint.formats.dependencies.file_groups import group_sources  # noqa: PLC0415
     from kinlint.parallel.partition import divisible  # noqa: PLC0415  loads every reader
 
-    if not divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):
+    if not is_divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):
         return list(sources)
     groups = (
         group for group in group_sources(sources) if any(one.name not in asides for one in group)
@@ -66,7 +66,7 @@ def concerning(
     return [source for source in sources if source.name in names]
 
 
-def named(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
+def exclude_asides(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
     """Return *wanted*, restricted to findings in files that are not among *asides*."""
 
     def sieve(findings: Sequence[Finding]) -> Sequence[Finding]:
@@ -76,7 +76,7 @@ def named(wanted: Sieve | None, asides: frozenset[str]) -> Sieve:
     return sieve
 
 
-def within(report: Report, asides: frozenset[str], wanted: Sieve | None) -> Report:
+def without_asides(report: Report, asides: frozenset[str], wanted: Sieve | None) -> Report:
     """Return *report* without findings in files among *asides*; the *wanted* ones are counted."""
 
     def kept(findings: Sequence[Finding]) -> tuple[Finding, ...]:

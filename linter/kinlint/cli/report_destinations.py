@@ -10,7 +10,7 @@ from pathlib import Path
 from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.config_file import Config
 from kinlint.configuration.keys import OUTPUT_FORMATS
-from kinlint.configuration.value_kinds import unknown
+from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import UsageError
 
 STDOUT = "-"
@@ -19,7 +19,7 @@ STDOUT = "-"
 def destinations(options: Namespace, project: Config) -> Outputs:
     """Return the outputs that options ask for, else the environment, else *project*."""
     said = os.environ.get("KINLINT_OUTPUT_FORMAT")
-    if said and (problem := unknown(said, OUTPUT_FORMATS)):
+    if said and (problem := unknown_message(said, OUTPUT_FORMATS)):
         raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")
     path = options.output_file or os.environ.get("KINLINT_OUTPUT_FILE") or STDOUT
     return Outputs(

@@ -14,7 +14,7 @@ from typing import TextIO
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.report import Report
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.reporter_registry import (
     FORMATS,
     write,
@@ -23,7 +23,7 @@ from kinlint.reporters.reporter_registry import (
     write_summary,
     write_verdict,
 )
-from kinlint.reporters.terminal_style import Style, When, style_of
+from kinlint.reporters.terminal_style import Style, When, detect_style
 
 SUMMARY = "GITHUB_STEP_SUMMARY"
 """The variable that names the file in which GitHub expects the summary of a step."""
@@ -106,7 +106,7 @@ class Outputs:
         """Write to standard error what standard output leaves out."""
         if self.path is not None or self.silent or self._machine or self.statistics:
             for error in report.errors:
-                sys.stderr.write(f"kinlint: error: {shown(str(error))}\n")
+                sys.stderr.write(f"kinlint: error: {printable(str(error))}\n")
         if self.silent or not self._machine or (self.path is None and out is sys.stderr):
             return
         if self.statistics:
@@ -126,7 +126,7 @@ class Outputs:
             write_summary(report, stream, style, verbose=self.verbose)
 
     def _style(self, stream: TextIO) -> Style:
-        return style_of(stream, self._color(stream))
+        return detect_style(stream, self._color(stream))
 
     def _color(self, stream: TextIO) -> When:
         return self.color if stream in (sys.stdout, sys.stderr) else "auto"

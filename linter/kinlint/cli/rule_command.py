@@ -19,7 +19,7 @@ from kinlint.project.layers import cache_directory
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages
-from kinlint.reporters.terminal_style import style_of
+from kinlint.reporters.terminal_style import detect_style
 from kinlint.rule import Rule
 
 FORMATS = ("text", "markdown", "json", "turtle")
@@ -28,7 +28,7 @@ FORMATS = ("text", "markdown", "json", "turtle")
 def parser() -> Parser:
     """The parser of `kinlint rule`."""
     made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
-    made.rest("names", "R", "code, name, beginning of codes, or anti-pattern")
+    made.add_positionals("names", "R", "code, name, beginning of codes, or anti-pattern")
     made.add_argument("--all", action="store_true", help="every rule")
     made.add_argument(
         "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
@@ -91,7 +91,7 @@ def _write(rules: Sequence[Rule], directory: Path) -> int:
 
 
 def _pages(rules: Sequence[Rule], form: str, color: str) -> Iterator[str]:
-    style = style_of(sys.stdout, color)  # type: ignore[arg-type]
+    style = detect_style(sys.stdout, color)  # type: ignore[arg-type]
     for number, rule in enumerate(rules):
         if number:
             yield "\n" if form == "markdown" else "\n" + "-" * 80 + "\n\n"

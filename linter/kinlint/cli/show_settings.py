@@ -45,7 +45,11 @@ def pages(
 
 
 def _file(name: str, policies: Policies) -> Iterator[str]:
-    settings, policy, trust = policies.settings.of(name), policies.of(name), policies.trust(name)
+    settings, policy, trust = (
+        policies.settings.for_file(name),
+        policies.for_file(name),
+        policies.trust(name),
+    )
     origins = dict.fromkeys(choice.origin for choice in settings.choices)
     yield f"rules chosen by: {', '.join(origins) or 'default'}"
     yield f"require-reason = {str(settings.require_reason).lower()}"
@@ -63,5 +67,5 @@ def _file(name: str, policies: Policies) -> Iterator[str]:
         severity = policy.severity(rule)
         careful = trust.unsafe.get(rule.code)
         fixes = "" if careful is None else f", fixes {'unsafe' if careful else 'safe'}"
-        fixes = fixes if trust.mends(rule) else ", not fixed"
+        fixes = fixes if trust.allows_fixes(rule) else ", not fixed"
         yield f"{rule.code} {rule.name}: {severity.label + fixes if severity else 'off'}"

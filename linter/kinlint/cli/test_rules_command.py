@@ -12,7 +12,7 @@ from kinlint.cli.argument_parser import Parser
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.project.layers import cache_directory
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 from kinlint.rule_testing import promises
 
 
@@ -23,7 +23,7 @@ def parser() -> Parser:
         description="Test rules: each bad example is found where it is marked, each good one is"
         " left alone, and the file says all that a rule file must say.",
     )
-    made.rest("paths", "DIR", "rule files (default: the built-in)")
+    made.add_positionals("paths", "DIR", "rule files (default: the built-in)")
     made.add_argument("-q", "--quiet", action="store_true", help="only what fails")
     return made
 
@@ -45,7 +45,7 @@ def run(arguments: Sequence[str]) -> int:
     if not options.quiet:
         examples = sum(len(rule.examples) for rule in rules)
         verdict = f"{failed} of them fail" if failed else "all keep their promises"
-        told = f"{counted(len(rules), 'rule')} with {counted(examples, 'example')}"
+        told = f"{plural(len(rules), 'rule')} with {plural(examples, 'example')}"
         sys.stdout.write(f"{told}: {verdict}.\n")
     return 1 if failed else 0
 

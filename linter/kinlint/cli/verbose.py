@@ -10,7 +10,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASE_DATES
 from kinlint.report import Report
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 
 ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
 
@@ -25,7 +25,10 @@ def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterat
     yield f"contexts: release {release} ({RELEASE_DATES.get(release, 'of unknown date')})"
     yield f"engine: {', '.join(map(_version, ENGINES[settings.engine]))}"
     cache = "recalled" if book.recalled else "compiled"
-    counts = counted(len(book.rules), "rule"), counted(len(book.constraints), "constraint")
+    counts = (
+        plural(len(book.rules), "rule"),
+        plural(len(book.constraints), "constraint"),
+    )
     yield f"catalogue: {counts[0]} with {counts[1]}, {cache}"
     if settings.engine == "oxigraph":
         for each in book.constraints:
@@ -37,13 +40,13 @@ def after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:
     """Lines that say what was read, applied and spent."""
     asked = {rule.code for rule in report.rules}
     silent = [rule.code for rule in book.rules if rule.code not in asked]
-    read = counted(len(report.files), "file"), counted(report.triples, "triple")
-    unread = f"; {counted(len(report.errors), 'file')} could not be read" if report.errors else ""
+    read = plural(len(report.files), "file"), plural(report.triples, "triple")
+    unread = f"; {plural(len(report.errors), 'file')} could not be read" if report.errors else ""
     yield f"read: {read[0]} with {read[1]}{unread}"
     if report.recalled is not None:
         yield f"recalled: {report.recalled:,} of these, from {settings.cache}"
     off = f"; not {', '.join(silent)}" if silent else ""
-    yield f"applied: {report.applied:,} of {counted(len(book.rules), 'rule')}{off}"
+    yield f"applied: {report.applied:,} of {plural(len(book.rules), 'rule')}{off}"
     for finding, repair, why in report.unfixed:
         source, start = finding.location.source, finding.location.start
         place = f"{source.name}:{start.line}:{start.column}"

@@ -65,7 +65,7 @@ def _configuration() -> str:
     from kinlint.files.pathglob import absolute  # noqa: PLC0415
 
     try:
-        config = Configs().of(Path.cwd())
+        config = Configs().nearest(Path.cwd())
     except ConfigError as error:
         return str(error)
     return "none here" if config is None else _shown(absolute(config.origin))

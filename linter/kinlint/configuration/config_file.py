@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.config_text import ConfigText, quoted, read
+from kinlint.configuration.config_text import ConfigText, quoted_key_span, read
 from kinlint.configuration.keys import check
 from kinlint.configuration.settings import Choice
 from kinlint.configuration.value_kinds import ALIASES
@@ -84,7 +84,7 @@ class Config:
     packages: tuple[tuple[str, Path], ...] = ()
     xacro_args: tuple[XacroArgument, ...] = ()
 
-    def under(self, above: Config) -> Config:
+    def extended_by(self, above: Config) -> Config:
         """The two as one, *above* on top: lists that extend add up, the rest replaces.
 
         `origin` stays, since it names the file.
@@ -99,7 +99,7 @@ class Config:
         return replace(self, **changes)
 
 
-def config_of(
+def parse_config(
     values: Mapping[str, Any], origin: str, root: Path, source: SourceText | None = None
 ) -> Config:
     """The configuration that *values* state, read from *origin*; paths start at *root*.
@@ -185,12 +185,12 @@ def _arguments(said: Mapping[str, Any], root: Path) -> Iterator[XacroArgument]:
     for key, value in said.items():
         if isinstance(value, dict):
             glob = Glob(root, key)
-            yield from (XacroArgument(name, written(one), glob) for name, one in value.items())
+            yield from (XacroArgument(name, xacro_text(one), glob) for name, one in value.items())
         else:
-            yield XacroArgument(key, written(value))
+            yield XacroArgument(key, xacro_text(value))
 
 
-def written(value: str | float) -> str:
+def xacro_text(value: str | float) -> str:
     """Return *value* of a configuration as a xacro file writes it."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
@@ -206,7 +206,9 @@ def _per_file(
         return None
     entries = (per_file(key, tuple(sels), origin, root) for key, sels in said.items())
     return tuple(
-        replace(entry, place=None if source is None else (source, quoted(source, entry.key)))
+        replace(
+            entry, place=None if source is None else (source, quoted_key_span(source, entry.key))
+        )
         for entry in entries
     )
 
@@ -230,14 +232,16 @@ class Configs:
     fixed: Config | None = None
     _nearest: dict[Path, Config | None] = field(default_factory=dict)
 
-    def of(self, directory: Path) -> Config | None:
+    def nearest(self, directory: Path) -> Config | None:
         """The nearest configuration at or above *directory*, which is absolute."""
         if self.fixed is not None:
             return self.fixed
         if directory not in self._nearest:
             found = _in(directory)
             above = directory.parent
-            self._nearest[directory] = found or (None if above == directory else self.of(above))
+            self._nearest[directory] = found or (
+                None if above == directory else self.nearest(above)
+            )
         return self._nearest[directory]
 
 
@@ -249,7 +253,7 @@ def _in(directory: Path) -> Config | None:
     return None
 
 
-def load(path: Path) -> Config:
+def load_config(path: Path) -> Config:
     """The configuration in the file at *path*, which must have one."""
     said = read(path)
     if said is None:
@@ -259,7 +263,7 @@ def load(path: Path) -> Config:
 
 def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
     """The configuration that *said* states on top of what it extends; *seen* came before."""
-    config = config_of(said.values, shown(path), path.parent, said.source)
+    config = parse_config(said.values, shown(path), path.parent, said.source)
     if "extend" not in said.values:
         return config
     base = _path(said.values["extend"], path.parent)
@@ -273,4 +277,4 @@ def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
     if more is None:
         raise ConfigError(f"{origin}: {shown(base)} has no [tool.kinlint]")
     below = _extended(base, more, (*seen, path))
-    return replace(below.under(config), origin=config.origin)
+    return replace(below.extended_by(config), origin=config.origin)

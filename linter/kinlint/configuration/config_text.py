@@ -60,7 +60,7 @@ def read(path: Path) -> ConfigText | None:
     return None if own is None else ConfigText(own, source)
 
 
-def quoted(source: SourceText, key: str) -> Span:
+def quoted_key_span(source: SourceText, key: str) -> Span:
     """Return the span of the first *key* in *source*, quotes included.
 
     An empty span if there is none.

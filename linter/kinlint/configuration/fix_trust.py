@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from dataclasses import replace as changed
 
-from kinlint.configuration.selectors import ALL, Catalogue, Rank, narrowed
+from kinlint.configuration.selectors import ALL, Catalogue, Rank, select_codes
 from kinlint.configuration.settings import Choice
 from kinlint.finding import Fix
 from kinlint.rule import Applicability, Rule
@@ -27,7 +27,7 @@ class Trust:
     fixable: frozenset[str]
     unsafe: Mapping[str, bool]
 
-    def mends(self, rule: Rule) -> bool:
+    def allows_fixes(self, rule: Rule) -> bool:
         """Tell whether findings of *rule* are fixed at all."""
         return rule.code in self.fixable
 
@@ -50,7 +50,7 @@ class Trust:
         return changed(fix, applicability=applicability, why=why)
 
 
-def trust(choices: Iterable[Choice], catalogue: Catalogue) -> Trust:
+def combine_trust(choices: Iterable[Choice], catalogue: Catalogue) -> Trust:
     """Combine *choices*, the lowest layer first; without any, all fixes are allowed.
 
     Raises `UsageError` for selectors that name no rule.
@@ -59,7 +59,9 @@ def trust(choices: Iterable[Choice], catalogue: Catalogue) -> Trust:
     unsafe: dict[str, bool] = {}
     for choice in choices:
         below = fixable if choice.fixable is None else frozenset[str]()
-        fixable = narrowed(below, choice.fixable or (), choice.unfixable, choice.origin, catalogue)
+        fixable = select_codes(
+            below, choice.fixable or (), choice.unfixable, choice.origin, catalogue
+        )
         for _, careful, codes in sorted(_said(choice, catalogue), key=lambda step: step[:2]):
             unsafe.update(dict.fromkeys(codes, careful))
     return Trust(fixable, unsafe)

@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from kinlint.configuration.fix_trust import Trust, trust
-from kinlint.configuration.selectors import Catalogue, narrowed
+from kinlint.configuration.fix_trust import Trust, combine_trust
+from kinlint.configuration.selectors import Catalogue, select_codes
 from kinlint.configuration.settings import Choice, Settings
 from kinlint.finding import Finding
 from kinlint.rule import Rule, Severity
@@ -27,7 +27,7 @@ class Policy:
         """Return the severity of *rule* here; None if it is off. Unknown rules are on."""
         return self.severities.get(rule.code, rule.severity)
 
-    def judged(self, finding: Finding) -> Severity | None:
+    def severity_of(self, finding: Finding) -> Severity | None:
         """Return the severity of *finding* here: the configured one, or that of its constraint."""
         rule = finding.rule
         own = finding.severity is not rule.severity and rule.code not in self.imposed
@@ -55,12 +55,12 @@ class Policies:
     def _by_settings(self) -> dict[tuple[tuple[Choice, ...], tuple[str, ...], str], Policy]:
         return {}
 
-    def of(self, name: str) -> Policy:
+    def for_file(self, name: str) -> Policy:
         """The policy in the source called *name*."""
-        settings = self.settings.of(name)
+        settings = self.settings.for_file(name)
         key = settings.choices, settings.targets, self.formats.get(name, "")
         if key not in self._by_settings:
-            self._by_settings[key] = policy(key[0], self.catalogue, *key[1:])
+            self._by_settings[key] = combine_policy(key[0], self.catalogue, *key[1:])
         return self._by_settings[key]
 
     @cached_property
@@ -69,28 +69,28 @@ class Policies:
 
     def trust(self, name: str) -> Trust:
         """Return the fixes allowed in the source called *name*."""
-        choices = self.settings.of(name).choices
+        choices = self.settings.for_file(name).choices
         if choices not in self._trusts:
-            self._trusts[choices] = trust(choices, self.catalogue)
+            self._trusts[choices] = combine_trust(choices, self.catalogue)
         return self._trusts[choices]
 
     def enabled(self, names: Iterable[str]) -> frozenset[str]:
         """The codes of the rules that speak in at least one of the sources called *names*."""
-        each = [self.of(name) for name in names]
+        each = [self.for_file(name) for name in names]
         return frozenset(
             rule.code for rule in self.rules if any(one.severity(rule) is not None for one in each)
         )
 
-    def judged(self, findings: Iterable[Finding]) -> list[Finding]:
+    def apply_severities(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* whose rule is on where they lie, with the severity it has there."""
         kept = []
         for finding in findings:
-            severity = self.of(finding.location.source.name).judged(finding)
+            severity = self.for_file(finding.location.source.name).severity_of(finding)
             if severity is not None:
                 kept.append(replace(finding, severity=severity))
         return kept
 
-    def check(self) -> None:
+    def check_selectors(self) -> None:
         """Resolve all that files name of the catalogue, so that mistakes show before work starts.
 
         Raises `UsageError` for unknown selectors and targets.
@@ -99,14 +99,14 @@ class Policies:
         for target in {target for settings in every for target in settings.targets}:
             self.catalogue.check_target(target)
         for choices in {settings.choices for settings in every}:
-            policy(choices, self.catalogue)
-            trust(choices, self.catalogue)
+            combine_policy(choices, self.catalogue)
+            combine_trust(choices, self.catalogue)
         for ignore in {ignore for settings in every for ignore in settings.ignores}:
             for selector in ignore.selectors:
                 self.catalogue.find_from(f"{ignore.origin}: {ignore.key}", selector)
 
 
-def policy(
+def combine_policy(
     choices: Iterable[Choice], catalogue: Catalogue, targets: Collection[str] = (), form: str = ""
 ) -> Policy:
     """Combine *choices*, the lowest layer first, for a file of format *form*.
@@ -127,7 +127,7 @@ def policy(
     for choice in choices:
         wanted = (*choice.extend_select, *(choice.select or ()))
         below = chosen if choice.select is None else frozenset[str]()
-        chosen = narrowed(below, wanted, choice.ignore, choice.origin, catalogue)
+        chosen = select_codes(below, wanted, choice.ignore, choice.origin, catalogue)
         ranked = [(catalogue.find_from(choice.origin, sel), sev) for sel, sev in choice.severity]
         for (_, codes), severity in sorted(ranked, key=lambda entry: entry[0][0]):
             severities.update(dict.fromkeys(codes, severity))

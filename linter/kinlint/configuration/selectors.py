@@ -86,7 +86,7 @@ class Catalogue:
             raise type(error)(f"{origin}: {error}") from None
 
 
-def narrowed(
+def select_codes(
     below: frozenset[str],
     wanted: Iterable[str],
     refused: Iterable[str],

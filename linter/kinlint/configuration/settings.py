@@ -116,9 +116,9 @@ class Settings:
 
     def partner(self, name: str) -> str | None:
         """The path of the URDF that the SRDF called *name* is about, where one is told."""
-        urdf = self.of(name).urdf
+        urdf = self.for_file(name).urdf
         return None if urdf is None else urdf.as_posix()
 
-    def of(self, name: str) -> FileSettings:
+    def for_file(self, name: str) -> FileSettings:
         """The settings of the source called *name*."""
         return self.files.get(name, self.default)

@@ -24,7 +24,7 @@ class Kind:
     schema: Mapping[str, Any]
 
 
-def expected(what: str, value: object) -> str:
+def expected_message(what: str, value: object) -> str:
     """Return the message that *what* was expected in place of *value*."""
     kinds: dict[type, str] = {
         bool: "a boolean",
@@ -38,7 +38,7 @@ def expected(what: str, value: object) -> str:
     return f"expected {what}, got {kind}{text}"
 
 
-def unknown(value: str, choices: tuple[str, ...]) -> str:
+def unknown_message(value: str, choices: tuple[str, ...]) -> str:
     """Return the message that *value* is none of *choices*; "" if it is."""
     if value in choices:
         return ""
@@ -51,9 +51,9 @@ def one_of(choices: tuple[str, ...]) -> Kind:
 
     def problem(value: object) -> str:
         if not isinstance(value, str):
-            return expected("one of " + ", ".join(choices), value)
+            return expected_message("one of " + ", ".join(choices), value)
         alias = ALIASES.get(value)
-        return "" if alias in choices else unknown(value, choices)
+        return "" if alias in choices else unknown_message(value, choices)
 
     aliases = [alias for alias, meant in ALIASES.items() if meant in choices]
     return Kind(f"one of {', '.join(choices)}", problem, {"enum": [*choices, *aliases]})
@@ -64,7 +64,7 @@ def table(of: Kind, entries: str) -> Kind:
 
     def problem(value: object) -> str:
         if not isinstance(value, dict):
-            return expected("a table", value)
+            return expected_message("a table", value)
         wrongs = ((key, of.problem(one)) for key, one in value.items())
         return next((f"'{key}': {wrong}" for key, wrong in wrongs if wrong), "")
 
@@ -78,7 +78,7 @@ def either(name: str, tables: Kind, others: Kind) -> Kind:
     def problem(value: object) -> str:
         if isinstance(value, dict):
             return tables.problem(value)
-        return expected(name, value) if others.problem(value) else ""
+        return expected_message(name, value) if others.problem(value) else ""
 
     return Kind(name, problem, {"anyOf": [others.schema, tables.schema]})
 
@@ -86,8 +86,8 @@ def either(name: str, tables: Kind, others: Kind) -> Kind:
 def _strings(value: object) -> str:
     if isinstance(value, list):
         wrong = next((one for one in value if not isinstance(one, str)), None)
-        return "" if wrong is None else expected("only strings in the list", wrong)
-    return expected("a list of strings", value)
+        return "" if wrong is None else expected_message("only strings in the list", wrong)
+    return expected_message("a list of strings", value)
 
 
 def _one_or_more(value: object) -> str:
@@ -95,15 +95,19 @@ def _one_or_more(value: object) -> str:
 
 
 def _switch(value: object) -> str:
-    return "" if isinstance(value, bool) else expected("true or false", value)
+    return "" if isinstance(value, bool) else expected_message("true or false", value)
 
 
 def _string(value: object) -> str:
-    return "" if isinstance(value, str) else expected("a string", value)
+    return "" if isinstance(value, str) else expected_message("a string", value)
 
 
 def _scalar(value: object) -> str:
-    return "" if isinstance(value, str | int | float) else expected("a string or number", value)
+    return (
+        ""
+        if isinstance(value, str | int | float)
+        else expected_message("a string or number", value)
+    )
 
 
 _TEXT = {"type": "string"}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from urllib.parse import quote
 
-from kinlint.conversion.conversion_losses import Loss, losses
+from kinlint.conversion.conversion_losses import Loss, conversion_losses
 from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, nodes
 from kinlint.conversion.published import contexts_of
 from kinlint.document import Document
@@ -16,7 +16,7 @@ from kinlint.errors import UsageError
 from kinlint.formats.records import ELEMENTS
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Inputs
-from kinlint.pipeline.stages import through
+from kinlint.pipeline.stages import run_stages
 from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
 from kinlint.vocabulary import ATTRIBUTE
 
@@ -48,7 +48,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     for document in documents:
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
-    store = through("lifting", SingleRun(()), Inputs(documents))
+    store = run_stages("lifting", SingleRun(()), Inputs(documents))
     lifted = list(store.lifted())
     statements = Statements(lifted)
     if not statements.subjects:
@@ -59,7 +59,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     }
     _distinct(statements, names)
     made = list(nodes(statements, Order(statements, documents), names))
-    left_out = losses(documents, lifted, Provenance(store))
+    left_out = conversion_losses(documents, lifted, Provenance(store))
     return Composition(made, contexts_of(_terms(made)), _prefixes(names), left_out)
 
 

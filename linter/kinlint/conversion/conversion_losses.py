@@ -49,7 +49,7 @@ class Loss:
         return f"{self.count} {self.what}: {self.why}"
 
 
-def losses(
+def conversion_losses(
     documents: Iterable[Document], lifted: Iterable[Triple], provenance: Provenance
 ) -> list[Loss]:
     """Return what is in *documents* and not in what was *lifted* from them, by kind."""

@@ -46,7 +46,7 @@ class Reason:
 
 
 @cache
-def reasons() -> tuple[Reason, ...]:
+def lifting_reasons() -> tuple[Reason, ...]:
     """All reasons, the most specific first."""
     file = resources.data("shapes") / REASONS
     with file.open(encoding="utf-8", newline="") as stream:
@@ -63,7 +63,7 @@ class Coverage:
 
     def __init__(self, form: str) -> None:
         self.form = form
-        self.reasons = [one for one in reasons() if one.format == form]
+        self.reasons = [one for one in lifting_reasons() if one.format == form]
         self._mentions = list(map(_mentions, queries(form)))
 
     def reason(self, path: tuple[str, ...], attribute: str = "") -> Reason | None:

@@ -53,11 +53,11 @@ def findings(
     results: Iterable[Result], documents: Sequence[Document], store: Store, rulebook: Rulebook
 ) -> list[Finding]:
     """One finding for each of *results*, in their order; what says the same twice comes once."""
-    account = Account(results, documents, store, rulebook)
-    return list(map(account.detailed, account.brief()))
+    builder = FindingBuilder(results, documents, store, rulebook)
+    return list(map(builder.detailed, builder.brief()))
 
 
-class Account:
+class FindingBuilder:
     """What results of an engine come to: first in brief, and for those that are told in detail.
 
     *proofs* tells what a result rests on; by default it is found out when it is told.

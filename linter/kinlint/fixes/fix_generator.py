@@ -7,11 +7,11 @@ from itertools import pairwise
 from pathlib import Path
 
 from kinlint.catalogue.applicability import covers
-from kinlint.edits import Edit, Unsayable, overlap
+from kinlint.edits import Edit, NotExpressible, overlap
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.dry_run import change
 from kinlint.fixes.generator import Candidate, Generator
-from kinlint.fixes.placing import placed
+from kinlint.fixes.placing import place_delta
 from kinlint.rule import Applicability, Repair
 from kinlint.text import SourceText
 
@@ -24,7 +24,7 @@ class FixGenerator(Generator):
         found = []
         for finding in findings:
             trust = self.policies.trust(finding.location.source.name)
-            if finding.rule.repairs and trust.mends(finding.rule):
+            if finding.rule.repairs and trust.allows_fixes(finding.rule):
                 found += [
                     each
                     for each in self._repairs(finding)
@@ -74,7 +74,7 @@ class FixGenerator(Generator):
                 continue
             try:
                 candidate = self._written(finding, repair, rank)
-            except Unsayable as reason:
+            except NotExpressible as reason:
                 self.refused.append((finding, repair, str(reason)))
             else:
                 again = any(candidate and candidate.edits == each.edits for each in found)
@@ -83,25 +83,25 @@ class FixGenerator(Generator):
 
     def _written(self, finding: Finding, repair: Repair, rank: int) -> Candidate | None:
         """Return *repair* of *finding* as edits; None where it changes nothing."""
-        account, store = self.examination.account, self.examination.store
+        builder, store = self.examination.builder, self.examination.store
         members = finding.members or (finding,)
-        results = [result for each in members for result in account.results(each)]
+        results = [result for each in members for result in builder.results(each)]
         meant = change(store, repair, results)
         if not meant:
             return None
-        where = placed(account.provenance, meant, self.homes[finding.location.source.name])
+        where = place_delta(builder.provenance, meant, self.homes[finding.location.source.name])
         edits: dict[Path, dict[Edit, None]] = {}
         sources: dict[Path, SourceText] = {}
         for graph, delta in where.deltas.items():
             document = store.documents[graph]
             made = self.editor(document).edits(delta)
             if not made:
-                raise Unsayable("the text says it already")
+                raise NotExpressible("the text says it already")
             for span, text in made:
                 place = document.location(span)
                 path = self.writable_path(document, place.source)
                 if sources.setdefault(path, place.source).text != place.source.text:
-                    raise Unsayable("the file has changed since it was read")
+                    raise NotExpressible("the file has changed since it was read")
                 edits.setdefault(path, {})[Edit(place.span, text)] = None
         return Candidate(
             finding, repair, rank, meant, where.lifted, where.deltas,
@@ -110,8 +110,8 @@ class FixGenerator(Generator):
 
 
 def _ordered(edits: Iterable[Edit]) -> tuple[Edit, ...]:
-    """Sort *edits* of one text; raise `Unsayable` if its uses are to say different things."""
+    """Sort *edits* of one text; raise `NotExpressible` if its uses are to say different things."""
     ordered = sorted(edits, key=lambda edit: edit.span)
     if any(overlap((one,), (other,)) for one, other in pairwise(ordered)):
-        raise Unsayable("the text stands for several elements, which differ then")
+        raise NotExpressible("the text stands for several elements, which differ then")
     return tuple(ordered)

@@ -14,7 +14,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document, homes
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.writable import WritableFiles
@@ -95,16 +95,19 @@ class Generator(ABC):
 
     @abstractmethod
     def combined(self, batch: Sequence[Candidate]) -> Sequence[Candidate]:
-        """Return what writes all of *batch* together. Raises `Unsayable` if nothing does."""
+        """Return what writes all of *batch* together. Raises `NotExpressible` if nothing does."""
 
     @abstractmethod
     def weighed(self, finding: Finding, fix: Fix) -> Fix:
         """Return *fix* with the applicability that the settings give it."""
 
     def editor(self, document: Document) -> Editor:
-        """Return the editor of *document*. Raises `Unsayable` if its file is not to be written."""
+        """Return the editor of *document*.
+
+        Raises `NotExpressible` if its file is not to be written.
+        """
         if document.source.misread or document.source.companion:
-            raise Unsayable("the file is not to be written")
+            raise NotExpressible("the file is not to be written")
         if document.graph not in self._editors:
             self._editors[document.graph] = editor(document, self.examination.options)
         return self._editors[document.graph]
@@ -112,16 +115,16 @@ class Generator(ABC):
     def writable_path(self, document: Document, source: SourceText) -> Path:
         """Return the real path of *source*, a text of *document*.
 
-        Raises `Unsayable` if it is not to be written.
+        Raises `NotExpressible` if it is not to be written.
         """
         if source.misread or source.companion or document.source.companion:
-            raise Unsayable("the file is not to be written")
+            raise NotExpressible("the file is not to be written")
         if source.name in self.texts.kept:
-            raise Unsayable(f"it is written in {source.name}, which was not named")
+            raise NotExpressible(f"it is written in {source.name}, which was not named")
         path = self.texts.path(source)
         if source is not document.source:
             if document.source.name in self.texts.streamed:
-                raise Unsayable("it is written in a file that standard input includes")
+                raise NotExpressible("it is written in a file that standard input includes")
             self._writable.check(path, source.name)
         return path
 

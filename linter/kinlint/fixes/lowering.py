@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.engine.provenance import Provenance
 from kinlint.terms import (
     NUMERIC,
@@ -27,11 +27,11 @@ class Replacement(NamedTuple):
     new: Triple
 
 
-def lowered(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
+def lower_delta(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
     """Yield what says *lifted* in the documents that it was made of.
 
-    Raises Unsayable unless each value that goes is replaced by one other, and is itself the value,
-    or the negative of the value, of one place of the text.
+    Raises NotExpressible unless each value that goes is replaced by one other, and is itself the
+    value, or the negative of the value, of one place of the text.
     """
     added: dict[tuple[Term, Term], list[Term]] = {}
     for subject, predicate, value in lifted.added:
@@ -39,17 +39,17 @@ def lowered(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
     for subject, predicate, value in lifted.removed:
         new = added.pop((subject, predicate), [])
         if len(new) != 1 or not is_literal(value) or not is_literal(new[0]):
-            raise Unsayable("the format has no word for this change")
+            raise NotExpressible("the format has no word for this change")
         trace = provenance.trace((subject, predicate, value))
         if len(trace.written) != 1:
             several = (
                 "several places of the text have" if trace.written else "no place of the text has"
             )
-            raise Unsayable(f"{several} the value that changes")
+            raise NotExpressible(f"{several} the value that changes")
         ((document, old),) = trace.written
         yield Replacement(document, old, (old[0], old[1], _unsigned(new[0], trace.sign)))
     if added:
-        raise Unsayable("the format has no word for what is added")
+        raise NotExpressible("the format has no word for what is added")
 
 
 def _unsigned(value: Term, sign: int) -> Term:
@@ -58,6 +58,6 @@ def _unsigned(value: Term, sign: int) -> Term:
         return value
     datatype = literal_datatype(value)
     if not sign or datatype not in NUMERIC:
-        raise Unsayable("the value that changes is worked out from what the text says")
+        raise NotExpressible("the value that changes is worked out from what the text says")
     number = literal_value(value)
     return literal(number[1:] if number.startswith("-") else f"-{number.lstrip('+')}", datatype)

@@ -52,9 +52,9 @@ class Offers:
         if verdict.applicability is None:
             return None
         applicability = min(verdict.applicability, repair.applicability)
-        account = self.generator.examination.account
+        builder = self.generator.examination.builder
         fix = Fix(
-            title=account.filled(repair.title, candidate.finding),
+            title=builder.filled(repair.title, candidate.finding),
             applicability=applicability,
             edits=candidate.text_edits,
             update=update(candidate.meant),
@@ -80,7 +80,7 @@ class Offers:
         return replace(report, findings=tuple(findings), unfixed=unfixed)
 
 
-def offers(
+def offer_fixes(
     generator: Generator,
     least: Applicability = Applicability.DISPLAY,
     wanted: Sieve = every,
@@ -97,11 +97,11 @@ def offers(
 
     def again(tried: Texts) -> Examination:
         nonlocal latest
-        made = examined(tried, (), generator.settings, generator.rulebook, phases)
+        made = examine_with_fixes(tried, (), generator.settings, generator.rulebook, phases)
         latest = tried, made
         return made
 
-    verdicts = tried(groups, generator, again) if groups else {}
+    verdicts = try_candidates(groups, generator, again) if groups else {}
     refused = [*generator.refused]
     refused += [
         (each.finding, each.repair, verdict.why)
@@ -111,7 +111,7 @@ def offers(
     return Offers(generator, groups, verdicts, refused, latest)
 
 
-def examined(
+def examine_with_fixes(
     texts: Texts,
     errors: Iterable[SourceError],
     settings: Settings,

@@ -8,11 +8,11 @@ from math import isfinite
 
 from kinlint.addresses import document_of
 from kinlint.document import FROM, Document
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
-from kinlint.fixes.lowering import lowered
+from kinlint.fixes.lowering import lower_delta
 from kinlint.terms import (
     NUMERIC,
     XSD,
@@ -72,10 +72,10 @@ def _short(value: Term) -> Term:
     return literal(f"{number:.16E}".replace("E+", "E"), DOUBLE)
 
 
-def placed(provenance: Provenance, delta: Delta, home: Document) -> Placed:
+def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
     """*delta* by document; *home* is where a repair belongs that could go anywhere.
 
-    Raises Unsayable for what no text says: what was inferred or computed.
+    Raises NotExpressible for what no text says: what was inferred or computed.
     """
     store = provenance.store
     sheets: dict[Term, _Sheet] = {}
@@ -85,10 +85,10 @@ def placed(provenance: Provenance, delta: Delta, home: Document) -> Placed:
 
     above = [each for each in delta.removed if not _asserted(store, each, sheet)]
     if not all(map(store.is_lifted, above)):
-        raise Unsayable("what has to go is written nowhere: it follows from other statements")
+        raise NotExpressible("what has to go is written nowhere: it follows from other statements")
     lifted = Delta(tuple(above), tuple(each for each in delta.added if _is_lifted(store, each[0])))
     named = [[each for each in part if is_iri(each[0])] for part in (lifted.removed, lifted.added)]
-    for document, old, new in lowered(provenance, lifted):
+    for document, old, new in lower_delta(provenance, lifted):
         sheet(document).removed[old] = None
         sheet(document).added[new] = None
     rest = [each for each in delta.added if each not in set(lifted.added)]

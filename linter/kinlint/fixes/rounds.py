@@ -13,7 +13,7 @@ from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.generator import Candidate, MakeGenerator
-from kinlint.fixes.offers import Offers, Sieve, every, examined, offers
+from kinlint.fixes.offers import Offers, Sieve, every, examine_with_fixes, offer_fixes
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
 from kinlint.phases import Phases
@@ -29,7 +29,7 @@ ROUNDS = 10
 
 
 @dataclass(frozen=True)
-class Mended:
+class RoundsResult:
     """The outcome of changing texts until nothing is left to change."""
 
     report: Report
@@ -43,7 +43,7 @@ class Mended:
     """The trial of what is left."""
 
 
-def linted(
+def lint_texts(
     sources: Sequence[SourceText],
     errors: Iterable[SourceError],
     settings: Settings,
@@ -52,12 +52,12 @@ def linted(
 ) -> Offers:
     """Return what `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
     spent, texts = phases or Phases(), Texts(sources)
-    examination = examined(texts, errors, settings, rulebook, spent)
+    examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
     with spent.phase("fixing"):
-        return offers(FixGenerator(examination, texts, settings, rulebook))
+        return offer_fixes(FixGenerator(examination, texts, settings, rulebook))
 
 
-def mended(  # noqa: PLR0913, PLR0917
+def fix_in_rounds(  # noqa: PLR0913, PLR0917
     sources: Sequence[SourceText],
     errors: Sequence[SourceError],
     settings: Settings,
@@ -69,7 +69,7 @@ def mended(  # noqa: PLR0913, PLR0917
     wanted: Sieve = every,
     overlay: Mapping[Path, SourceText] = NOTHING,
     generator: MakeGenerator = FixGenerator,
-) -> Mended:
+) -> RoundsResult:
     """Make all changes of *generator* in *sources* that may be trusted at *least* so far.
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
@@ -82,11 +82,11 @@ def mended(  # noqa: PLR0913, PLR0917
     reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
     restless: Sequence[Finding] = ()
     spent = phases or Phases()
-    examination = examined(texts, errors, settings, rulebook, spent)
+    examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
     for _ in range(ROUNDS):
         with spent.phase("fixing"):
             made = generator(examination, texts, settings, rulebook)
-            found = offers(made, least, wanted)
+            found = offer_fixes(made, least, wanted)
         chosen = list(_chosen(found, least))
         if not chosen:
             restless = ()
@@ -106,22 +106,22 @@ def mended(  # noqa: PLR0913, PLR0917
         if state in reached:
             texts, count = reached[state]
             fixed, restless = fixed[:count], fixed[count:]
-            examination = examined(texts, errors, settings, rulebook, spent)
+            examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
             break
         reached[state] = texts, len(fixed)
         restless = fixed[before:]
-        examination = _known(found, texts, errors) or examined(
+        examination = _known(found, texts, errors) or examine_with_fixes(
             texts, errors, settings, rulebook, spent
         )
     with spent.phase("fixing"):
-        left = offers(generator(examination, texts, settings, rulebook), wanted=wanted)
+        left = offer_fixes(generator(examination, texts, settings, rulebook), wanted=wanted)
     if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
         restless = ()
     given = set(map(texts.path, sources))
     pairs = [*zip(sources, texts.given, strict=True)]
     others = originals.keys() - given
     pairs += [(originals[path], text) for path, text in texts.changed.items() if path in others]
-    return Mended(
+    return RoundsResult(
         replace(left.report, fixed=tuple(fixed)),
         texts.given,
         [(before, after) for before, after in pairs if before.text != after.text],

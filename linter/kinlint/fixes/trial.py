@@ -9,9 +9,9 @@ from functools import cached_property
 from pathlib import Path
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.fixes.generator import Candidate, FileKind, Generator, counts
-from kinlint.fixes.proof import proven
+from kinlint.fixes.proof import prove_applicability
 from kinlint.fixes.texts import Texts
 from kinlint.pipeline.analyzer import Examination
 from kinlint.rule import Applicability
@@ -55,7 +55,7 @@ class Group:
         return frozenset((*inside, *(source.name for source in self.sources)))
 
 
-def tried(
+def try_candidates(
     groups: Sequence[Group], generator: Generator, examine: Examine
 ) -> Mapping[Candidate, Verdict]:
     """Return the verdict on each candidate in the batches of *groups*; note there which hold.
@@ -71,7 +71,7 @@ def tried(
                 batch = group.batches.pop(0)
                 try:
                     trial.append((group, batch, generator.combined(batch)))
-                except Unsayable as reason:
+                except NotExpressible as reason:
                     _settle(group, batch, Verdict(None, str(reason)), verdicts)
                 else:
                     break
@@ -195,7 +195,7 @@ def _says(
         for number, each in enumerate(deltas)
         for triple in each.added
     )
-    return proven(old, new, Delta(tuple(removed), tuple(added)))  # type: ignore[arg-type]
+    return prove_applicability(old, new, Delta(tuple(removed), tuple(added)))  # type: ignore[arg-type]
 
 
 def _apart(term: Term, number: int) -> Term:

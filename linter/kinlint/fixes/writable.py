@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.configuration.settings import Settings
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.files.environment import kind, writable
 from kinlint.files.packages import SKIPPED
 from kinlint.files.pathname import real
@@ -32,20 +32,20 @@ class WritableFiles:
         """Return those below the directory that all given files share, or where kinlint works."""
         named = [each for each in texts.given if not each.companion]
         given = [path for each in named if kind(path := texts.path(each)) == "file"]
-        spaces = {settings.of(each.name).workspace for each in named}
+        spaces = {settings.for_file(each.name).workspace for each in named}
         roots = {Path.cwd(), *(real(each) for each in spaces if each is not None)}
         if given:
             roots.add(_shared(path.parent for path in given))
         return cls(frozenset(given), tuple(each for each in roots if each != each.parent))
 
     def check(self, path: Path, name: str) -> None:
-        """Raise `Unsayable` if the file at *path*, called *name*, is not to be written."""
+        """Raise `NotExpressible` if the file at *path*, called *name*, is not to be written."""
         if path in self.given:
             return
         if not any(_holds(root, path) for root in self.roots):
-            raise Unsayable(f"it is written in {name}, which lies outside of what is linted")
+            raise NotExpressible(f"it is written in {name}, which lies outside of what is linted")
         if not writable(path):
-            raise Unsayable(f"it is written in {name}, which cannot be written to")
+            raise NotExpressible(f"it is written in {name}, which cannot be written to")
 
 
 def _holds(root: Path, path: Path) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
 from kinlint.formats.recognition import with_format
 from kinlint.formats.records import FORMATS, JSON
@@ -52,17 +52,17 @@ def decode(name: str, data: bytes) -> SourceText:
 def encode(source: SourceText) -> bytes:
     """The bytes of a file that is read as *source*.
 
-    Raises Unsayable where there are none: a character is not in its encoding, or the text was put
-    together from bytes that were not.
+    Raises NotExpressible where there are none: a character is not in its encoding, or the text was
+    put together from bytes that were not.
     """
     if not source.encoding:
-        raise Unsayable("some bytes of the file are not in its encoding")
+        raise NotExpressible("some bytes of the file are not in its encoding")
     text = f"{BOM}{source.text}" if source.bom else source.text
     try:
         return text.encode(source.encoding)
     except UnicodeEncodeError as error:
         strange = f"U+{ord(text[error.start]):04X}"
-        raise Unsayable(f"{source.encoding.upper()} has no {strange}") from None
+        raise NotExpressible(f"{source.encoding.upper()} has no {strange}") from None
 
 
 def _looks_like_xml(head: bytes) -> bool:

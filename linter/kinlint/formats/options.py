@@ -78,7 +78,7 @@ class ReadOptions:
         return cls(
             Contexts.bundled(settings.contexts, extra),
             packages_of=_packages_of(settings),
-            xacro_arguments_of=lambda name: dict(settings.of(name).xacro_args),
+            xacro_arguments_of=lambda name: dict(settings.for_file(name).xacro_args),
         )
 
 
@@ -87,7 +87,7 @@ def _packages_of(settings: Settings) -> Callable[[str], Packages]:
     known: dict[tuple[Hashable, ...], Packages] = {}
 
     def packages(name: str) -> Packages:
-        own = settings.of(name)
+        own = settings.for_file(name)
         key = own.packages, own.workspace
         if key not in known:
             known[key] = Packages(dict(own.packages), own.workspace)

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Protocol, TypeAlias
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.errors import SourceError
 from kinlint.formats.decoding import decode
 from kinlint.formats.options import ReadOptions
@@ -25,7 +25,7 @@ class Editor(Protocol):
     def edits(self, delta: Delta) -> Sequence[Edit]:
         """The smallest edits after which the text says *delta*, ascending, without overlap.
 
-        Raises Unsayable where it cannot.
+        Raises NotExpressible where it cannot.
         """
         ...
 
@@ -45,9 +45,9 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 def editor(document: Document, options: ReadOptions) -> Editor:
     """Return what writes changes of *document* into its text.
 
-    Raises Unsayable if its format is only read.
+    Raises NotExpressible if its format is only read.
     """
     if document.format.editor is None:
-        raise Unsayable(f"{document.format.title} files are only read")
+        raise NotExpressible(f"{document.format.title} files are only read")
     made: Editor = import_module(document.format.editor).Editor(document, options)
     return made

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from kinlint.edits import Edit, Unsayable
+from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.suppression_comments import DIRECTIVE, INTRODUCTION
 from kinlint.text import SourceText, Span
 
@@ -16,17 +16,19 @@ STRANGE = re.compile(r"--|-$|[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ff
 """What a comment of XML cannot hold."""
 
 
-def comment(source: SourceText, element: Span, codes: Iterable[str], reason: str | None) -> Edit:
+def comment_edit(
+    source: SourceText, element: Span, codes: Iterable[str], reason: str | None
+) -> Edit:
     """Return the edit that silences *codes* in the element that *element* covers.
 
     It joins a comment that is there for the same reason; else it is a line above the element, or
     follows the element if that does not begin its line.
 
-    Raises Unsayable for a reason that no comment can hold.
+    Raises NotExpressible for a reason that no comment can hold.
     """
     text, said = source.text, " ".join((reason or "").split())
     if STRANGE.search(said):
-        raise Unsayable("no comment in XML can hold this reason")
+        raise NotExpressible("no comment in XML can hold this reason")
     listed = ", ".join(codes)
     start, above = _beginning(text, element.start)
     there = _above(text, start) if above is not None else DIRECTIVE.match(text, element.end)

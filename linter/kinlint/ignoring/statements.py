@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.suppression.directive import IGNORE, REASON, RULE_NAMED
 from kinlint.terms import Term, Triple, iri_value, is_blank, literal
 from kinlint.text import Span
@@ -15,7 +15,9 @@ from kinlint.vocabulary import DOCUMENT_BASE, KL
 LINE_END = re.compile(r"\r\n?|\n")
 
 
-def delta(document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None) -> Delta:
+def ignore_delta(
+    document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None
+) -> Delta:
     """Return the statements that silence the *codes* of each node of *document*, for *reason*."""
     return Delta(added=tuple(_said(document, codes, reason)))
 
@@ -36,10 +38,10 @@ def _said(
         yield note, REASON, literal(reason)
 
 
-def appended(document: Document, change: Delta) -> Edit:
+def append_statement(document: Document, change: Delta) -> Edit:
     """Return the edit that writes the statements of *change* at the end of *document*.
 
-    Raises Unsayable for a node that has no name in the text.
+    Raises NotExpressible for a node that has no name in the text.
     """
     text = document.source.text
     notes = {o: s for s, p, o in change.added if p == IGNORE and is_blank(o)}
@@ -55,7 +57,7 @@ def appended(document: Document, change: Delta) -> Edit:
 
     for s, p, o in change.added:
         if is_blank(s) and s not in notes:
-            raise Unsayable("it is about a node without an IRI")
+            raise NotExpressible("it is about a node without an IRI")
         subjects.setdefault(s, []).append(f"{word(s)} {word(p)} {word(o)} .")
     found = LINE_END.search(text)
     end = found[0] if found else "\n"

@@ -10,11 +10,11 @@ from typing import ClassVar
 
 from kinlint.addresses import is_address
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator
-from kinlint.ignoring.comments import ELEMENT, comment
-from kinlint.ignoring.statements import appended, delta
+from kinlint.ignoring.comments import ELEMENT, comment_edit
+from kinlint.ignoring.statements import append_statement, ignore_delta
 from kinlint.rule import Applicability, Repair
 from kinlint.suppression.diagnostics import FAULTS
 from kinlint.suppression.interval_index import IntervalIndex
@@ -56,9 +56,9 @@ class SuppressionGenerator(Generator):
         for finding in findings:
             try:
                 candidate = self.suppression([finding])
-                if self.settings.of(finding.location.source.name).require_reason:
+                if self.settings.for_file(finding.location.source.name).require_reason:
                     self._require_reason()
-            except Unsayable as problem:
+            except NotExpressible as problem:
                 self.refused.append((finding, SUPPRESSION, str(problem)))
             else:
                 found.append(candidate)
@@ -79,7 +79,7 @@ class SuppressionGenerator(Generator):
     def suppression(self, findings: Sequence[Finding]) -> Candidate:
         """Return what silences all of *findings*, as a candidate for the first.
 
-        Raises `Unsayable` if that cannot be written.
+        Raises `NotExpressible` if that cannot be written.
         """
         codes: dict[Site, dict[str, None]] = {}
         for finding in findings:
@@ -96,12 +96,12 @@ class SuppressionGenerator(Generator):
             source, span = site.element.source, site.element.span
             path = self.writable_path(self.examination.store.documents[site.graph], source)
             sources[path] = source
-            edits.setdefault(path, []).append(comment(source, span, sorted(own), self.reason))
+            edits.setdefault(path, []).append(comment_edit(source, span, sorted(own), self.reason))
             deltas[site.graph] = Delta()
         for graph, codes_of in nodes.items():
             document = self.examination.store.documents[graph]
             path = self.writable_path(document, document.source)
-            deltas[graph] = delta(document, codes_of, self.reason)
+            deltas[graph] = ignore_delta(document, codes_of, self.reason)
             sources[path] = document.source
             edits.setdefault(path, []).extend(self._statements(document, deltas[graph]))
         joined = {path: _joined(made) for path, made in edits.items()}
@@ -110,29 +110,31 @@ class SuppressionGenerator(Generator):
 
     def _require_reason(self) -> None:
         if not self.reason:
-            raise Unsayable(UNREASONED)
+            raise NotExpressible(UNREASONED)
 
     def _site(self, finding: Finding) -> Site:
         """Return where *finding* is silenced.
 
-        Raises `Unsayable` where the configuration alone can do that.
+        Raises `NotExpressible` where the configuration alone can do that.
         """
         if finding.rule.name in FAULTS:
-            raise Unsayable("a suppression at fault is to be mended, not silenced")
+            raise NotExpressible("a suppression at fault is to be mended, not silenced")
         home = self.homes.get(finding.location.source.name)
         if home is None:
-            raise Unsayable("it lies in no robot model")
+            raise NotExpressible("it lies in no robot model")
         if home.format.is_tree:
             return self._element(home, finding.location)
         node = self._about.get(finding.focus, finding.focus)
         if is_address(node):
-            raise Unsayable("it is about the file as a whole; use per-file-ignores")
+            raise NotExpressible("it is about the file as a whole; use per-file-ignores")
         describing = [
             each for each in (home, *self.examination.documents) if node in each.map.nodes
         ]
         own = [each for each in describing if not each.format.is_tree and not each.source.companion]
         if not (is_iri(node) or is_blank(node)) or not own or node.startswith(f"<{SRC}"):
-            raise Unsayable("it is about no node that the file describes; use per-file-ignores")
+            raise NotExpressible(
+                "it is about no node that the file describes; use per-file-ignores"
+            )
         return Site(own[0].graph, node)
 
     def _element(self, home: Document, place: Location) -> Site:
@@ -142,18 +144,20 @@ class SuppressionGenerator(Generator):
                 location = home.location(spans.whole)
                 if ELEMENT.match(location.source.text, location.span.start):
                     found.setdefault(location.source.name, []).append((location.span, location))
-            self._nests[home.graph] = {name: IntervalIndex.of(own) for name, own in found.items()}
+            self._nests[home.graph] = {
+                name: IntervalIndex.from_spans(own) for name, own in found.items()
+            }
         nest = self._nests[home.graph].get(place.source.name)
-        around = None if nest is None else next(nest.around(place.span), None)
+        around = None if nest is None else next(nest.containing(place.span), None)
         if around is None:
-            raise Unsayable("it lies in no element; use per-file-ignores")
+            raise NotExpressible("it lies in no element; use per-file-ignores")
         return Site(home.graph, home.graph, around)
 
     def _statements(self, document: Document, change: Delta) -> Iterable[Edit]:
         if not change:
             return ()
         if document.format.appendable:
-            return [appended(document, change)]
+            return [append_statement(document, change)]
         return self.editor(document).edits(change)
 
     @cached_property

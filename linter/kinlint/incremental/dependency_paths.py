@@ -37,7 +37,7 @@ class Path:
     """Whether it takes one edge from subject to object; else any number in any direction."""
 
     @classmethod
-    def of(cls, words: Sequence[str]) -> Path:
+    def from_words(cls, words: Sequence[str]) -> Path:
         """Return the edges of the path that is spelled by *words*."""
         named = frozenset(word for word in words if PLAIN.fullmatch(word))
         if is_variable(words[0]):
@@ -178,7 +178,7 @@ class _Reader:
         for pattern in patterns(words, count(next(self._numbers))):
             yield Edge(
                 scope.name_end(pattern.subject),
-                Path.of(pattern.path),
+                Path.from_words(pattern.path),
                 scope.name_end(pattern.object),
             )
 

@@ -50,7 +50,7 @@ def restriction(select: str) -> Restriction | None:
 def _elements(first: Triples) -> Iterator[str]:
     """The variables for elements in the patterns *first*, which are bound in each solution."""
     for number, pattern in enumerate(patterns(first.tokens, count())):
-        terms = Path.of(pattern.path).terms or frozenset()
+        terms = Path.from_words(pattern.path).terms or frozenset()
         if not number and is_variable(pattern.subject):
             yield pattern.subject
         if is_variable(pattern.object) and any(term[1:].startswith(ELEMENTS) for term in terms):

@@ -43,7 +43,7 @@ class Unit:
     made: dict[Row, list[tuple[Triple, ...]]] | None = None
 
     @classmethod
-    def of(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
+    def from_lifting(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
         """Return what makes all that *lifting* makes, or what of it is *kept*."""
         made, where = lifting.part(kept)
         used = set[str]().union(*(each.variables for each in made))
@@ -70,7 +70,7 @@ class TrackedLifting:
     ) -> None:
         self.store = store
         formats = {document.format for document in store.documents.values()}
-        self.units = [Unit.of(each, kept) for each in asked(formats, wanted)]
+        self.units = [Unit.from_lifting(each, kept) for each in asked(formats, wanted)]
         self._counts: Counter[Triple] = Counter()
         self._numbers = count(1)
 
@@ -80,14 +80,14 @@ class TrackedLifting:
         for unit in self.units:
             if unit.made is None:
                 ask()
-                self._again(unit, None, changes)
+                self._relift(unit, None, changes)
             elif unit.dependencies.looks_at(changes.properties, changes.classes):
                 ask()
                 roots = _concerned(unit, affected)
                 if roots is None or roots:
-                    self._again(unit, roots, changes)
+                    self._relift(unit, roots, changes)
 
-    def _again(self, unit: Unit, roots: Collection[Term] | None, changes: Changes) -> None:
+    def _relift(self, unit: Unit, roots: Collection[Term] | None, changes: Changes) -> None:
         """Lift anew by *unit* what it makes of *roots*, or all."""
         rows = Counter(self._rows(unit, roots))
         gone, come = list[Triple](), list[Triple]()

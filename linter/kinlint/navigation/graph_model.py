@@ -11,7 +11,7 @@ from kinlint.engine.store import Store
 from kinlint.formats.records import ELEMENTS
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Demand, Inputs
-from kinlint.pipeline.stages import through
+from kinlint.pipeline.stages import run_stages
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import EXTENSION
 
@@ -41,12 +41,12 @@ class GraphModel:
     def store(self) -> Store:
         """Everything."""
         demand = Demand.for_everything(self.rulebook)
-        return through("facts", self._lifted, Inputs(self.documents), demand, first="closure")
+        return run_stages("facts", self._lifted, Inputs(self.documents), demand, first="closure")
 
     @cached_property
     def _lifted(self) -> SingleRun:
         run = SingleRun(self.rulebook.vocabulary)
-        through("lifting", run, Inputs(self.documents))
+        run_stages("lifting", run, Inputs(self.documents))
         return run
 
     @cached_property

@@ -12,7 +12,7 @@ from kinlint.report import Report
 from kinlint.structure import Structure
 
 
-def merged(
+def merge_reports(
     reports: Sequence[Report],
     names: Sequence[str],
     errors: Sequence[SourceError],
@@ -27,12 +27,12 @@ def merged(
         return replace(reports[0], errors=tuple(errors), seconds=seconds, recalled=recalled)
     place = {name: index for index, name in enumerate(names)}
     rules = {rule.code: rule for report in reports for rule in report.rules}
-    files = ordered((name for report in reports for name in report.files), place)
+    files = order_names((name for report in reports for name in report.files), place)
     return Report(
         findings=_once(finding for report in reports for finding in report.findings),
         suppressed=_once(finding for report in reports for finding in report.suppressed),
         files=files,
-        unapplied=ordered((name for report in reports for name in report.unapplied), place),
+        unapplied=order_names((name for report in reports for name in report.unapplied), place),
         errors=tuple(errors),
         rules=tuple(rules[code] for code in sorted(rules)),
         triples=sum(report.triples for report in reports),
@@ -44,7 +44,7 @@ def merged(
     )
 
 
-def ordered(names: Iterable[str], place: Mapping[str, int]) -> tuple[str, ...]:
+def order_names(names: Iterable[str], place: Mapping[str, int]) -> tuple[str, ...]:
     """*names* by their *place*."""
     return tuple(sorted(names, key=lambda name: place.get(name, len(place))))
 

@@ -20,14 +20,14 @@ small robots, eight take the least time.
 """
 
 
-def divided(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
+def partition(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
     """Split *sources* into models that can be checked apart, which may be one."""
     return [*group_sources(sources)] if sources and _separable(settings) else [list(sources)]
 
 
-def divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
+def is_divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
     """Tell whether *sources* are several models that can be checked apart."""
-    return len(divided(sources, settings)) > 1
+    return len(partition(sources, settings)) > 1
 
 
 def _separable(settings: Settings) -> bool:

@@ -91,4 +91,4 @@ def _end(pool: ProcessPoolExecutor) -> None:
 
 def _one(models: Sequence[Model]) -> list[Outcome]:
     job, errors = _jobs[-1]
-    return shard.lint(models, errors, job)
+    return shard.lint_shard(models, errors, job)

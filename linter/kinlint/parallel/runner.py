@@ -9,8 +9,8 @@ from time import perf_counter
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import SourceError
 from kinlint.parallel import processes, shard
-from kinlint.parallel.merge_reports import merged
-from kinlint.parallel.partition import Model, divided, shares
+from kinlint.parallel.merge_reports import merge_reports
+from kinlint.parallel.partition import Model, partition, shares
 from kinlint.parallel.shard import Job, Outcome
 from kinlint.phases import Phases
 from kinlint.report import Report
@@ -44,7 +44,7 @@ class ParallelRunner:
         The report is that of one process which lints all of them.
         """
         started = perf_counter()
-        models = divided(sources, self.job.settings)
+        models = partition(sources, self.job.settings)
         reports, recalled = self._reports(models, ())
         own = [error for report in reports for error in report.errors]
         place = {source.name: index for index, source in enumerate(sources)}
@@ -60,7 +60,7 @@ class ParallelRunner:
             self.memory.close()
         seconds = perf_counter() - started
         known = None if self.memory is None else recalled
-        return merged(reports, [source.name for source in sources], failed, seconds, known)
+        return merge_reports(reports, [source.name for source in sources], failed, seconds, known)
 
     def _reports(
         self, models: Sequence[Model], failed: Sequence[SourceError]
@@ -104,7 +104,7 @@ class ParallelRunner:
                 processes.outcomes(left, failed, self.job, self.jobs, done)
         for number, each in enumerate(left):
             if number not in found:
-                done(number, shard.lint(each, failed, self.job, self.phases))
+                done(number, shard.lint_shard(each, failed, self.job, self.phases))
         return [
             (model, outcome)
             for number, numbers in enumerate(planned)

@@ -35,7 +35,7 @@ class Outcome(NamedTuple):
     record: Record
 
 
-def lint(
+def lint_shard(
     share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None = None
 ) -> list[Outcome]:
     """The outcome for each model of *share*; *errors* that were known before are left out."""
@@ -46,7 +46,7 @@ def lint(
         return [Outcome(report, record)]
     parts = _parts(share, report, documents, job)
     if parts is None:
-        return [outcome for each in share for outcome in lint([each], errors, job, phases)]
+        return [outcome for each in share for outcome in lint_shard([each], errors, job, phases)]
     return [Outcome(part, record) for part in parts]
 
 
@@ -56,9 +56,9 @@ def _examined(
     sources, phases = [source for model in share for source in model], phases or Phases()
     if job.fixing:
         with phases.phase("imports"):
-            from kinlint.fixes.rounds import linted  # noqa: PLC0415  few outputs show fixes
+            from kinlint.fixes.rounds import lint_texts  # noqa: PLC0415  few outputs show fixes
 
-        offers = linted(sources, errors, job.settings, job.book, phases)
+        offers = lint_texts(sources, errors, job.settings, job.book, phases)
         return offers.report, offers.generator.examination.documents
     with phases.phase("imports"):
         from kinlint.lint import examine  # noqa: PLC0415  engines are slow to import

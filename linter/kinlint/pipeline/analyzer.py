@@ -9,23 +9,23 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kinlint.catalogue.applicability import applies, possible
-from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.required_terms import made
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
-from kinlint.findings.finding_builder import Account, Proofs
+from kinlint.findings.finding_builder import FindingBuilder, Proofs
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.missing_files import STATED
 from kinlint.phases import Phases
-from kinlint.pipeline.conclusion import concluded, drawn
-from kinlint.pipeline.read_models import gathered
+from kinlint.pipeline.conclusion import conclude, robot_structures
+from kinlint.pipeline.read_models import read_documents
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Demand, Inputs
-from kinlint.pipeline.stages import Run, through
+from kinlint.pipeline.stages import Run, run_stages
 from kinlint.report import Report
 from kinlint.terms import Term
 from kinlint.text import SourceText
@@ -46,7 +46,7 @@ class Examination:
     """All documents that were read, companions too."""
     store: Store
     """The statements of the documents, with all that the stages made of them."""
-    account: Account
+    builder: FindingBuilder
     """The results that the findings were made from."""
     options: ReadOptions
     """The options that the documents were read with."""
@@ -94,37 +94,39 @@ class Analyzer:
                 ask()
                 return self._read(source, options)
 
-            documents, joined = gathered(sources, failed, self._settings, reading)
-        inquiry = self._inquiry(documents, repairing=repairing)
+            documents, joined = read_documents(sources, failed, self._settings, reading)
+        selection = self._select_rules(documents, repairing=repairing)
         inputs = Inputs(joined, documents, options.packages_of)
-        run, because = self._run(inputs, inquiry, spent, ask)
+        run, because = self._run(inputs, selection, spent, ask)
         with spent.phase("locating"):
-            results = applies(run.results, joined, inquiry.owners)
-            account = Account(results, joined, run.store, self._rulebook, because)
-            report = concluded(account, documents, joined, inquiry, failed)
-        structures = drawn(run.store, joined, report) if self._settings.drawn else ()
+            results = applies(run.results, joined, selection.owners)
+            builder = FindingBuilder(results, joined, run.store, self._rulebook, because)
+            report = conclude(builder, documents, joined, selection, failed)
+        structures = robot_structures(run.store, joined, report) if self._settings.drawn else ()
         seconds = sum(spent.seconds.values()) - before
         report = replace(report, structures=structures, seconds=seconds)
-        return Examination(report, joined, run.store, account, options)
+        return Examination(report, joined, run.store, builder, options)
 
     def _read(self, source: SourceText, options: ReadOptions) -> Document:
         """Read *source*."""
         return read(source, options)
 
-    def _inquiry(self, documents: Sequence[Document], *, repairing: bool) -> Inquiry:
+    def _select_rules(self, documents: Sequence[Document], *, repairing: bool) -> RuleSelection:
         """Select what is asked of *documents*."""
-        return Inquiry.of(documents, self._settings, self._rulebook, repairing=repairing)
+        return RuleSelection.for_documents(
+            documents, self._settings, self._rulebook, repairing=repairing
+        )
 
     def _run(
-        self, inputs: Inputs, inquiry: Inquiry, spent: Phases, ask: Callable[[], None]
+        self, inputs: Inputs, selection: RuleSelection, spent: Phases, ask: Callable[[], None]
     ) -> tuple[Run, Proofs | None]:
         """Run the stages; return them, and what explains their results if that is kept."""
         run = SingleRun(self._rulebook.vocabulary)
-        store = through("loading", run, inputs, spent=spent, ask=ask)
+        store = run_stages("loading", run, inputs, spent=spent, ask=ask)
         with spent.phase("lifting"):
-            found = possible(inquiry.constraints, inputs.documents, store, self._coming)
-            demand = Demand.from_inquiry(inquiry, found, inputs.documents, self._settings)
-        through("checking", run, inputs, demand, spent, ask, first="lifting")
+            found = possible(selection.constraints, inputs.documents, store, self._coming)
+            demand = Demand.from_selection(selection, found, inputs.documents, self._settings)
+        run_stages("checking", run, inputs, demand, spent, ask, first="lifting")
         return run, None
 
     @cached_property

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
-from kinlint.findings.finding_builder import Account
+from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.findings.grouping import grouped
 from kinlint.report import Report
 from kinlint.structure import Structure
@@ -23,33 +23,35 @@ IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "Contex
 """Classes of the source layer that every file has."""
 
 
-def concluded(
-    account: Account,
+def conclude(
+    builder: FindingBuilder,
     documents: Sequence[Document],
     joined: Sequence[Document],
-    inquiry: Inquiry,
+    selection: RuleSelection,
     failed: Sequence[SourceError],
 ) -> Report:
     """Return the report on *documents*, which *joined* has with their companions."""
-    policies = inquiry.policies
-    judged = policies.judged(_meant(account.brief(), documents, joined))
-    silenced = suppress.apply(judged, documents, policies, complete=not failed)
-    told = grouped(silenced, account.detailed, _reused(joined))
+    policies = selection.policies
+    judged = policies.apply_severities(_meant(builder.brief(), documents, joined))
+    silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
+    told = grouped(silenced, builder.detailed, _reused(joined))
     told.sort(key=lambda finding: finding.sort_key)
-    unapplied = (each for each in documents if not speaks(each, inquiry.rulebook))
+    unapplied = (each for each in documents if not has_judged_vocabulary(each, selection.rulebook))
     return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
         suppressed=tuple(finding for finding in told if finding.suppressed is not None),
         files=tuple(document.source.name for document in documents),
         unapplied=tuple(document.source.name for document in unapplied),
         errors=tuple(failed),
-        rules=tuple(inquiry.asked),
+        rules=tuple(selection.asked),
         triples=sum(len(document.statements) for document in documents),
-        applied=len(inquiry.asked) if documents else 0,
+        applied=len(selection.asked) if documents else 0,
     )
 
 
-def drawn(store: Store, documents: Sequence[Document], report: Report) -> tuple[Structure, ...]:
+def robot_structures(
+    store: Store, documents: Sequence[Document], report: Report
+) -> tuple[Structure, ...]:
     """Return the robots in *store*, with what *report* has found in each."""
     from kinlint.kinematics.extraction import structures  # noqa: PLC0415  few outputs draw
 
@@ -81,7 +83,7 @@ def _names(documents: Iterable[Document]) -> Iterator[str]:
     return (source.name for document in documents for source in document.sources)
 
 
-def speaks(document: Document, rulebook: Rulebook) -> bool:
+def has_judged_vocabulary(document: Document, rulebook: Rulebook) -> bool:
     """Tell whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
     return document.format.is_tree or any(
         o.startswith(KNOWN) or o in rulebook.terms

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 from kinlint.catalogue.applicability import possible
-from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
@@ -28,7 +28,7 @@ from kinlint.incremental.triple_index import (
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Analyzer
 from kinlint.pipeline.stage_inputs import Demand, Inputs
-from kinlint.pipeline.stages import Run, through
+from kinlint.pipeline.stages import Run, run_stages
 from kinlint.pipeline.tracked_run import TrackedRun
 from kinlint.terms import Term
 from kinlint.text import SourceText
@@ -54,15 +54,15 @@ class IncrementalAnalyzer(Analyzer):
 
     What it answers is what `Analyzer` answers, but for the seconds: its first analysis starts with
     nothing kept, and each further one makes anew what changed. It serves one thread at a time. The
-    store and the account of an analysis are good until the next one.
+    store and the builder of an analysis are good until the next one.
     """
 
     def __init__(self, settings: Settings, rulebook: Rulebook) -> None:
         super().__init__(settings, rulebook)
         self._readers: dict[str, Rereader] = {}
         self._kept: dict[Key, Kept] = {}
-        self._inquiries: dict[tuple[tuple[tuple[str, Format], ...], bool], Inquiry] = {}
-        self._asked: Inquiry | None = None
+        self._inquiries: dict[tuple[tuple[tuple[str, Format], ...], bool], RuleSelection] = {}
+        self._asked: RuleSelection | None = None
         self._valued = frozenset[Term]()
         self._signatures: dict[Signature, list[Constraint]] = {}
 
@@ -73,46 +73,48 @@ class IncrementalAnalyzer(Analyzer):
         return self._readers.setdefault(source.name, Rereader()).read(source, options)
 
     def _run(
-        self, inputs: Inputs, inquiry: Inquiry, spent: Phases, ask: Callable[[], None]
+        self, inputs: Inputs, selection: RuleSelection, spent: Phases, ask: Callable[[], None]
     ) -> tuple[Run, Proofs | None]:
         """Run the stages that were kept of such documents, or else new ones, and keep them."""
         joined = inputs.documents
         graphs = tuple((document.graph, document.format) for document in joined)
         if not self._can_follow or len(dict(graphs)) < len(joined):
-            return super()._run(inputs, inquiry, spent, ask)
+            return super()._run(inputs, selection, spent, ask)
         with spent.phase("lifting"):
-            found = self._possible(inquiry, joined)
-        key = graphs, len(inputs.own), bool(inquiry.repairs), tuple(map(id, found))
+            found = self._possible(selection, joined)
+        key = graphs, len(inputs.own), bool(selection.repairs), tuple(map(id, found))
         kept = self._kept.pop(key, None)
         if kept is None:
-            demand = Demand.from_inquiry(inquiry, found, joined, self._settings)
+            demand = Demand.from_selection(selection, found, joined, self._settings)
             kept = Kept(TrackedRun(self._rulebook.vocabulary, self._rulebook.axioms), demand)
         try:
-            through("checking", kept.run, inputs, kept.demand, spent, ask)
+            run_stages("checking", kept.run, inputs, kept.demand, spent, ask)
         finally:
             self._keep(key, kept)
         return kept.run, kept.run.because
 
-    def _inquiry(self, documents: Sequence[Document], *, repairing: bool) -> Inquiry:
+    def _select_rules(self, documents: Sequence[Document], *, repairing: bool) -> RuleSelection:
         """Select what is asked of *documents*, which names and formats decide."""
         named = tuple((document.source.name, document.format) for document in documents)
         if (named, repairing) not in self._inquiries:
             self._inquiries.clear()
-            self._inquiries[named, repairing] = Inquiry.of(
+            self._inquiries[named, repairing] = RuleSelection.for_documents(
                 documents, self._settings, self._rulebook, repairing=repairing
             )
         return self._inquiries[named, repairing]
 
-    def _possible(self, inquiry: Inquiry, documents: Sequence[Document]) -> list[Constraint]:
+    def _possible(
+        self, selection: RuleSelection, documents: Sequence[Document]
+    ) -> list[Constraint]:
         """Return the constraints that may be violated: those of one signature share them."""
-        if self._asked is not inquiry:
-            self._asked, self._signatures = inquiry, {}
-            self._valued = valued(inquiry.constraints)
+        if self._asked is not selection:
+            self._asked, self._signatures = selection, {}
+            self._valued = valued(selection.constraints)
         key = signature(documents, self._valued)
         found = self._signatures.pop(key, None)
         if found is None:
             said = TripleIndex(documents, vocabulary_of(self._rulebook.vocabulary))
-            found = possible(inquiry.constraints, documents, said, self._coming)
+            found = possible(selection.constraints, documents, said, self._coming)
         if SUBCLASS not in key.properties:
             self._signatures[key] = found
         for stale in list(self._signatures)[:-KEPT]:

@@ -11,7 +11,7 @@ from kinlint.formats.dependencies.companions import join_companions
 from kinlint.text import SourceText
 
 
-def gathered(
+def read_documents(
     sources: Iterable[SourceText],
     failed: list[SourceError],
     settings: Settings,

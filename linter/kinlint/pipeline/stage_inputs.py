@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.catalogue.applicability import axioms_for, demand
-from kinlint.catalogue.rule_selection import Inquiry
+from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
@@ -56,16 +56,16 @@ class Demand:
     """The files of the constraints, for an engine that reads them itself."""
 
     @classmethod
-    def from_inquiry(
+    def from_selection(
         cls,
-        inquiry: Inquiry,
+        selection: RuleSelection,
         constraints: Sequence[Constraint],
         documents: Sequence[Document],
         settings: Settings,
     ) -> Demand:
-        """Return what *constraints* and repairs of *inquiry* ask of *documents*, and pictures."""
-        axioms = inquiry.rulebook.axioms
-        terms = demand(constraints, inquiry.repairs)
+        """Return what *constraints* and repairs of *selection* ask of *documents*, and pictures."""
+        axioms = selection.rulebook.axioms
+        terms = demand(constraints, selection.repairs)
         if terms is not None and settings.drawn:
             from kinlint.kinematics.structure_terms import ASKED  # noqa: PLC0415  few outputs draw
 
@@ -74,10 +74,10 @@ class Demand:
             terms=terms,
             lifted=None if terms is None else behind(axioms, terms),
             axioms=axioms_for(documents, axioms, terms),
-            hints=frozenset(term for each in inquiry.repairs for term in each.terms),
+            hints=frozenset(term for each in selection.repairs for term in each.terms),
             constraints=constraints,
             engine=settings.engine,
-            shapes=inquiry.rulebook.shapes,
+            shapes=selection.rulebook.shapes,
         )
 
     @classmethod

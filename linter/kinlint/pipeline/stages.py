@@ -39,17 +39,17 @@ class Run(Protocol):
         """All statements to violations."""
 
 
-def go_on() -> None:
+def never_cancel() -> None:
     """Do nothing: nobody cancels."""
 
 
-def through(  # noqa: PLR0913, PLR0917
+def run_stages(  # noqa: PLR0913, PLR0917
     last: StageName,
     run: Run,
     inputs: Inputs,
     demand: Demand = ANYTHING,
     spent: Phases | None = None,
-    ask: Callable[[], None] = go_on,
+    ask: Callable[[], None] = never_cancel,
     *,
     first: StageName = "loading",
 ) -> Store:

@@ -45,16 +45,16 @@ class Layers:
     here: Path = field(default_factory=Path.cwd)
     _known: dict[Path, Config] = field(default_factory=dict)
 
-    def of(self, directory: Path) -> Config:
+    def config_for(self, directory: Path) -> Config:
         """What holds in *directory*, which is absolute."""
         if directory not in self._known:
-            below = self.files.of(directory) or Config("defaults")
-            self._known[directory] = below.under(self.top)
+            below = self.files.nearest(directory) or Config("defaults")
+            self._known[directory] = below.extended_by(self.top)
         return self._known[directory]
 
-    def excluding(self, directory: Path) -> Sequence[Glob]:
+    def exclusions(self, directory: Path) -> Sequence[Glob]:
         """The patterns of what to pass over in *directory*."""
-        config = self.of(directory)
+        config = self.config_for(directory)
         exclude = self._skipped if config.exclude is None else config.exclude
         return (*exclude, *config.extend_exclude)
 
@@ -64,8 +64,8 @@ class Layers:
 
     def project(self, inputs: Iterable[Input]) -> Config:
         """The configuration nearest to the directory that all *inputs* have in common."""
-        folders = {str(home(one)) for one in inputs}
-        return self.of(Path(os.path.commonpath(folders)) if folders else self.here)
+        folders = {str(governing_directory(one)) for one in inputs}
+        return self.config_for(Path(os.path.commonpath(folders)) if folders else self.here)
 
     def origin(self, one: Input) -> str:
         """What is called the configuration that governs *one*."""
@@ -90,7 +90,10 @@ class Layers:
             **wide,
             unsafe_fixes=project.unsafe_fixes,
             default=_file(project, self.here),
-            files={one.name: _file(self.of(home(one)), _path(one)) for one in inputs},
+            files={
+                one.name: _file(self.config_for(governing_directory(one)), _path(one))
+                for one in inputs
+            },
             **given,
         )
 
@@ -117,10 +120,10 @@ class Layers:
         return {**each[0], **added, "extra_contexts": contexts}
 
     def _home(self, one: Input) -> Config:
-        return self.of(home(one))
+        return self.config_for(governing_directory(one))
 
 
-def home(one: Input) -> Path:
+def governing_directory(one: Input) -> Path:
     """The directory whose configuration governs *one*."""
     return _path(one).parent
 

@@ -22,7 +22,9 @@ MOST_BYTES = 512 * 2**20
 """A file that is larger is no model but a slip, such as a device in the place of a file."""
 
 
-def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText], list[SourceError]]:
+def read_models(
+    inputs: Iterable[Input], settings: Settings
+) -> tuple[list[SourceText], list[SourceError]]:
     """The texts of those *inputs* that are models, and why others cannot be read.
 
     A file that a search found and that is no robot model after all is passed over: other JSON-LD
@@ -33,7 +35,7 @@ def read(inputs: Iterable[Input], settings: Settings) -> tuple[list[SourceText],
     own = own_contexts(settings)
     for one in inputs:
         try:
-            source = text_of(one)
+            source = read_source(one)
         except SourceError as error:
             errors.append(error)
             continue
@@ -54,7 +56,7 @@ def _bounded(one: Input, read: bytes) -> bytes:
     return read
 
 
-def text_of(one: Input) -> SourceText:
+def read_source(one: Input) -> SourceText:
     """What *one* holds. Raises `SourceError` if it cannot be read."""
     return decode(one.name, _bytes(one))
 

@@ -28,7 +28,7 @@ POINTER = re.compile(
 
 
 @contextmanager
-def snapshot(revision: Revision) -> Iterator[Path]:
+def checkout(revision: Revision) -> Iterator[Path]:
     """The directory, in place of the top of the repository. It is gone when the block ends."""
     with tempfile.TemporaryDirectory(prefix="kinlint-", ignore_cleanup_errors=True) as made:
         root = Path(os.path.realpath(made))
@@ -37,7 +37,7 @@ def snapshot(revision: Revision) -> Iterator[Path]:
         yield root
 
 
-def at(path: Path, revision: Revision, root: Path) -> Path:
+def checkout_path(path: Path, revision: Revision, root: Path) -> Path:
     """Return the path in the checkout at *root* of the file at *path*.
 
     *path* if it is not in there.

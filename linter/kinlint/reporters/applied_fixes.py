@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.fixability import fixable
 from kinlint.reporters.summary import counts
 from kinlint.reporters.terminal_style import INK_OF, Style
@@ -25,7 +25,7 @@ def listing(report: Report, style: Style, *, would: bool = False) -> Iterator[st
         files.setdefault(finding.location.source.name, Counter())[finding.rule.code] += 1
     width = max(len(f"{count:,}") for each in files.values() for count in each.values())
     for name, each in files.items():
-        yield f"- {style.ink(shown(name, unicode=style.unicode), 'strong')}:\n"
+        yield f"- {style.ink(printable(name, unicode=style.unicode), 'strong')}:\n"
         for code, count in sorted(each.items(), key=lambda one: (-one[1], one[0])):
             rule = rules[code]
             linked = style.ink(style.link(code, rule.iri), INK_OF[rule.severity])

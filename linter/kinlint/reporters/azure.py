@@ -25,7 +25,7 @@ def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
         line, column = finding.location.start
         properties = {
             "type": _TYPES[finding.severity],
-            "sourcepath": "" if name in STDIN_NAMES else paths.of(name),
+            "sourcepath": "" if name in STDIN_NAMES else paths.relative(name),
             "linenumber": str(line),
             "columnnumber": str(column),
             "code": finding.rule.code,
@@ -34,7 +34,7 @@ def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
     for error in report.errors:
         properties = {
             "type": "error",
-            "sourcepath": "" if error.name in STDIN_NAMES else paths.of(error.name),
+            "sourcepath": "" if error.name in STDIN_NAMES else paths.relative(error.name),
             "linenumber": str(error.line or ""),
             "columnnumber": str(error.column or ""),
         }

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded
+from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
 from kinlint.reporters.xml_text import HEAD, tag
@@ -35,22 +35,22 @@ def _by_file(report: Report) -> dict[str, list[dict[str, object]]]:
     found: dict[str, list[dict[str, object]]] = {}
     for finding in report.open:
         line, column = finding.location.start
-        found.setdefault(paths.of(finding.location.source.name), []).append(
+        found.setdefault(paths.relative(finding.location.source.name), []).append(
             {
                 "line": line,
                 "column": column,
                 "severity": finding.severity.label,
-                "message": folded(finding.message),
+                "message": fold_lines(finding.message),
                 "source": finding.rule.code,
             }
         )
     for error in report.errors:
-        found.setdefault(paths.of(error.name), []).append(
+        found.setdefault(paths.relative(error.name), []).append(
             {
                 "line": error.line or 1,
                 "column": error.column or 1,
                 "severity": "error",
-                "message": folded(error.cause),
+                "message": fold_lines(error.cause),
                 "source": UNREADABLE,
             }
         )

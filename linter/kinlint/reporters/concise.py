@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded, shown
+from kinlint.reporters.display_width import fold_lines, printable
 from kinlint.reporters.fixability import sign
 from kinlint.reporters.terminal_style import INK_OF, Style
 
@@ -20,9 +20,9 @@ def render(report: Report, style: Style) -> Iterator[str]:
     """The lines: findings first, then the files that cannot be read."""
     for finding in report.findings:
         line, column = finding.location.start
-        name = shown(finding.location.source.name, unicode=style.unicode)
+        name = printable(finding.location.source.name, unicode=style.unicode)
         kind = style.ink(finding.severity.label, INK_OF[finding.severity])
-        message = folded(finding.message, unicode=style.unicode)
+        message = fold_lines(finding.message, unicode=style.unicode)
         if finding.suppressed is not None:
             message += " (suppressed)"
         code = style.link(finding.rule.code, finding.rule.iri)
@@ -30,6 +30,8 @@ def render(report: Report, style: Style) -> Iterator[str]:
             message = f"{mark} {message}"
         yield f"{style.ink(name, 'strong')}:{line}:{column}: {kind}: {message} [{code}]\n"
     for error in report.errors:
-        place = f"{shown(error.name, unicode=style.unicode)}:{error.line or 1}:{error.column or 1}"
-        cause = folded(error.cause, unicode=style.unicode)
+        place = (
+            f"{printable(error.name, unicode=style.unicode)}:{error.line or 1}:{error.column or 1}"
+        )
+        cause = fold_lines(error.cause, unicode=style.unicode)
         yield f"{place}: {style.ink('error', 'error')}: {cause}\n"

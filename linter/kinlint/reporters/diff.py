@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.terminal_style import Ink, Style
 
 NO_LINE_END = "\\ No newline at end of file"
@@ -21,14 +21,14 @@ def unified(source_name: str, before: str, after: str, style: Style | None = Non
     from difflib import unified_diff  # noqa: PLC0415  few runs make diffs
 
     style = style or Style()
-    name = shown(source_name, unicode=style.unicode)
+    name = printable(source_name, unicode=style.unicode)
     name += "\t" * (" " in name)
     # Behind a blank, `patch` takes the rest of a name for a time, unless a tab ends the name.
     for number, line in enumerate(unified_diff(_lines(before), _lines(after), name, name)):
         sign, text = line[0], line[1:].removesuffix("\n")
         if style.color:
             ink: Ink | None = _INKS.get(sign) if number > 1 else "strong"
-            text = sign + shown(text.removesuffix("\r"), unicode=style.unicode)
+            text = sign + printable(text.removesuffix("\r"), unicode=style.unicode)
             yield f"{style.ink(text, ink) if ink else text}\n"
         else:
             yield f"{sign}{text}\n"

@@ -10,7 +10,7 @@ _JOINERS = "\u200c\u200d"
 _SURROGATES = re.compile("[\ud800-\udfff]")
 
 
-def shown(text: str, *, unicode: bool = True) -> str:
+def printable(text: str, *, unicode: bool = True) -> str:
     """*text* on one line as a terminal may safely print it.
 
     A tab is four columns. Control characters, and the invisible ones that reorder or hide text,
@@ -28,13 +28,13 @@ def width(text: str) -> int:
     return sum(_width(char) for char in text)
 
 
-def folded(text: str, *, unicode: bool = True) -> str:
+def fold_lines(text: str, *, unicode: bool = True) -> str:
     """*text* on one line: line ends and the blanks round them become one blank."""
     lines = (line.strip(" \t") for line in text.splitlines())
-    return shown(" ".join(line for line in lines if line), unicode=unicode)
+    return printable(" ".join(line for line in lines if line), unicode=unicode)
 
 
-def sound(text: str) -> str:
+def replace_surrogates(text: str) -> str:
     """Return *text* with lone surrogates, which no encoding can write, replaced."""
     return text if text.isascii() else _SURROGATES.sub("\ufffd", text)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kinlint.reporters.display_width import folded, shown, width
+from kinlint.reporters.display_width import fold_lines, printable, width
 from kinlint.reporters.terminal_style import Ink, Style
 from kinlint.text import Location, SourceText, Span
 
@@ -51,7 +51,7 @@ def cut(source: SourceText, line: int, at: int, style: Style) -> Cut:
     first, last = bounds(source, line)
     limit = style.width - 12
     text = source.text
-    if last - first <= limit and width(shown(text[first:last], unicode=style.unicode)) <= limit:
+    if last - first <= limit and width(printable(text[first:last], unicode=style.unicode)) <= limit:
         return Cut(first, last, before=False, after=False)
     at = max(first, min(at, last))
     start, room = _walk(source, at, first, limit // 3, style)
@@ -125,7 +125,7 @@ def _walk(source: SourceText, at: int, stop: int, room: int, style: Style) -> tu
     step = 1 if stop > at else -1
     while at != stop:
         char = source.text[at if step > 0 else at - 1]
-        needed = width(shown(char, unicode=style.unicode))
+        needed = width(printable(char, unicode=style.unicode))
         if needed > room:
             break
         room -= needed
@@ -135,18 +135,18 @@ def _walk(source: SourceText, at: int, stop: int, room: int, style: Style) -> tu
 
 def _text(source: SourceText, part: Cut, style: Style) -> str:
     more = _ellipsis(style)
-    text = shown(source[Span(part.start, part.end)], unicode=style.unicode)
+    text = printable(source[Span(part.start, part.end)], unicode=style.unicode)
     return (more if part.before else "") + text + (more if part.after else "")
 
 
 def _underline(mark: Mark, part: Cut, style: Style) -> str:
     span, source = mark.location.span, mark.location.source
     before = source[Span(part.start, min(span.start, part.end))]
-    lead = width(shown(before, unicode=style.unicode))
+    lead = width(printable(before, unicode=style.unicode))
     lead += len(_ellipsis(style)) if part.before else 0
     marked = source[Span(span.start, min(span.end, part.end))].rstrip(" \t")
-    signs = mark.sign * max(1, width(shown(marked, unicode=style.unicode)))
-    label = folded(mark.label, unicode=style.unicode)
+    signs = mark.sign * max(1, width(printable(marked, unicode=style.unicode)))
+    label = fold_lines(mark.label, unicode=style.unicode)
     return " " * lead + style.ink(f"{signs} {label}".rstrip(), mark.ink)
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from itertools import zip_longest
 
 from kinlint.finding import Finding, Fix
-from kinlint.reporters.display_width import folded, shown
+from kinlint.reporters.display_width import fold_lines, printable
 from kinlint.reporters.excerpt import bounds, line_text
-from kinlint.reporters.hunk import Hunk, common, edits_of, hunks
-from kinlint.reporters.summary import counted
+from kinlint.reporters.hunk import Hunk, common, edits_by_source, hunks
+from kinlint.reporters.summary import plural
 from kinlint.reporters.terminal_style import Ink, Style
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
@@ -26,7 +26,7 @@ def last_line(finding: Finding) -> int:
     """The largest line number that the fixes of *finding* are shown with."""
     ends = [1]
     for fix in finding.fixes[:FIXES_SHOWN]:
-        for source, edits in edits_of(fix):
+        for source, edits in edits_by_source(fix):
             for hunk in hunks(source, edits):
                 ends += (hunk.old + len(hunk.removed), hunk.new + len(hunk.added))
     return max(ends)
@@ -43,15 +43,15 @@ class FixPreview:
         """The lines that tell of the fixes of *finding*; nothing if there are none."""
         for fix in finding.fixes[:FIXES_SHOWN]:
             yield self._said("help", fix.title)
-            for source, edits in edits_of(fix):
+            for source, edits in edits_by_source(fix):
                 if fix.sources[1:] or source.name != finding.location.source.name:
-                    name = shown(source.name, unicode=self.style.unicode)
+                    name = printable(source.name, unicode=self.style.unicode)
                     line = source.position(edits[0].span.start).line
                     yield f"{self._margin}{self.style.ink(':::', 'place')} {name}:{line}"
                 yield from self._changes(source, list(hunks(source, edits)))
             yield from self._caution(fix)
         if (more := len(finding.fixes) - FIXES_SHOWN) > 0:
-            yield self._said("help", counted(more, "more fix", "more fixes"))
+            yield self._said("help", plural(more, "more fix", "more fixes"))
 
     def _changes(self, source: SourceText, changes: Sequence[Hunk]) -> Iterator[str]:
         bar = self.style.ink(f"{self._margin} |", "place")
@@ -63,7 +63,7 @@ class FixPreview:
         yield bar
         yield from rows[:LINES_SHOWN]
         if len(rows) > LINES_SHOWN:
-            yield f"{dots} {counted(len(rows) - LINES_SHOWN, 'more line')}"
+            yield f"{dots} {plural(len(rows) - LINES_SHOWN, 'more line')}"
         yield bar
 
     def _rows(self, source: SourceText, hunk: Hunk) -> Iterator[str]:
@@ -95,7 +95,7 @@ class FixPreview:
             yield self._said("note", f"{kind}: {fix.why}" if fix.why else kind)
 
     def _said(self, kind: str, text: str) -> str:
-        return f"{self.style.ink(kind, 'note')}: {folded(text, unicode=self.style.unicode)}"
+        return f"{self.style.ink(kind, 'note')}: {fold_lines(text, unicode=self.style.unicode)}"
 
     @property
     def _margin(self) -> str:

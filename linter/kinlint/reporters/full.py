@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.finding import Finding, Premise, Related
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded, shown
+from kinlint.reporters.display_width import fold_lines, printable
 from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
 from kinlint.reporters.fix_preview import FixPreview, last_line
 from kinlint.reporters.fixability import sign
-from kinlint.reporters.summary import counted, errors
+from kinlint.reporters.summary import errors, plural
 from kinlint.reporters.terminal_style import INK_OF, Style
 from kinlint.text import Location
 
@@ -67,7 +67,7 @@ def _block(
     if others:
         yield f"{lead} {_elsewhere(others, style)}\n"
     if finding.suppressed is not None:
-        yield f"{lead} suppressed: {folded(finding.suppressed, unicode=style.unicode)}\n"
+        yield f"{lead} suppressed: {fold_lines(finding.suppressed, unicode=style.unicode)}\n"
     for line in FixPreview(style, gutter).block(finding):
         yield f"{line}\n"
     yield f"{lead} docs: kinlint rule {finding.rule.code}\n\n"
@@ -77,7 +77,7 @@ def _headline(finding: Finding, style: Style, *, unsafe: bool | None) -> str:
     rule = finding.rule
     code = style.link(rule.code, rule.iri)
     kind = style.ink(f"{finding.severity.label}[{code}]", INK_OF[finding.severity])
-    message = style.ink(folded(finding.message, unicode=style.unicode), "strong")
+    message = style.ink(fold_lines(finding.message, unicode=style.unicode), "strong")
     tags = f" [{', '.join(rule.antipatterns)}]" if rule.antipatterns else ""
     mark = sign(finding, unsafe=unsafe)
     return f"{kind}: {message}{tags}{f' {mark}' if mark else ''}"
@@ -85,7 +85,7 @@ def _headline(finding: Finding, style: Style, *, unsafe: bool | None) -> str:
 
 def _place(location: Location, style: Style) -> str:
     line, column = location.start
-    return f"{shown(location.source.name, unicode=style.unicode)}:{line}:{column}"
+    return f"{printable(location.source.name, unicode=style.unicode)}:{line}:{column}"
 
 
 def _split(finding: Finding, style: Style) -> tuple[list[Mark], list[Mark]]:
@@ -117,13 +117,13 @@ def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
     """A line for each statement that the finding rests on, what it follows from below it."""
     lead = "because: "
     for premise in premises[:PREMISES_SHOWN]:
-        text = folded(premise.statement, unicode=style.unicode)
+        text = fold_lines(premise.statement, unicode=style.unicode)
         if premise.computed:
             text += f", {premise.axiom}" + ":" * premise.axiom.endswith("from")
         elif premise.inferred:
-            text += f", inferred: {folded(premise.axiom, unicode=style.unicode)}"
+            text += f", inferred: {fold_lines(premise.axiom, unicode=style.unicode)}"
         if premise.location is not None:
-            name = shown(premise.location.source.name, unicode=style.unicode)
+            name = printable(premise.location.source.name, unicode=style.unicode)
             text += f" ({name}:{premise.location.start.line})"
         yield lead + "  " * premise.depth + text
         lead = " " * len(lead)
@@ -136,4 +136,4 @@ def _elsewhere(others: Sequence[Location], style: Style) -> str:
     places = ", ".join(_place(other, style) for other in others[:PLACES_SHOWN])
     rest = len(others) - PLACES_SHOWN
     more = f" and {rest:,} more" if rest > 0 else ""
-    return f"note: the same at {counted(len(others), 'other place')}: {places}{more}"
+    return f"note: the same at {plural(len(others), 'other place')}: {places}{more}"

@@ -16,7 +16,7 @@ from kinlint.addresses import is_address, split
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded
+from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.json_escape import json_text
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
@@ -30,8 +30,10 @@ _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO
 def render(report: Report, style: Style) -> Iterator[str]:
     """The array: findings first, then the files that cannot be read."""
     paths, seen = Paths(report.root), Counter[str]()
-    issues = [_issue(finding, paths.of(finding.location.source.name)) for finding in report.open]
-    issues += [_error(error, paths.of(error.name)) for error in report.errors]
+    issues = [
+        _issue(finding, paths.relative(finding.location.source.name)) for finding in report.open
+    ]
+    issues += [_error(error, paths.relative(error.name)) for error in report.errors]
     for issue in issues:
         seen[issue["fingerprint"]] += 1
         if (number := seen[issue["fingerprint"]]) > 1:
@@ -43,7 +45,7 @@ def _issue(finding: Finding, path: str) -> dict[str, Any]:
     # The IRI of an element has the name of its file as the run called it, which may change.
     own = split(finding.iri)[1] if is_address(finding.iri) else finding.iri
     return {
-        "description": folded(finding.message),
+        "description": fold_lines(finding.message),
         "check_name": finding.rule.code,
         "fingerprint": _hashed(path, replace(finding, iri=own).fingerprint),
         "severity": _SEVERITIES[finding.severity],
@@ -56,7 +58,7 @@ def _issue(finding: Finding, path: str) -> dict[str, Any]:
 
 def _error(error: SourceError, path: str) -> dict[str, Any]:
     return {
-        "description": folded(error.cause),
+        "description": fold_lines(error.cause),
         "check_name": UNREADABLE,
         "fingerprint": _hashed(path, UNREADABLE, error.cause),
         "severity": _SEVERITIES[Severity.ERROR],

@@ -28,7 +28,7 @@ class Hunk:
     added: tuple[str, ...]
 
 
-def edits_of(fix: Fix) -> Iterator[tuple[SourceText, list[Edit]]]:
+def edits_by_source(fix: Fix) -> Iterator[tuple[SourceText, list[Edit]]]:
     """The texts that *fix* changes, each with its edits in order."""
     for source in fix.sources:
         own = (one for one in fix.edits if one.location.source is source)

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded
+from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.repository_paths import Paths
 from kinlint.reporters.terminal_style import Style
 from kinlint.reporters.xml_text import HEAD, content, tag
@@ -60,20 +60,20 @@ def _test(case: _Case, name: str, style: Style) -> Iterator[str]:
 
 def _suites(report: Report) -> dict[str, list[_Case]]:
     paths, seen = Paths(report.root), Counter[tuple[str, str]]()
-    suites: dict[str, list[_Case]] = {paths.of(name): [] for name in report.files}
+    suites: dict[str, list[_Case]] = {paths.relative(name): [] for name in report.files}
     for finding in report.open:
-        file, code = paths.of(finding.location.source.name), finding.rule.code
+        file, code = paths.relative(finding.location.source.name), finding.rule.code
         seen[file, code] += 1
         number = f" ({seen[file, code]})" if seen[file, code] > 1 else ""
         place = dict(zip(("line", "column"), finding.location.start, strict=True))
         name, severity = f"{PACKAGE}.{code}{number}", finding.severity.label
-        case = _Case(name, place, "failure", severity, folded(finding.message))
+        case = _Case(name, place, "failure", severity, fold_lines(finding.message))
         suites.setdefault(file, []).append(case)
     for error in report.errors:
         known = {"line": error.line, "column": error.column}
         place = {key: value for key, value in known.items() if value is not None}
-        case = _Case(PACKAGE, place, "error", Severity.ERROR.label, folded(error.cause))
-        suites.setdefault(paths.of(error.name), []).append(case)
+        case = _Case(PACKAGE, place, "error", Severity.ERROR.label, fold_lines(error.cause))
+        suites.setdefault(paths.relative(error.name), []).append(case)
     return {name: cases or [_Case(PACKAGE, {})] for name, cases in suites.items()}
 
 

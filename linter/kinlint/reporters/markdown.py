@@ -52,7 +52,7 @@ def listing(
     for finding in findings:
         groups.setdefault(finding.location.source.name, []).append(finding)
     for name, group in groups.items():
-        path = paths.of(name)
+        path = paths.relative(name)
         shown = name not in STDIN_NAMES
         file = link(path, url(path, None) if shown else "")
         yield f"\n{'#' * level} {file} ({counts(group)})\n\n"
@@ -69,7 +69,7 @@ def unread(report: Report, paths: Paths, url: Address) -> Iterator[str]:
     if report.errors:
         yield "\n### Files that cannot be read\n\n"
     for error in report.errors:
-        path = paths.of(error.name)
+        path = paths.relative(error.name)
         shown = error.name not in STDIN_NAMES
         place = f"{path}:{error.line}" if error.line else path
         target = url(path, error.line) if shown else ""

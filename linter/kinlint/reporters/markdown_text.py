@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from urllib.parse import quote
 
-from kinlint.reporters.display_width import folded, sound
+from kinlint.reporters.display_width import fold_lines, replace_surrogates
 
 _MARKS = re.compile(r"[\\`*_\[\]#|~$>]|:(?=[^\s\d])")
 _ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", "@": "&#64;"})
@@ -15,7 +15,7 @@ _ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", "@": "&#64;"})
 
 def escaped(text: str) -> str:
     """*text* on one line, to be shown as it is in a paragraph, a list or a cell of a table."""
-    return _MARKS.sub(r"\\\g<0>", sound(folded(text))).translate(_ENTITIES)
+    return _MARKS.sub(r"\\\g<0>", replace_surrogates(fold_lines(text))).translate(_ENTITIES)
 
 
 def link(text: str, url: str) -> str:
@@ -25,7 +25,7 @@ def link(text: str, url: str) -> str:
 
 def address(path: str, line: int | None = None) -> str:
     """The path of a file as a relative URL, to *line* of it where servers show that."""
-    url = quote(sound(path))
+    url = quote(replace_surrogates(path))
     return f"{url}#L{line}" if line else url
 
 

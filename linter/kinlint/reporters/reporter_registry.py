@@ -8,10 +8,10 @@ from typing import NamedTuple, TextIO, cast
 
 from kinlint.errors import UsageError
 from kinlint.report import Report
-from kinlint.reporters.display_width import sound
+from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.reporter import Reporter
 from kinlint.reporters.summary import summary
-from kinlint.reporters.terminal_style import Style, style_of
+from kinlint.reporters.terminal_style import Style, detect_style
 
 
 class Format(NamedTuple):
@@ -69,7 +69,7 @@ def write(  # noqa: PLR0913
     *style* None is what the stream can show. Formats for people end in the summary, unless
     *summarise* is false.
     """
-    style = style or style_of(stream)
+    style = style or detect_style(stream)
     put(reporter(name)(report, style), stream)
     if summarise and not FORMATS[name].machine:
         write_summary(report, stream, style, verbose=verbose)
@@ -79,7 +79,7 @@ def write_summary(
     report: Report, stream: TextIO, style: Style | None = None, *, verbose: bool = False
 ) -> None:
     """Write the summary by itself: to standard error, when a machine reads standard output."""
-    put(summary(report, style or style_of(stream), verbose=verbose), stream)
+    put(summary(report, style or detect_style(stream), verbose=verbose), stream)
 
 
 def write_fixed(
@@ -88,7 +88,7 @@ def write_fixed(
     """Write the list of `--show-fixes`: what was fixed, or *would* be."""
     from kinlint.reporters.applied_fixes import listing  # noqa: PLC0415  few runs fix
 
-    put(listing(report, style or style_of(stream), would=would), stream)
+    put(listing(report, style or detect_style(stream), would=would), stream)
 
 
 def write_verdict(report: Report, stream: TextIO, *, would: bool = False) -> None:
@@ -100,7 +100,7 @@ def write_verdict(report: Report, stream: TextIO, *, would: bool = False) -> Non
 
 def write_statistics(report: Report, stream: TextIO, style: Style | None = None) -> None:
     """Write the table of `--statistics`."""
-    style = style or style_of(stream)
+    style = style or detect_style(stream)
     put(_render(STATISTICS)(report, style), stream)
 
 
@@ -108,7 +108,7 @@ def put(pieces: Iterator[str], stream: TextIO) -> None:
     """Write *pieces*, with what the stream cannot encode as escapes."""
     encoding = getattr(stream, "encoding", None) or "utf-8"
     for piece in pieces:
-        text = sound(piece)
+        text = replace_surrogates(piece)
         if not text.isascii():
             text = text.encode(encoding, "backslashreplace").decode(encoding)
         stream.write(text)

@@ -21,7 +21,7 @@ class Paths:
         self._top = repository_top(root) or root
         self._known: dict[str, str] = {}
 
-    def of(self, name: str) -> str:
+    def relative(self, name: str) -> str:
         """The path of the file called *name*; standard input without a name keeps what it has."""
         if name not in self._known:
             self._known[name] = name if name in STDIN_NAMES else self._from_top(name)

@@ -9,7 +9,7 @@ from rich.console import Console, RenderableType
 from kinlint.reporters.terminal_style import Style
 
 
-def drawn(thing: RenderableType, style: Style) -> str:
+def rich_text(thing: RenderableType, style: Style) -> str:
     """Render *thing* as text with escape sequences, whatever the environment says."""
     out = io.StringIO()
     console = Console(

@@ -14,7 +14,7 @@ _MARK = re.compile(r"\[\||\|\]")
 
 
 @dataclass(frozen=True, slots=True)
-class Marked:
+class MarkedText:
     """The text of an example without its marks, and the spans that were marked."""
 
     format: str
@@ -47,7 +47,7 @@ class Marked:
         ]
 
 
-def marked(text: str, format: str) -> Marked:  # noqa: A002
+def parse_marks(text: str, format: str) -> MarkedText:  # noqa: A002
     """An example as a rule file has it, unindented and without its marks."""
     text = textwrap.dedent(text).strip("\n")
     parts: list[str] = []
@@ -63,4 +63,4 @@ def marked(text: str, format: str) -> Marked:  # noqa: A002
         elif opened:
             marks.append(Span(opened.pop(), size))
     parts.append(text[end:])
-    return Marked(format, "".join(parts).rstrip(), tuple(sorted(marks)))
+    return MarkedText(format, "".join(parts).rstrip(), tuple(sorted(marks)))

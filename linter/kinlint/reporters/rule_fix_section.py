@@ -21,7 +21,7 @@ def heading(repair: Repair) -> str:
     return f"{repair.title}{formats} ({_TRUST[repair.applicability]}).{why}"
 
 
-def furthest(rule: Rule) -> str:
+def highest_applicability(rule: Rule) -> str:
     """Return the label of the highest applicability of the repairs; "" if there are none."""
     levels = [each.applicability for each in rule.repairs]
     return max(levels).label if levels else ""

@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 from kinlint.formats.records import FORMATS
 from kinlint.reporters.antipatterns import ANTIPATTERNS
-from kinlint.reporters.rule_example import Marked, marked
+from kinlint.reporters.rule_example import MarkedText, parse_marks
 from kinlint.reporters.rule_fix_section import heading, repair_object
 from kinlint.reporters.symptoms import SYMPTOMS
 from kinlint.reporters.terminal_style import Style
@@ -52,10 +52,10 @@ def _listed(title: str, items: Iterable[str]) -> Iterator[str]:
 def _drawn(rule: Rule, style: Style) -> str:
     from rich.markdown import Markdown  # noqa: PLC0415
 
-    from kinlint.reporters.rich_render import drawn  # noqa: PLC0415
+    from kinlint.reporters.rich_render import rich_text  # noqa: PLC0415
 
     page = Markdown(markdown(rule), code_theme="ansi_dark", hyperlinks=True)
-    return drawn(page, style)
+    return rich_text(page, style)
 
 
 def markdown(rule: Rule) -> str:
@@ -77,10 +77,10 @@ def section(rule: Rule, directory: str = "") -> str:
     shown = file.name if directory else "/".join(file.parts[-2:])
     source = f"Rule file: [{shown}]({quote(shown)})" if shown else ""
     parts = *_explained(rule), *_links(rule), source
-    return f"## {title_of(rule)}\n\n**{rule.title}**\n\n{_joined(*parts)}"
+    return f"## {section_title(rule)}\n\n**{rule.title}**\n\n{_joined(*parts)}"
 
 
-def title_of(rule: Rule) -> str:
+def section_title(rule: Rule) -> str:
     """The heading of the section of *rule*."""
     return f"{rule.code} {rule.name}"
 
@@ -185,13 +185,13 @@ def paragraphs(why: str) -> list[str]:
     return [" ".join(block.split()) for block in blocks if block.strip()]
 
 
-def _cases(rule: Rule) -> Iterator[tuple[str, Marked]]:
+def _cases(rule: Rule) -> Iterator[tuple[str, MarkedText]]:
     for example in rule.examples:
         beside = f" (beside it: {', '.join(example.beside)})" if example.beside else ""
         if example.bad is not None:
-            yield f"Bad{beside}", marked(example.bad, example.format)
+            yield f"Bad{beside}", parse_marks(example.bad, example.format)
         if example.good is not None:
-            yield "Good", marked(example.good, example.format)
+            yield "Good", parse_marks(example.good, example.format)
 
 
 def _ignoring(rule: Rule) -> list[str]:
@@ -203,8 +203,8 @@ def _ignoring(rule: Rule) -> list[str]:
 
 
 def _example_object(example: Example) -> dict[str, Any]:
-    bad = None if example.bad is None else marked(example.bad, example.format)
-    good = None if example.good is None else marked(example.good, example.format)
+    bad = None if example.bad is None else parse_marks(example.bad, example.format)
+    good = None if example.good is None else parse_marks(example.good, example.format)
     return {
         "format": example.format,
         "bad": bad and bad.text,

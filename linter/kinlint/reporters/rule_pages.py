@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from kinlint import resources
-from kinlint.reporters.rule_fix_section import furthest
-from kinlint.reporters.rule_page import section, title_of
+from kinlint.reporters.rule_fix_section import highest_applicability
+from kinlint.reporters.rule_page import section, section_title
 from kinlint.reporters.symptoms import symptom_table
 from kinlint.rule import Rule
 
@@ -116,13 +116,13 @@ def _index(rules: Iterable[Rule], file: str = "") -> str:
     """A table of *rules*, with links to their sections in *file*, by default the same."""
     rows = [f"| {' | '.join(_COLUMNS)} |", "|---" * len(_COLUMNS) + "|"]
     for rule in rules:
-        anchor = re.sub(r"[^\w -]", "", title_of(rule).lower()).replace(" ", "-")
+        anchor = re.sub(r"[^\w -]", "", section_title(rule).lower()).replace(" ", "-")
         cells = (
             rule.code,
             f"[{rule.name}]({file}#{anchor})",
             rule.severity.label,
             ", ".join(rule.antipatterns),
-            furthest(rule),
+            highest_applicability(rule),
             rule.title.replace("|", "\\|"),
         )
         rows.append(f"| {' | '.join(cells)} |")

@@ -74,7 +74,7 @@ def _drawn(
     from rich.table import Table  # noqa: PLC0415
     from rich.text import Text  # noqa: PLC0415
 
-    from kinlint.reporters.rich_render import drawn  # noqa: PLC0415
+    from kinlint.reporters.rich_render import rich_text  # noqa: PLC0415
 
     inks = {"error": "bold red", "warning": "bold yellow", "info": "bold cyan"}
     table = Table(box=SIMPLE_HEAD if style.unicode else ASCII, pad_edge=False)
@@ -89,4 +89,4 @@ def _drawn(
         severity.stylize(inks[INK_OF[worst]])
         cells = count, code, fix, severity, tags, name
         table.add_row(*(cells[column] for column in columns))
-    return drawn(table, style)
+    return rich_text(table, style)

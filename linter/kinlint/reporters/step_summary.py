@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 from html import escape
 
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded, sound
+from kinlint.reporters.display_width import fold_lines, replace_surrogates
 from kinlint.reporters.github import annotated
 from kinlint.reporters.markdown import Address, by_rule, head, listing, unread
 from kinlint.reporters.picture.finding_badges import Marks, marks
 from kinlint.reporters.picture.mermaid import lines
 from kinlint.reporters.repository_paths import Paths
-from kinlint.reporters.summary import counted, counts
+from kinlint.reporters.summary import counts, plural
 from kinlint.structure import Structure
 
 CHARACTERS, EDGES = 50_000, 500
@@ -42,7 +42,7 @@ def render(report: Report, robots: Sequence[Structure], url: Address, room: int)
         ]
     omitted = 0
     for piece in (told, *beyond, *_pictures(report, robots)):
-        text = sound(piece)
+        text = replace_surrogates(piece)
         size = len(text.encode())
         if omitted or size > left:
             omitted += 1
@@ -60,13 +60,13 @@ def _pictures(report: Report, robots: Sequence[Structure]) -> Iterator[str]:
         found = marks(robot, report.open)
         yield _picture(robot, found)
     if (more := len(robots) - ROBOTS) > 0:
-        yield f"\n{counted(more, 'more robot')}: `kinlint graph` draws them.\n"
+        yield f"\n{plural(more, 'more robot')}: `kinlint graph` draws them.\n"
 
 
 def _picture(robot: Structure, found: Marks) -> str:
     number = len({id(one) for told in found.values() for one in told})
-    about = f"{counted(len(robot.links), 'link')}, {counted(len(robot.joints), 'joint')}"
-    title = escape(folded(f"{robot.name} ({', '.join(robot.files)})")).replace("@", "&#64;")
+    about = f"{plural(len(robot.links), 'link')}, {plural(len(robot.joints), 'joint')}"
+    title = escape(fold_lines(f"{robot.name} ({', '.join(robot.files)})")).replace("@", "&#64;")
     opened = " open" if number else ""
     head_line = f"\n<details{opened}><summary>{title}: {about}</summary>\n\n"
     chart = "\n".join(lines(robot, found))

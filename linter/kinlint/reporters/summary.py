@@ -8,14 +8,14 @@ from dataclasses import replace
 
 from kinlint.finding import Finding
 from kinlint.report import Report
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable
 from kinlint.reporters.terminal_style import Style
 
 _NOT_APPLIED = "0 rules applied: no known vocabulary"
 
 
-def counted(number: int, noun: str, nouns: str = "") -> str:
+def plural(number: int, noun: str, nouns: str = "") -> str:
     """Return *number* with its noun: `1 file`, `1,204 triples`."""
     return f"{number:,} {noun if number == 1 else nouns or noun + 's'}"
 
@@ -23,7 +23,7 @@ def counted(number: int, noun: str, nouns: str = "") -> str:
 def errors(report: Report, style: Style) -> Iterator[str]:
     """Yield one line for each file that could not be read."""
     for error in report.errors:
-        text = shown(str(error), unicode=style.unicode)
+        text = printable(str(error), unicode=style.unicode)
         yield f"{style.ink('error', 'error')}: {text}\n"
 
 
@@ -33,7 +33,7 @@ def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[
     With *verbose* a clean run says what was checked, too.
     """
     for name in report.unapplied:
-        yield f"{shown(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
+        yield f"{printable(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
     yield _verdict(report, style, verbose=verbose) + _asides(report) + "\n"
     yield from hint(report)
 
@@ -64,7 +64,7 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
     if report.errors:
         unread = {error.name for error in report.errors}
         others = "; no findings in the others" if report.files else ""
-        return f"{counted(len(unread), 'file')} could not be read{others}"
+        return f"{plural(len(unread), 'file')} could not be read{others}"
     if not report.files:
         return "No files were checked"
     if _idle(report):
@@ -73,7 +73,7 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
     praise = style.ink("All checks passed!", "note")
     if not verbose:
         return praise
-    return f"{praise} ({_extent(report)}, {counted(report.applied, 'rule')} applied)"
+    return f"{praise} ({_extent(report)}, {plural(report.applied, 'rule')} applied)"
 
 
 def _idle(report: Report) -> bool:
@@ -85,7 +85,7 @@ def counts(findings: Sequence[Finding]) -> str:
     """Return the number of *findings* of each severity: `2 errors and 1 warning`."""
     severities = Counter(finding.severity for finding in findings)
     each = [
-        counted(severities[severity], severity.label)
+        plural(severities[severity], severity.label)
         for severity in sorted(severities, reverse=True)
     ]
     return " and ".join([", ".join(each[:-1]), each[-1]] if each[1:] else each)
@@ -96,11 +96,11 @@ def _found(report: Report) -> str:
         left = f"{len(report.fixed):,} fixed, {len(report.open):,} remaining"
         return f"{counts((*report.fixed, *report.open))} ({left})"
     names = {finding.location.source.name for finding in report.open}
-    return f"{counts(report.open)} in {counted(len(names), 'file')} ({_extent(report)})"
+    return f"{counts(report.open)} in {plural(len(names), 'file')} ({_extent(report)})"
 
 
 def _extent(report: Report) -> str:
-    parts = [counted(len(report.files), "file"), counted(report.triples, "triple")]
+    parts = [plural(len(report.files), "file"), plural(report.triples, "triple")]
     if report.seconds is not None:
         parts.append(f"{report.seconds:.{1 if report.seconds >= 0.1 else 2}f} s")  # noqa: PLR2004
     return ", ".join(parts)

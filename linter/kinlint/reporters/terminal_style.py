@@ -53,7 +53,7 @@ class Style:
         return f"\x1b]8;;{url}\x1b\\{text}\x1b]8;;\x1b\\" if self.links and url else text
 
 
-def style_of(
+def detect_style(
     stream: TextIO, when: When = "auto", environment: Mapping[str, str] | None = None
 ) -> Style:
     """Return the style that *stream* can show.

@@ -15,7 +15,7 @@ from kinlint.addresses import document_iri
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
 from kinlint.report import Report
-from kinlint.reporters.display_width import sound
+from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Applicability, Severity
 from kinlint.terms import Term, Triple, is_blank, is_iri, literal
@@ -47,7 +47,11 @@ _UNFIT = re.compile(r"[\x00-\x20<>\"{}|^`\\]")
 def render(report: Report, style: Style) -> Iterator[str]:
     """The report, a result at a time."""
     for piece in _pieces(report):
-        yield piece if style.unicode or piece.isascii() else _WIDE.sub(_escaped, sound(piece))
+        yield (
+            piece
+            if style.unicode or piece.isascii()
+            else _WIDE.sub(_escaped, replace_surrogates(piece))
+        )
 
 
 def _pieces(report: Report) -> Iterator[str]:

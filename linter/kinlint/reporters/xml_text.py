@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from xml.sax.saxutils import escape, quoteattr
 
-from kinlint.reporters.display_width import sound
+from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.terminal_style import Style
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -27,7 +27,7 @@ def content(text: str, style: Style) -> str:
 
 
 def _allowed(text: str) -> str:
-    return _REFUSED.sub(lambda match: f"\\u{ord(match[0]):04x}", sound(text))
+    return _REFUSED.sub(lambda match: f"\\u{ord(match[0]):04x}", replace_surrogates(text))
 
 
 def _encoded(text: str, style: Style) -> str:

@@ -24,7 +24,7 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.pipeline.single_run import SingleRun
 from kinlint.pipeline.stage_inputs import Demand, Inputs
-from kinlint.pipeline.stages import through
+from kinlint.pipeline.stages import run_stages
 from kinlint.rule import Rule
 from kinlint.rule_testing.mutants import mutants, repeats
 from kinlint.sparql.ast import render
@@ -46,7 +46,9 @@ class Bench:
     examples: tuple[tuple[Sequence[Document], Store], ...]
 
     @classmethod
-    def of(cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]) -> Bench:
+    def for_rule(
+        cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]
+    ) -> Bench:
         """The bench for the examples *texts* of *rule*."""
         return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
 
@@ -70,7 +72,7 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
     documents = join_companions([read(text, options) for text in texts])
     inputs = Inputs(documents, documents, options.packages_of)
     run = SingleRun(rulebook.vocabulary)
-    return documents, through("facts", run, inputs, Demand.for_everything(rulebook))
+    return documents, run_stages("facts", run, inputs, Demand.for_everything(rulebook))
 
 
 def idle(bench: Bench) -> Iterator[str]:

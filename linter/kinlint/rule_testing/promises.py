@@ -64,7 +64,7 @@ def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterato
         yield from _repaired(rule, rulebook)
     if oracles and not found:
         examples = (each for example in rule.examples for each in _texts(example))
-        yield from idle(Bench.of(rule, rulebook, examples))
+        yield from idle(Bench.for_rule(rule, rulebook, examples))
 
 
 def _nonstandard(rule: Rule) -> Iterator[str]:

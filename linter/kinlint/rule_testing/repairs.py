@@ -9,7 +9,7 @@ from kinlint.catalogue.applicability import covers
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.fixes.offers import Offers
-from kinlint.fixes.rounds import linted, mended
+from kinlint.fixes.rounds import fix_in_rounds, lint_texts
 from kinlint.formats.records import BY_NAME
 from kinlint.rule import Applicability, Example, Repair, Rule
 from kinlint.text import SourceText
@@ -30,7 +30,7 @@ def shown(
     for number, example, texts in bad:
         if not any(covers(each.formats, BY_NAME[example.format]) for each in rule.repairs):
             continue
-        offers = linted(texts, (), settings, rulebook)
+        offers = lint_texts(texts, (), settings, rulebook)
         held = {each.repair for each, verdict in offers.verdicts.items() if verdict.applicability}
         offered |= held
         for problem in _problems(example, texts, offers, settings, rulebook):
@@ -54,7 +54,7 @@ def _problems(
         elif not example.unfixable:
             yield f"is not fixed: {_reason(offers)}"
         return
-    made = mended(texts, (), settings, rulebook, Applicability.DISPLAY).texts[0].text
+    made = fix_in_rounds(texts, (), settings, rulebook, Applicability.DISPLAY).texts[0].text
     expected = example.fixed if example.fixed is not None else example.good
     if made != expected:
         yield f"is fixed to something else:\n{_diff(expected, made)}"

@@ -19,7 +19,7 @@ from kinlint.pipeline.analyzer import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of
 from kinlint.server.client_settings import ClientSettings
-from kinlint.server.diagnostics import Told
+from kinlint.server.diagnostics import FileDiagnostics
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.protocol import Protocol
 from kinlint.server.request_context import RequestContext
@@ -46,7 +46,7 @@ class KinlintServer(LanguageServer):
         self.preferences = ClientSettings()
         self.roots: tuple[Path, ...] = ()
         self.worker = Worker()
-        self.told: dict[Path, dict[frozenset[Path], Told]] = {}
+        self.told: dict[Path, dict[frozenset[Path], FileDiagnostics]] = {}
         self.listeners: list[Callable[[frozenset[Path], bool], None]] = []
         self.dismissed = False
         self.watch: Future[None] | None = None
@@ -60,7 +60,7 @@ class KinlintServer(LanguageServer):
         return types.PositionEncodingKind(self.workspace.position_encoding).value
 
     @property
-    def examiner(self) -> Scheduler:
+    def scheduler(self) -> Scheduler:
         """Return the scheduler of analyses, created on first use."""
         if self._examiner is None:
             known = self.client_capabilities.text_document
@@ -89,7 +89,7 @@ class KinlintServer(LanguageServer):
         """The text *uri* changed, or all may have; *disk* tells that files may have, too."""
         self._epoch += disk
         buffer = None if uri is None else self.buffers.get(uri)
-        self.examiner.change(now=disk or not self._postponed(buffer))
+        self.scheduler.change(now=disk or not self._postponed(buffer))
 
     def leave(self, *, asked: bool) -> None:
         """Examine nothing more; *asked* for it, or because the client is gone."""
@@ -104,10 +104,10 @@ class KinlintServer(LanguageServer):
             self._complain(problem)
         self.changed(disk=True)
 
-    async def fresh(self, path: Path | None) -> None:
+    async def wait_until_settled(self, path: Path | None) -> None:
         """Wait until all is known of the file at *path*, or of all files."""
-        if path is None or not self._postponed(self.buffers.at(path)):
-            await self.examiner.fresh(path)
+        if path is None or not self._postponed(self.buffers.at_path(path)):
+            await self.scheduler.wait_until_settled(path)
 
     def _postponed(self, buffer: Buffer | None) -> bool:
         """Tell whether *buffer* is analyzed only when it is saved."""
@@ -120,12 +120,12 @@ class KinlintServer(LanguageServer):
         the store of the examination.
         """
         path = path_of(uri)
-        library = self.examiner.library
+        library = self.scheduler.library
         while True:
-            await self.examiner.fresh(path)
-            buffer = self.buffers.at(path)
+            await self.scheduler.wait_until_settled(path)
+            buffer = self.buffers.at_path(path)
             source = None if buffer is None else buffer.source
-            cancelled = self.examiner.interruption()
+            cancelled = self.scheduler.interruption()
             with suppress(Outdated, Cancelled):
                 job = partial(library.consult, path, source, ask, cancelled)
                 return await self.worker.do(job)
@@ -134,11 +134,11 @@ class KinlintServer(LanguageServer):
         """Return the request context of *uri*, whose store must not be queried."""
         return await self.consult(uri, lambda view: view)
 
-    def about(self, path: Path) -> Told:
+    def diagnostics(self, path: Path) -> FileDiagnostics:
         """Merge the diagnostics of all models that contain the file at *path*."""
         all_told = list(self.told.get(path, {}).values())
         if len(all_told) <= 1:
-            return all_told[0] if all_told else Told()
+            return all_told[0] if all_told else FileDiagnostics()
         items = {repr(item): item for told in all_told for item in told.items}
         return replace(all_told[0], items=tuple(items.values()))
 
@@ -154,7 +154,7 @@ class KinlintServer(LanguageServer):
 
     def _snapshot(self, wanted: frozenset[Path], everything: bool) -> FrozenState:  # noqa: FBT001
         return FrozenState(
-            generation=self.examiner.generation,
+            generation=self.scheduler.generation,
             epoch=self._epoch,
             buffers={each.path: each for each in self.buffers},
             roots=self.roots,
@@ -175,7 +175,7 @@ class KinlintServer(LanguageServer):
             for path, told in step.found.items():
                 self.told.setdefault(path, {})[key] = told
                 changed.add(path)
-        settled = step.done and step.generation == self.examiner.generation
+        settled = step.done and step.generation == self.scheduler.generation
         if settled:
             self._said.intersection_update(step.problems)
             changed |= self._forget(self._keys() - step.models.keys())

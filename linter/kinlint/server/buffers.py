@@ -41,7 +41,9 @@ class Buffer:
     def from_text(cls, uri: str, version: int, text: str) -> Buffer:
         """The text that a client opens as *uri*."""
         path = path_of(uri)
-        return cls(uri, path, version, SourceText(shown(path), "")).written(text, version).kept()
+        return (
+            cls(uri, path, version, SourceText(shown(path), "")).written(text, version).as_saved()
+        )
 
     def written(self, text: str, version: int) -> Buffer:
         """The same file with another *text*."""
@@ -49,7 +51,7 @@ class Buffer:
         source = with_text(self.source, text[marked:], bom=marked)
         return replace(self, version=version, source=source, marked=marked, saved=False)
 
-    def kept(self) -> Buffer:
+    def as_saved(self) -> Buffer:
         """The same text, now that the file holds it."""
         return replace(self, saved=True)
 
@@ -93,7 +95,7 @@ class Buffers:
         """Return the buffer that is open as *uri*, or None."""
         return self._by_path.get(path_of(uri))
 
-    def at(self, path: Path) -> Buffer | None:
+    def at_path(self, path: Path) -> Buffer | None:
         """Return the buffer that is open of the file at *path*, or None."""
         return self._by_path.get(path)
 

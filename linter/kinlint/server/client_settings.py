@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.config_file import Config, Configs, config_of, load
-from kinlint.configuration.value_kinds import unknown
+from kinlint.configuration.config_file import Config, Configs, load_config, parse_config
+from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import ConfigError, KinlintError
 from kinlint.files.pathglob import absolute
 
@@ -44,7 +44,7 @@ class ClientSettings:
         settings = _settings(said)
         keys: dict[str, Any] = {}
         problems = [
-            f"{ORIGIN}: {problem}" for name in settings if (problem := unknown(name, KNOWN))
+            f"{ORIGIN}: {problem}" for name in settings if (problem := unknown_message(name, KNOWN))
         ]
         configuration = settings.get("configuration")
         if isinstance(configuration, Mapping):
@@ -54,7 +54,7 @@ class ClientSettings:
         if run not in RUNS:
             problems.append(f"{ORIGIN}: run: expected one of {', '.join(RUNS)}, got '{run}'")
         try:
-            config_of(keys, ORIGIN, Path.cwd())
+            parse_config(keys, ORIGIN, Path.cwd())
         except KinlintError as error:
             problems.append(str(error))
             keys = {}
@@ -71,7 +71,7 @@ class ClientSettings:
 
         Paths are relative to *root*.
         """
-        return config_of(self.keys, ORIGIN, root)
+        return parse_config(self.keys, ORIGIN, root)
 
     def configs(self, root: Path) -> Configs:
         """Return where configuration comes from below *root*.
@@ -84,7 +84,7 @@ class ClientSettings:
         path = absolute(root / Path(self.file).expanduser())
         if not path.is_file():
             raise ConfigError(f"{ORIGIN}: configuration: '{self.file}' is not a file")
-        return Configs(fixed=load(path))
+        return Configs(fixed=load_config(path))
 
 
 def _settings(said: object) -> Mapping[str, Any]:

@@ -7,13 +7,13 @@ from functools import partial
 
 from lsprotocol import types
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.finding import Finding
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
 from kinlint.server.diagnostics import diagnostic
-from kinlint.server.quick_fixes import MOST, all_safe, remedies
+from kinlint.server.quick_fixes import MOST, fixes_of, safe_edits
 from kinlint.server.request_context import RequestContext
 from kinlint.server.workspace_edit import workspace_edit
 
@@ -52,7 +52,7 @@ async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.Code
     uri = action.data["uri"] if isinstance(action.data, dict) else ""
 
     def edit(view: RequestContext) -> types.WorkspaceEdit | None:
-        edits = all_safe(view)
+        edits = safe_edits(view)
         return workspace_edit(edits, view.places, versioned=server.versioned) if edits else None
 
     action.edit = await server.consult(uri, edit)
@@ -81,7 +81,7 @@ def _quick_fixes(
 def _fixes(
     server: KinlintServer, view: RequestContext, findings: Sequence[Finding]
 ) -> Iterator[types.CodeAction]:
-    for finding, fixes in remedies(view, findings):
+    for finding, fixes in fixes_of(view, findings):
         preferred = next((one for one in fixes if one.applicability is Applicability.SAFE), None)
         for fix in fixes:
             safe = fix.applicability is Applicability.SAFE
@@ -106,7 +106,7 @@ def _ignores(
     for finding in findings[:MOST]:
         try:
             edits = generator.suppression([finding]).text_edits
-        except Unsayable:
+        except NotExpressible:
             continue
         yield types.CodeAction(
             title=f"kinlint ({finding.rule.code}): Ignore {finding.rule.code} here",

@@ -7,10 +7,10 @@ from functools import partial
 
 from lsprotocol import types
 
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
-from kinlint.server.quick_fixes import remedies
+from kinlint.server.quick_fixes import fixes_of
 from kinlint.server.request_context import RequestContext
 
 MEND = "kinlint.applyAutofix"
@@ -36,8 +36,8 @@ def register(server: KinlintServer) -> None:
 
 def _command(uri: str, view: RequestContext) -> types.Command:
     """Return the title of the line and its command, which makes the safe fixes if there are any."""
-    title = counted(len(view.findings), "finding", "findings")
-    offered = [fixes for _, fixes in remedies(view, view.findings)]
+    title = plural(len(view.findings), "finding", "findings")
+    offered = [fixes for _, fixes in fixes_of(view, view.findings)]
     safe = any(fix.applicability is Applicability.SAFE for each in offered for fix in each)
     if offered:
         title += f", {len(offered)} fixable"

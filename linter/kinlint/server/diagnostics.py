@@ -30,7 +30,7 @@ SEVERITIES = {
 
 
 @dataclass(frozen=True)
-class Told:
+class FileDiagnostics:
     """The diagnostics of one file, with its text; `version` is that of the open buffer."""
 
     items: tuple[types.Diagnostic, ...] = ()
@@ -43,7 +43,9 @@ class Told:
         return hashlib.sha256(repr(self.items).encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
-def told(session: Session, places: Places, *, related: bool) -> Mapping[Path, Told]:
+def diagnostics_by_file(
+    session: Session, places: Places, *, related: bool
+) -> Mapping[Path, FileDiagnostics]:
     """The diagnostics of each file of the model of *session*, or that it reads along.
 
     With *related* places, if the client can show them.
@@ -65,10 +67,10 @@ def told(session: Session, places: Places, *, related: bool) -> Mapping[Path, To
             )
     for error in errors:
         path = places.path(error.name)
-        items.setdefault(path, []).append(unreadable(error, texts.get(path), places))
+        items.setdefault(path, []).append(error_diagnostic(error, texts.get(path), places))
     beside = {places.path(source.name) for source in session.model.beside}
     return {
-        path: Told(tuple(items.get(path, ())), texts.get(path), _version(places, path))
+        path: FileDiagnostics(tuple(items.get(path, ())), texts.get(path), _version(places, path))
         for path in dict.fromkeys((*session.model.paths.values(), *texts, *items))
         if path not in beside
     }
@@ -98,7 +100,9 @@ def diagnostic(
     )
 
 
-def unreadable(error: SourceError, source: SourceText | None, places: Places) -> types.Diagnostic:
+def error_diagnostic(
+    error: SourceError, source: SourceText | None, places: Places
+) -> types.Diagnostic:
     """The reason that a file cannot be read, where it is known, else at its beginning."""
     source = source or SourceText(error.name, "")
     line = min(max(error.line or 1, 1), len(source.line_starts))
@@ -115,7 +119,7 @@ def unreadable(error: SourceError, source: SourceText | None, places: Places) ->
 def _advice(finding: Finding, examination: Examination) -> str:
     """Return the title of the preferred repair if it needs no computed fix, else ""."""
     for repair in finding.rule.repairs[:1]:
-        title = examination.account.filled(repair.title, finding)
+        title = examination.builder.filled(repair.title, finding)
         return "" if "''" in title else title
     return ""
 

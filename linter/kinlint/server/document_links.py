@@ -10,7 +10,7 @@ from kinlint.navigation.file_links import Link
 from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import uri_of
-from kinlint.server.navigators import ask
+from kinlint.server.navigators import ask_navigator
 from kinlint.server.request_context import RequestContext
 
 
@@ -25,7 +25,7 @@ def register(server: KinlintServer) -> None:
                 for each in navigator.links(view.source.name)
             ]
 
-        return await ask(server, params.text_document.uri, found)
+        return await ask_navigator(server, params.text_document.uri, found)
 
 
 def _target(view: RequestContext, link: Link) -> str:

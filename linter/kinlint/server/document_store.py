@@ -10,7 +10,7 @@ from typing import TypeAlias
 from kinlint.errors import SourceError
 from kinlint.files.pathname import real
 from kinlint.project.discovery import Input
-from kinlint.project.reading import text_of
+from kinlint.project.reading import read_source
 from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText
 
@@ -60,7 +60,7 @@ class DocumentStore:
 
 def _read(one: Input) -> SourceText | SourceError:
     try:
-        return text_of(one)
+        return read_source(one)
     except SourceError as error:
         return error
 

@@ -9,7 +9,7 @@ from lsprotocol import types
 from kinlint.navigation.navigator import Navigator
 from kinlint.navigation.outline import Sort, Symbol
 from kinlint.server.app import KinlintServer
-from kinlint.server.navigators import ask
+from kinlint.server.navigators import ask_navigator
 from kinlint.server.request_context import RequestContext
 
 KINDS = {
@@ -34,8 +34,8 @@ def register(server: KinlintServer) -> None:
         known = server.client_capabilities.text_document
         nested = known.document_symbol if known else None
         if nested and nested.hierarchical_document_symbol_support:
-            return await ask(server, uri, _tree)
-        return await ask(server, uri, _list)
+            return await ask_navigator(server, uri, _tree)
+        return await ask_navigator(server, uri, _list)
 
 
 def _tree(view: RequestContext, navigator: Navigator) -> Sequence[types.DocumentSymbol]:

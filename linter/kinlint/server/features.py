@@ -20,7 +20,7 @@ FEATURES = (
 """Modules whose `register(server)` adds what they have."""
 
 
-def made() -> KinlintServer:
+def create_server() -> KinlintServer:
     """A server with all features."""
     server = KinlintServer()
     for name in FEATURES:

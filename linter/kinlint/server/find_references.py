@@ -9,7 +9,7 @@ from lsprotocol import types
 from kinlint.navigation.navigator import Navigator
 from kinlint.navigation.occurrence import Role
 from kinlint.server.app import KinlintServer
-from kinlint.server.navigators import ask
+from kinlint.server.navigators import ask_navigator
 from kinlint.server.request_context import RequestContext
 from kinlint.text import Location
 
@@ -28,7 +28,7 @@ def register(server: KinlintServer) -> None:
             name, offset = view.source.name, view.offset(params.position)
             return _locations(view, navigator.definitions(name, offset))
 
-        return await ask(server, params.text_document.uri, places)
+        return await ask_navigator(server, params.text_document.uri, places)
 
     @server.feature(types.TEXT_DOCUMENT_REFERENCES)
     async def references(params: types.ReferenceParams) -> Sequence[types.Location] | None:
@@ -38,7 +38,7 @@ def register(server: KinlintServer) -> None:
             name, offset = view.source.name, view.offset(params.position)
             return _locations(view, navigator.references(name, offset, described=described))
 
-        return await ask(server, params.text_document.uri, places)
+        return await ask_navigator(server, params.text_document.uri, places)
 
     @server.feature(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
     async def highlights(
@@ -51,7 +51,7 @@ def register(server: KinlintServer) -> None:
                 for each in found
             ]
 
-        return await ask(server, params.text_document.uri, places)
+        return await ask_navigator(server, params.text_document.uri, places)
 
 
 def _locations(view: RequestContext, places: Iterable[Location]) -> list[types.Location]:

@@ -6,7 +6,7 @@ from lsprotocol import types
 
 from kinlint.navigation.navigator import Navigator
 from kinlint.server.app import KinlintServer
-from kinlint.server.navigators import ask
+from kinlint.server.navigators import ask_navigator
 from kinlint.server.request_context import RequestContext
 
 
@@ -29,4 +29,4 @@ def register(server: KinlintServer) -> None:
             page = types.MarkupContent(kind(), found.markdown)
             return types.Hover(page, view.range(found.span))
 
-        return await ask(server, params.text_document.uri, shown)
+        return await ask_navigator(server, params.text_document.uri, shown)

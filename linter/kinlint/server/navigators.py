@@ -21,7 +21,7 @@ class Navigators:
     def __init__(self) -> None:
         self._kept: list[tuple[Examination, Navigator]] = []
 
-    def of(self, view: RequestContext) -> Navigator:
+    def navigator(self, view: RequestContext) -> Navigator:
         """The navigator of the model of *view*."""
         for examination, navigator in self._kept:
             if examination is view.examination:
@@ -31,11 +31,11 @@ class Navigators:
         return made
 
 
-async def ask(
+async def ask_navigator(
     server: KinlintServer, uri: str, question: Callable[[RequestContext, Navigator], T]
 ) -> T | None:
     """Return the answer of *question* for the text *uri*; None if that is part of no model."""
-    return await server.consult(uri, lambda view: question(view, _NAVIGATORS.of(view)))
+    return await server.consult(uri, lambda view: question(view, _NAVIGATORS.navigator(view)))
 
 
 _NAVIGATORS = Navigators()

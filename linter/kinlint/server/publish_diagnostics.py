@@ -8,7 +8,7 @@ from pathlib import Path
 from lsprotocol import types
 
 from kinlint.server.app import KinlintServer
-from kinlint.server.diagnostics import Told
+from kinlint.server.diagnostics import FileDiagnostics
 
 
 def register(server: KinlintServer) -> None:
@@ -37,7 +37,7 @@ class Publisher:
 
     def _publish(self, path: Path) -> None:
         buffers = self.server.buffers
-        uri, buffer, told = buffers.uri(path), buffers.at(path), self._told(path)
+        uri, buffer, told = buffers.uri(path), buffers.at_path(path), self._told(path)
         if buffer is not None and told.source not in (None, buffer.source):
             return  # There is a newer text, which is being examined.
         version = None if buffer is None else buffer.version
@@ -51,8 +51,8 @@ class Publisher:
             types.PublishDiagnosticsParams(uri, list(told.items), version)
         )
 
-    def _told(self, path: Path) -> Told:
+    def _told(self, path: Path) -> FileDiagnostics:
         """Return the diagnostics to publish of the file at *path*."""
         models = self.server.told.get(path, {})
         open_ = (each.path in key for key in models for each in self.server.buffers)
-        return self.server.about(path) if any(open_) else Told()
+        return self.server.diagnostics(path) if any(open_) else FileDiagnostics()

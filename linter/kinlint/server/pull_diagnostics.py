@@ -9,7 +9,7 @@ from lsprotocol import types
 
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
-from kinlint.server.diagnostics import Told
+from kinlint.server.diagnostics import FileDiagnostics
 
 
 def register(server: KinlintServer) -> None:
@@ -23,8 +23,8 @@ def register(server: KinlintServer) -> None:
     )
     async def pull(params: types.DocumentDiagnosticParams) -> types.DocumentDiagnosticReport:
         path = path_of(params.text_document.uri)
-        await server.fresh(path)
-        told = server.about(path)
+        await server.wait_until_settled(path)
+        told = server.diagnostics(path)
         answered[path] = told.result_id, _version(server, path)
         if told.result_id == params.previous_result_id:
             return types.RelatedUnchangedDocumentDiagnosticReport(told.result_id)
@@ -33,9 +33,9 @@ def register(server: KinlintServer) -> None:
     @server.feature(types.WORKSPACE_DIAGNOSTIC)
     async def pull_all(params: types.WorkspaceDiagnosticParams) -> types.WorkspaceDiagnosticReport:
         before = {each.uri: each.value for each in params.previous_result_ids}
-        await server.fresh(None)
+        await server.wait_until_settled(None)
         items = [
-            _report(server.buffers.uri(path), server.about(path), before)
+            _report(server.buffers.uri(path), server.diagnostics(path), before)
             for path in sorted(server.told)
         ]
         items += [
@@ -51,7 +51,9 @@ def register(server: KinlintServer) -> None:
         """Have the client ask again for files that it does not know to have changed."""
         for path in paths.intersection(answered):
             result_id, version = answered[path]
-            if result_id != server.about(path).result_id and version == _version(server, path):
+            if result_id != server.diagnostics(path).result_id and version == _version(
+                server, path
+            ):
                 answered.clear()
                 asyncio.ensure_future(_refresh(server))  # noqa: RUF006  nothing depends on its end
                 return
@@ -62,7 +64,7 @@ def register(server: KinlintServer) -> None:
 
 
 def _version(server: KinlintServer, path: Path) -> int | None:
-    buffer = server.buffers.at(path)
+    buffer = server.buffers.at_path(path)
     return None if buffer is None else buffer.version
 
 
@@ -74,7 +76,7 @@ async def _refresh(server: KinlintServer) -> None:
 
 
 def _report(
-    uri: str, told: Told, before: dict[str, str]
+    uri: str, told: FileDiagnostics, before: dict[str, str]
 ) -> types.WorkspaceFullDocumentDiagnosticReport | types.WorkspaceUnchangedDocumentDiagnosticReport:
     if before.get(uri) == told.result_id:
         return types.WorkspaceUnchangedDocumentDiagnosticReport(uri, told.result_id, told.version)

@@ -6,51 +6,51 @@ from collections.abc import Iterable, Sequence
 
 from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.fixes.fix_generator import FixGenerator
-from kinlint.fixes.offers import offers
-from kinlint.fixes.rounds import mended
+from kinlint.fixes.offers import offer_fixes
+from kinlint.fixes.rounds import fix_in_rounds
 from kinlint.rule import Applicability
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.request_context import RequestContext
-from kinlint.server.session import named
+from kinlint.server.session import finding_key
 from kinlint.server.workspace_edit import difference
 
 MOST = 100
 """Number of findings for which fixes are computed at once; each fix is tried."""
 
 
-def remedies(
+def fixes_of(
     view: RequestContext, findings: Iterable[Finding]
 ) -> list[tuple[Finding, tuple[Fix, ...]]]:
     """The fixes that are offered for *findings* of *view*, as `kinlint` offers them."""
     asked = [each for each in findings if each.rule.repairs][:MOST]
     known = view.session.fixes
-    missing = {named(each) for each in asked} - known.keys()
+    missing = {finding_key(each) for each in asked} - known.keys()
     if missing:
         phases = CancellablePhases(view.cancelled)
 
         def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
-            return [each for each in found if named(each) in missing]
+            return [each for each in found if finding_key(each) in missing]
 
         examination = view.session.repairing(phases)
-        made = offers(
+        made = offer_fixes(
             FixGenerator(examination, view.session.texts, view.settings, view.rulebook),
             least=Applicability.UNSAFE,
             wanted=wanted,
             phases=phases,
         )
         known.update(dict.fromkeys(missing, ()))
-        known.update({named(each): each.fixes for each in wanted(made.report.findings)})
-    return [(each, known[named(each)]) for each in asked if known[named(each)]]
+        known.update({finding_key(each): each.fixes for each in wanted(made.report.findings)})
+    return [(each, known[finding_key(each)]) for each in asked if known[finding_key(each)]]
 
 
-def all_safe(view: RequestContext) -> list[TextEdit]:
+def safe_edits(view: RequestContext) -> list[TextEdit]:
     """The edits that make all safe fixes of what was found in the file of *view*."""
 
     def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
         return [each for each in found if each.location.source.name == view.source.name]
 
     texts, model = view.session.texts, view.session.model
-    outcome = mended(
+    outcome = fix_in_rounds(
         texts.given,
         model.errors,
         view.settings,

@@ -47,7 +47,7 @@ class Places:
         buffer = self.buffer(name)
         return uri_of(self.path(name)) if buffer is None else buffer.uri
 
-    def measure(self, source: SourceText) -> PositionCodec:
+    def codec(self, source: SourceText) -> PositionCodec:
         """The measure of *source*."""
         known = self._measures.get(source.name)
         if known is None or known[0] is not source:
@@ -59,7 +59,7 @@ class Places:
 
     def range(self, place: Location) -> types.Range:
         """Convert *place* to a range in its file."""
-        return self.measure(place.source).range(place.span)
+        return self.codec(place.source).range(place.span)
 
     def location(self, place: Location) -> types.Location:
         """Convert *place* to a location."""
@@ -70,7 +70,7 @@ class Places:
 class RequestContext:
     """A file, and what was found in the model of which it is a part.
 
-    Only where a view is handed out by `consult`, and only there, the store and the account of the
+    Only where a view is handed out by `consult`, and only there, the store and the builder of the
     examination may be asked. What takes long asks now and then whether it is `cancelled`, since
     something changed, and raises `Cancelled` then: it is begun again with the newest text.
     """
@@ -105,15 +105,15 @@ class RequestContext:
 
     def offset(self, position: types.Position) -> int:
         """The offset in the text of this file."""
-        return self.places.measure(self.source).offset(position)
+        return self.places.codec(self.source).offset(position)
 
     def span(self, place: types.Range) -> Span:
         """The span in the text of this file."""
-        return self.places.measure(self.source).span(place)
+        return self.places.codec(self.source).span(place)
 
     def range(self, span: Span) -> types.Range:
         """Convert *span* of this file to a range."""
-        return self.places.measure(self.source).range(span)
+        return self.places.codec(self.source).range(span)
 
     def location(self, place: Location) -> types.Location:
         """Convert *place*, in any file of the model, to a location."""

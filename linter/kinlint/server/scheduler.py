@@ -47,7 +47,7 @@ class Scheduler:
         for each in self._waiting:
             each.cancel()
 
-    async def fresh(self, path: Path | None) -> None:
+    async def wait_until_settled(self, path: Path | None) -> None:
         """Come back when all that is to know of the file at *path* is known; None is of all files.
 
         What changes meanwhile is waited for, too.

@@ -128,7 +128,7 @@ class Session:
         self.fixes.clear()
         try:
             if self._incremental is None:
-                Policies(model.settings, book.rules).check()
+                Policies(model.settings, book.rules).check_selectors()
                 self._incremental, self.fresh_cache = (
                     IncrementalAnalyzer(model.settings, book),
                     True,
@@ -187,7 +187,7 @@ class Session:
         return Texts([*self.model.sources, *self.model.beside], changed=self._overlay)
 
 
-def named(finding: Finding) -> Named:
+def finding_key(finding: Finding) -> Named:
     """Return the key that equal findings of two analyses share."""
     place = finding.location
     return finding.rule.code, place.source.name, place.span, finding.message

@@ -28,7 +28,7 @@ def register(server: KinlintServer) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_SAVE)
     def saved(params: types.DidSaveTextDocumentParams) -> None:
         if (buffer := server.buffers.get(params.text_document.uri)) is not None:
-            server.buffers.put(buffer.kept())
+            server.buffers.put(buffer.as_saved())
         server.changed(params.text_document.uri, disk=True)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)

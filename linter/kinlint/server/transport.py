@@ -6,7 +6,7 @@ import os
 import sys
 
 from kinlint.server.app import KinlintServer
-from kinlint.server.features import made
+from kinlint.server.features import create_server
 
 HOST = "127.0.0.1"
 PATIENCE = 5.0
@@ -18,14 +18,14 @@ def on_standard_streams() -> int:
     sys.stdout.flush()
     protocol = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    server = made()
+    server = create_server()
     server.start_io(sys.stdin.buffer, protocol)
     return _ended(server)
 
 
 def on_port(port: int) -> int:
     """Serve one client at *port* of this machine, to look at what is said."""
-    server = made()
+    server = create_server()
     server.start_tcp(HOST, port)
     return _ended(server)
 

@@ -14,7 +14,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
 from kinlint.pipeline.analyzer import Cancelled
-from kinlint.server.diagnostics import Told, told
+from kinlint.server.diagnostics import FileDiagnostics, diagnostics_by_file
 from kinlint.server.document_store import DocumentStore, stamps
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.request_context import Places, RequestContext
@@ -39,7 +39,7 @@ class Step:
 
     generation: int
     key: frozenset[Path] = frozenset()
-    found: Mapping[Path, Told] = field(default_factory=dict)
+    found: Mapping[Path, FileDiagnostics] = field(default_factory=dict)
     done: bool = False
     fresh: frozenset[Path] = frozenset()
     models: Mapping[frozenset[Path], Model] = field(default_factory=dict)
@@ -89,7 +89,7 @@ class Workspace:
                 faults.append(format_exc())
                 shown = self._sessions[model.key]
             self._blamed.pop(model.key, None)
-            found = told(shown, self._places(shown, snapshot), related=self._related)
+            found = diagnostics_by_file(shown, self._places(shown, snapshot), related=self._related)
             if urgency == _LAST:
                 shown.release()
             fresh |= shown.model.key | shown.outside.keys()
@@ -114,7 +114,7 @@ class Workspace:
     def _step(
         self,
         key: frozenset[Path],
-        found: Mapping[Path, Told],
+        found: Mapping[Path, FileDiagnostics],
         fresh: Collection[Path],
         faults: Sequence[str],
     ) -> Step:

@@ -73,5 +73,5 @@ def _state(server: KinlintServer) -> Iterator[str]:
     yield from (f"folder: {root}" for root in server.roots)
     yield from (f"open: {one.uri}, version {one.version}" for one in server.buffers)
     yield f"settings: {server.preferences}"
-    told = sum(bool(server.about(path).items) for path in server.told)
+    told = sum(bool(server.diagnostics(path).items) for path in server.told)
     yield f"files with diagnostics: {told} of {len(server.told)}"

@@ -58,7 +58,7 @@ class WorkspaceFolder:
         self._tied: dict[str, tuple[SourceText, JoinKeys]] = {}
         self._found: list[Input] = []
         if not loose:
-            found = Search(self._layers.excluding).find([str(directory)])
+            found = Search(self._layers.exclusions).find([str(directory)])
             self._found = [
                 one for one in found.inputs if one.path and self._own(one.path, snapshot)
             ]
@@ -76,7 +76,7 @@ class WorkspaceFolder:
                 yield Input(shown(path), path, named=False)
 
     def _excluded(self, path: Path) -> bool:
-        return any(pattern.covers(path) for pattern in self._layers.excluding(path.parent))
+        return any(pattern.covers(path) for pattern in self._layers.exclusions(path.parent))
 
     def models(self, documents: DocumentStore) -> Iterator[Model]:
         """The models, as the files are now. Raises `UsageError` for a wrong configuration."""

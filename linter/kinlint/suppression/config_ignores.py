@@ -11,7 +11,7 @@ from kinlint.configuration.settings import Ignore
 from kinlint.finding import Finding
 from kinlint.rule import Rule
 from kinlint.suppression import json_pointer
-from kinlint.suppression.diagnostics import UNUSED, filled
+from kinlint.suppression.diagnostics import UNUSED, fill_message
 from kinlint.terms import iri
 from kinlint.text import Location, Span
 
@@ -29,7 +29,7 @@ class ConfigIgnores:
         out = []
         for finding in findings:
             name = finding.location.source.name
-            for ignore in self.policies.settings.of(name).ignores:
+            for ignore in self.policies.settings.for_file(name).ignores:
                 selector = self._selector(ignore, finding)
                 if finding.suppressed is None and selector is not None:
                     self._used.add((ignore, selector))
@@ -46,7 +46,7 @@ class ConfigIgnores:
         """
         governed: dict[Ignore, list[str]] = {}
         for name in files:
-            for ignore in self.policies.settings.of(name).ignores:
+            for ignore in self.policies.settings.for_file(name).ignores:
                 if ignore.iri is not None or ignore.pointer is not None:
                     governed.setdefault(ignore, []).append(name)
         for ignore, names in governed.items():
@@ -56,7 +56,9 @@ class ConfigIgnores:
                 if ignore.place is None or not known or (ignore, selector) in self._used:
                     continue
                 if UNUSED in rules:
-                    yield from self.policies.judged([_finding(rules[UNUSED], ignore, selector)])
+                    yield from self.policies.apply_severities(
+                        [_finding(rules[UNUSED], ignore, selector)]
+                    )
 
     def _selector(self, ignore: Ignore, finding: Finding) -> str | None:
         """The selector of *ignore* that silences *finding*, if one does."""
@@ -94,7 +96,7 @@ class ConfigIgnores:
 
 def _finding(rule: Rule, ignore: Ignore, selector: str) -> Finding:
     assert ignore.place is not None
-    message, template, arguments = filled(rule, {"rule": selector, "place": ignore.key})
+    message, template, arguments = fill_message(rule, {"rule": selector, "place": ignore.key})
     return Finding(
         rule=rule,
         severity=rule.severity,

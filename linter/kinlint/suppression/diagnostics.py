@@ -49,16 +49,19 @@ def faults(
             yield SuppressionFault(EXPIRED, one, named | {key: one.until})
         elif one not in used and _could_be_used(one, policies):
             yield SuppressionFault(UNUSED, one, named)
-        if one.reason is None and policies.settings.of(one.document.source.name).require_reason:
+        if (
+            one.reason is None
+            and policies.settings.for_file(one.document.source.name).require_reason
+        ):
             yield SuppressionFault(UNREASONED, one, named)
 
 
-def reported(fault: SuppressionFault, rules: Mapping[str, Rule]) -> Finding | None:
+def fault_finding(fault: SuppressionFault, rules: Mapping[str, Rule]) -> Finding | None:
     """The finding that states *fault*; None if the catalogue lacks its rule."""
     rule = rules.get(fault.rule)
     if rule is None:
         return None
-    message, template, arguments = filled(rule, fault.values)
+    message, template, arguments = fill_message(rule, fault.values)
     one = fault.directive
     return Finding(
         rule=rule,
@@ -74,7 +77,7 @@ def reported(fault: SuppressionFault, rules: Mapping[str, Rule]) -> Finding | No
     )
 
 
-def filled(rule: Rule, values: Mapping[str, str]) -> tuple[str, str, tuple[str, ...]]:
+def fill_message(rule: Rule, values: Mapping[str, str]) -> tuple[str, str, tuple[str, ...]]:
     """The message of *rule* that says most of *values*, its template, and what fills that."""
     template = _template(rule, values)
     names = dict.fromkeys(PLACEHOLDER.findall(template))

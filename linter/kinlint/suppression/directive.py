@@ -60,7 +60,7 @@ class Directive:
         return not self.codes.isdisjoint(codes)
 
     @property
-    def excuse(self) -> str:
+    def justification(self) -> str:
         """Why a finding is silent: the reason given, or where it is ignored."""
         place = self.document.location(self.span)
         return self.reason or f"kl:ignore at {place.source.name}:{place.start.line}"

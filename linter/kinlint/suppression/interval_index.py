@@ -24,7 +24,7 @@ class IntervalIndex(Generic[T]):
     contents: Sequence[T]
 
     @classmethod
-    def of(cls, found: Iterable[tuple[Span, T]]) -> IntervalIndex[T]:
+    def from_spans(cls, found: Iterable[tuple[Span, T]]) -> IntervalIndex[T]:
         """The nest of all that is *found*."""
         ordered = sorted(found, key=lambda pair: (pair[0].start, -pair[0].end))
         spans = [span for span, _ in ordered]
@@ -36,7 +36,7 @@ class IntervalIndex(Generic[T]):
             outer.append(around)
         return cls(spans, outer, [one for _, one in ordered])
 
-    def around(self, place: Span) -> Iterator[T]:
+    def containing(self, place: Span) -> Iterator[T]:
         """Yield the contents of all intervals that contain *place*, the innermost first."""
         at = bisect_right(self.spans, place.start, key=lambda span: span.start) - 1
         while at >= 0:

@@ -17,15 +17,15 @@ class SuppressionScopes:
     nests: dict[str, IntervalIndex[Directive]]
 
     @classmethod
-    def of(cls, directives: Iterable[Directive]) -> SuppressionScopes:
+    def from_directives(cls, directives: Iterable[Directive]) -> SuppressionScopes:
         """Index the *directives* that have an extent."""
         files: dict[str, list[tuple[Span, Directive]]] = {}
         for one in directives:
             if one.extent is not None and not one.whole_file:
                 files.setdefault(one.extent.source.name, []).append((one.extent.span, one))
-        return cls({name: IntervalIndex.of(found) for name, found in files.items()})
+        return cls({name: IntervalIndex.from_spans(found) for name, found in files.items()})
 
-    def around(self, place: Location) -> Iterator[Directive]:
+    def covering(self, place: Location) -> Iterator[Directive]:
         """The directives whose extent *place* lies in, the innermost first."""
         nest = self.nests.get(place.source.name)
-        return iter(()) if nest is None else nest.around(place.span)
+        return iter(()) if nest is None else nest.containing(place.span)

@@ -17,7 +17,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.finding import Finding
 from kinlint.suppression.config_ignores import ConfigIgnores
-from kinlint.suppression.diagnostics import FAULTS, UNUSED, SuppressionFault, faults, reported
+from kinlint.suppression.diagnostics import FAULTS, UNUSED, SuppressionFault, fault_finding, faults
 from kinlint.suppression.directive import Directive, directives
 from kinlint.suppression.scope import SuppressionScopes
 from kinlint.terms import Term
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from datetime import date
 
 
-def apply(
+def apply_suppressions(
     findings: Iterable[Finding],
     documents: Sequence[Document],
     policies: Policies,
@@ -36,8 +36,8 @@ def apply(
 ) -> list[Finding]:
     """The *findings*, silenced where they are to be, and those about the suppressions.
 
-    *findings* are judged already (`Policies.judged`). *complete* tells that everything was
-    read and checked; otherwise no suppression is called unused. *today* decides what
+    *findings* are judged already (`Policies.apply_severities`). *complete* tells that everything
+    was read and checked; otherwise no suppression is called unused. *today* decides what
     expired; by default it is the day of the run.
     """
     settings = policies.settings
@@ -74,11 +74,11 @@ def _own(
     own = frozenset(rules[name].code for name in FAULTS if name in rules)
     out: list[Finding] = []
     for fault in sorted(wrong, key=lambda one: one.rule == UNUSED and one.directive.names(own)):
-        finding = reported(fault, rules)
+        finding = fault_finding(fault, rules)
         if finding is None or (fault.rule == UNUSED and fault.directive in used):
             continue
         others = [one for one in stated if one is not fault.directive]
-        marked, more = _silence(policies.judged([finding]), others, about)
+        marked, more = _silence(policies.apply_severities([finding]), others, about)
         used |= more
         out += marked
     return out
@@ -95,12 +95,12 @@ def _silence(
             in_file.setdefault(one.document.location(one.span).source.name, []).append(one)
         else:
             on_node.setdefault(one.node, []).append(one)
-    within = SuppressionScopes.of(stated)
+    within = SuppressionScopes.from_directives(stated)
     for finding in findings:
         candidates = [
             *on_node.get(finding.focus, ()),
             *on_node.get(about.get(finding.focus, ""), ()),
-            *within.around(finding.location),
+            *within.covering(finding.location),
             *in_file.get(finding.location.source.name, ()),
         ]
         meant = [one for one in candidates if one.active and finding.rule.code in one.codes]

@@ -11,7 +11,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.argument_parser import Parser
 from kinlint.cli.completion import bash, fish, zsh
 from kinlint.cli.completion.grammar import SHELLS, Words, words
-from kinlint.configuration.value_kinds import unknown
+from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import UsageError
 from kinlint.project.layers import cache_directory
 
@@ -34,7 +34,7 @@ def parser() -> Parser:
         description=DESCRIPTION,
         usage=f"kinlint generate-shell-completion {'|'.join(SHELLS)}",
     )
-    made.rest("shell", "SHELL", "the shell")
+    made.add_positionals("shell", "SHELL", "the shell")
     return made
 
 
@@ -43,7 +43,7 @@ def run(arguments: Sequence[str]) -> int:
     options = parser().read(arguments)
     if len(options.shell) != 1:
         raise UsageError(f"expected one shell: {', '.join(SHELLS)}")
-    if problem := unknown(options.shell[0], SHELLS):
+    if problem := unknown_message(options.shell[0], SHELLS):
         raise UsageError(f"shell: {problem}")
     book = rulebook.load((), (), cache_directory(os.environ))
     sys.stdout.write(SCRIPTS[options.shell[0]](words(_selectors(book))))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Literal, TypeAlias
 
-from kinlint.cli.argument_parser import Parser, choices, listed
+from kinlint.cli.argument_parser import Parser, choices, comma_list
 from kinlint.cli.commands import COMMANDS
 from kinlint.configuration.keys import KEYS, TARGETS
 from kinlint.contexts.context_library import RELEASES
@@ -92,7 +92,7 @@ def _options(actions: Iterable[Action]) -> Iterator[Option]:
 
 
 def _value(action: Action) -> Value:
-    several = action.type is listed
+    several = action.type is comma_list
     if said := choices(action.type) or KNOWN.get(action.dest):
         return Value("words", tuple(said), several)
     return Value(KINDS.get(str(action.metavar), "anything"), (), several)

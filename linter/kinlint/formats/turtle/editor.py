@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.turtle.turtle_parser import Grammar
@@ -46,7 +46,7 @@ class Editor:
     def edits(self, delta: Delta) -> list[Edit]:
         """The edits after which the text says what *delta* makes of it, ascending and apart.
 
-        Raises Unsayable where it is more than the replacement of objects that are written once.
+        Raises NotExpressible where it is more than the replacement of objects written once.
         """
         coming: dict[tuple[Term, Term], list[Triple]] = {}
         for triple in delta.added:
@@ -55,16 +55,16 @@ class Editor:
         for triple in delta.removed:
             heirs = coming.pop(triple[:2], [])
             if len(heirs) != 1 or is_blank(triple[2]):
-                raise Unsayable("in Turtle only one value can take the place of another")
+                raise NotExpressible("in Turtle only one value can take the place of another")
             edits.append(self._replaced(triple, heirs[0][2]))
         if coming:
-            raise Unsayable("in Turtle nothing is added")
+            raise NotExpressible("in Turtle nothing is added")
         return sorted(edits)
 
     def _replaced(self, triple: Triple, value: Term) -> Edit:
         spans = self._spans.get(triple, [])
         if len(spans) != 1:
-            raise Unsayable("it is not written in one place")
+            raise NotExpressible("it is not written in one place")
         text = self._document.source[spans[0]]
         return Edit(spans[0], self._written(value, text, triple[1]))
 
@@ -91,9 +91,9 @@ class Editor:
         if is_iri(term):
             return self._name(iri_value(term))
         if is_blank(term):
-            raise Unsayable("in Turtle nothing is added")
+            raise NotExpressible("in Turtle nothing is added")
         if predicate == RDF_TYPE:
-            raise Unsayable("a class is no literal")
+            raise NotExpressible("a class is no literal")
         lexical, datatype = literal_value(term), literal_datatype(term)
         bare = _BARE.get(datatype)
         if bare is not None and bare.fullmatch(lexical) and "^^" not in old:

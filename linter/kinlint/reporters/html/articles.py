@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.finding import Finding, Premise
 from kinlint.report import Report
-from kinlint.reporters.display_width import folded
+from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.fixability import sign
 from kinlint.reporters.html.excerpts import excerpts
 from kinlint.reporters.html.patches import fixes
 from kinlint.reporters.html.tables import chip, rule_id
 from kinlint.reporters.picture.escape import element, text
-from kinlint.reporters.summary import counted
+from kinlint.reporters.summary import plural
 
 OPEN = 25
 """Number of findings above which all are folded."""
@@ -60,7 +60,7 @@ class Articles:
         for number, (name, group) in enumerate(groups.items(), 1):
             own = f"file-{number}"
             yield f'<section class="file" id="{own}" aria-labelledby="{own}-title">\n'
-            count = element("span", counted(len(group), "finding"), class_="count")
+            count = element("span", plural(len(group), "finding"), class_="count")
             title = f"{element('span', text(name), class_='place')} {count}"
             yield element("h3", title, id=f"{own}-title") + "\n"
             yield from map(self._article, group)
@@ -82,10 +82,10 @@ class Articles:
         for one in self.report.fixed:
             start = one.location.start
             where = f"{one.location.source.name}:{start.line}:{start.column}"
-            titles = "; ".join(folded(fix.title) for fix in one.fixes)
+            titles = "; ".join(fold_lines(fix.title) for fix in one.fixes)
             yield (
                 f"<li>{chip(one.severity)} <code>{text(one.rule.code)}</code> "
-                f"{text(folded(one.message))} {element('span', text(where), class_='place')} "
+                f"{text(fold_lines(one.message))} {element('span', text(where), class_='place')} "
                 f"{text(titles)}</li>\n"
             )
         yield "</ul>\n"
@@ -99,13 +99,13 @@ class Articles:
             tags.append("suppressed")
         head = (
             f"{chip(finding.severity)} <code>{text(rule.code)}</code> "
-            f'<span class="message">{text(folded(finding.message))}</span> '
+            f'<span class="message">{text(fold_lines(finding.message))}</span> '
             f'<span class="place">{start.line}:{start.column}</span> '
             + "".join(element("span", text(tag), class_="tag") for tag in tags)
         )
         parts = [*excerpts(finding), *_because(finding.because), *fixes(finding)]
         if finding.suppressed is not None:
-            parts.append(element("p", f"Suppressed: {text(folded(finding.suppressed))}"))
+            parts.append(element("p", f"Suppressed: {text(fold_lines(finding.suppressed))}"))
         about = element("code", text(finding.entity))
         parts.append(
             f'<p class="more">About {about}. '
@@ -129,10 +129,10 @@ def _because(premises: Sequence[Premise]) -> Iterator[str]:
         return
     items = []
     for premise in premises[:PREMISES]:
-        said = text(folded(premise.statement))
+        said = text(fold_lines(premise.statement))
         if premise.axiom:
             said += f' <span class="note">{"" if premise.computed else "inferred: "}'
-            said += f"{text(folded(premise.axiom))}</span>"
+            said += f"{text(fold_lines(premise.axiom))}</span>"
         if premise.location is not None:
             name, line = premise.location.source.name, premise.location.start.line
             said += f" {element('span', text(f'{name}:{line}'), class_='place')}"

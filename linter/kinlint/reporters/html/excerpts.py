@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kinlint.finding import Finding
-from kinlint.reporters.display_width import folded
+from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.excerpt import CONTEXT_LINES, Cut, Mark, bounds, cut
 from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.terminal_style import Style
@@ -87,7 +87,7 @@ def _line(source: SourceText, number: int, marks: Sequence[Mark], finding: Findi
         content += element("mark", text(source.text[start:end]) or " ", class_=kind)
         at = end
     content += text(source.text[at : part.end]) + ("…" if part.after else "")
-    notes = "; ".join(folded(mark.label) for mark in marks if mark.label)
+    notes = "; ".join(fold_lines(mark.label) for mark in marks if mark.label)
     note = element("span", f"  {text(notes)}", class_="note") if notes else ""
     return f'<span class="no">{number:>4}</span> {content}{note}\n'
 

@@ -15,7 +15,7 @@ from kinlint.reporters.html.tables import tables
 from kinlint.reporters.picture import svg
 from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.picture.finding_badges import sign
-from kinlint.reporters.summary import counted, verdict
+from kinlint.reporters.summary import plural, verdict
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
 
@@ -64,7 +64,7 @@ def _digest(part: str) -> str:
 
 def _title(report: Report) -> str:
     if report.open:
-        return counted(len(report.open), "finding")
+        return plural(len(report.open), "finding")
     return "files could not be read" if report.errors else "no findings"
 
 
@@ -109,7 +109,10 @@ def _footer(report: Report) -> str:
         ("Version", f"kinlint {report.version}"),
         ("Rule set", report.catalogue or "not kept"),
         ("Rules", f"{report.applied:,} applied"),
-        ("Read", f"{counted(len(report.files), 'file')}, {counted(report.triples, 'triple')}"),
+        (
+            "Read",
+            f"{plural(len(report.files), 'file')}, {plural(report.triples, 'triple')}",
+        ),
     ]
     content = "".join(f"<dt>{name}</dt><dd>{text(value)}</dd>" for name, value in rows)
     return f"<footer>\n<dl>{content}</dl>\n</footer>\n"

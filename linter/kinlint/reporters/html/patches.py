@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from kinlint.finding import Finding, Fix
 from kinlint.reporters.diff import NO_LINE_END
-from kinlint.reporters.display_width import folded, shown
-from kinlint.reporters.hunk import Hunk, edits_of, hunks
+from kinlint.reporters.display_width import fold_lines, printable
+from kinlint.reporters.hunk import Hunk, edits_by_source, hunks
 from kinlint.reporters.picture.escape import element, text
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
@@ -24,15 +24,15 @@ def fixes(finding: Finding) -> Iterator[str]:
     """Yield the fixes of *finding* with their patches, which can be copied where they are exact."""
     for fix in finding.fixes:
         kind = element("span", KINDS[fix.applicability], class_="tag")
-        why = element("p", text(folded(fix.why)), class_="note") if fix.why else ""
+        why = element("p", text(fold_lines(fix.why)), class_="note") if fix.why else ""
         patch = element("pre", "".join(_lines(fix)), class_="diff", tabindex="0")
         button = COPY if _exact(fix) else ""
-        yield f"<h4>{text(folded(fix.title))} {kind}</h4>{why}"
+        yield f"<h4>{text(fold_lines(fix.title))} {kind}</h4>{why}"
         yield f'<div class="patch">{button}{patch}</div>'
 
 
 def _lines(fix: Fix) -> Iterator[str]:
-    for source, edits in edits_of(fix):
+    for source, edits in edits_by_source(fix):
         name = text(source.name)
         yield f'<span class="head">--- {name}</span>\n<span class="head">+++ {name}</span>\n'
         for hunk in hunks(source, edits):
@@ -63,12 +63,12 @@ def _code(line: str) -> str:
 
 def _exact(fix: Fix) -> bool:
     """Tell whether the patch equals the fix: no line is cut, ends in CR or has to be escaped."""
-    for source, edits in edits_of(fix):
+    for source, edits in edits_by_source(fix):
         if "\r" in source.text:
             return False
         for hunk in hunks(source, edits):
             lines = (*hunk.removed, *hunk.added)
-            if any(shown(part) != part for line in lines for part in line.split("\t")):
+            if any(printable(part) != part for line in lines for part in line.split("\t")):
                 return False
             if any(source.line(hunk.old + at) != line for at, line in enumerate(hunk.removed)):
                 return False

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from kinlint.finding import Finding
-from kinlint.reporters.display_width import shown, width
+from kinlint.reporters.display_width import printable, width
 from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import limits, mimics, origin
 from kinlint.structure import Frame, Joint, Link, Structure
@@ -85,7 +85,7 @@ def span(text: str, size: float) -> float:
 
 def cut(text: str) -> str:
     """Return *text* in printable characters, its middle left out if it is very long."""
-    text = shown(text)
+    text = printable(text)
     return text if len(text) <= LONGEST else f"{text[: LONGEST - TAIL - 1]}…{text[-TAIL:]}"
 
 

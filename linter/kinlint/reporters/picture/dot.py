@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.picture.finding_badges import Marks, badge
 from kinlint.reporters.picture.labels import heading, limits, mimics, origin
 from kinlint.reporters.terminal_style import Style
@@ -107,6 +107,7 @@ def _color(found: Marks, iri: str, plain: str = "#44546a") -> str:
 def quoted(*rows: str) -> str:
     """Return *rows* as one DOT string, each centred on a line of its own."""
     text = "\\n".join(
-        shown(row).replace("&", "&amp;").replace("\\", "\\\\").replace('"', '\\"') for row in rows
+        printable(row).replace("&", "&amp;").replace("\\", "\\\\").replace('"', '\\"')
+        for row in rows
     )
     return f'"{text}"'

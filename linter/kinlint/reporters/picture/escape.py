@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 
 
 def text(value: str) -> str:
@@ -12,7 +12,7 @@ def text(value: str) -> str:
 
     Characters that XML forbids, or that reorder what is read, are written as escapes.
     """
-    return escape(shown(value), quote=True)
+    return escape(printable(value), quote=True)
 
 
 def number(value: float) -> str:

@@ -113,7 +113,7 @@ def badge(found: Sequence[Finding]) -> Badge | None:
     return Badge(found[0].severity, tuple(codes[:CODES]), max(0, len(codes) - CODES))
 
 
-def told(found: Marks) -> Iterator[Finding]:
+def described_findings(found: Marks) -> Iterator[Finding]:
     """All findings that are marked in a picture, each once, in their order."""
     every = {id(one): one for each in found.values() for one in each}
     yield from sorted(every.values(), key=lambda one: one.sort_key)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kinlint.reporters.display_width import shown
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import heading, mimics, origin
 from kinlint.reporters.terminal_style import Style
@@ -110,4 +110,4 @@ def escaped(text: str) -> str:
     """Escape *text* for use in quotes: special characters become character references."""
     if len(text) > LONGEST:
         text = f"{text[: LONGEST - 20]}…{text[-19:]}"
-    return SPECIAL.sub(lambda found: f"#{ord(found[0])};", shown(text))
+    return SPECIAL.sub(lambda found: f"#{ord(found[0])};", printable(text))

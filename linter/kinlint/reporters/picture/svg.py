@@ -19,7 +19,7 @@ from kinlint.reporters.picture.boxes import (
 )
 from kinlint.reporters.picture.edges import edges, loops
 from kinlint.reporters.picture.escape import attributes, element, empty, number, text
-from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, sign, told
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, described_findings, sign
 from kinlint.reporters.picture.labels import heading
 from kinlint.reporters.picture.placement import MARGIN, Place, layout
 from kinlint.reporters.terminal_style import Style
@@ -229,7 +229,7 @@ def _badge(
 
 def _listing(found: Marks) -> tuple[str, float, float]:
     """Return the findings of a robot as lines, and the width and height of all."""
-    every = list(told(found))
+    every = list(described_findings(found))
     lines: list[tuple[str, str]] = []
     for one in every[:LISTED]:
         place = f"{one.location.source.name}:{one.location.start.line}"

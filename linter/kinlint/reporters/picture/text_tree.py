@@ -6,8 +6,8 @@ from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinlint.reporters.display_width import folded, shown
-from kinlint.reporters.picture.finding_badges import Marks, badge, sign, told
+from kinlint.reporters.display_width import fold_lines, printable
+from kinlint.reporters.picture.finding_badges import Marks, badge, described_findings, sign
 from kinlint.reporters.picture.labels import heading, mimics
 from kinlint.reporters.terminal_style import INK_OF, Style
 from kinlint.structure import Joint, Link, Part, Structure
@@ -48,14 +48,14 @@ def lines(
     outline = _Outline(structure, found, style, frames=frames)
     yield style.ink(_text(heading(structure), style), "strong") + outline.mark(structure.iri)
     yield from outline.trees()
-    said = list(told(found))
+    said = list(described_findings(found))
     if said:
         yield ""
     for one in said:
         start = one.location.start
-        name = shown(one.location.source.name, unicode=style.unicode)
+        name = printable(one.location.source.name, unicode=style.unicode)
         kind = f"{sign(one.severity, unicode=style.unicode)} {one.rule.code}"
-        message = folded(one.message, unicode=style.unicode)
+        message = fold_lines(one.message, unicode=style.unicode)
         yield (
             f"{style.ink(kind, INK_OF[one.severity])} {name}:{start.line}:{start.column}: {message}"
         )
@@ -157,4 +157,4 @@ class _Outline:
 def _text(text: str, style: Style) -> str:
     if not style.unicode:
         text = text.replace("×", "x")  # noqa: RUF001
-    return shown(text, unicode=style.unicode)
+    return printable(text, unicode=style.unicode)

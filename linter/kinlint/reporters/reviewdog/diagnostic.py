@@ -17,7 +17,7 @@ from kinlint.edits import Edit, applied
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
 from kinlint.reporters.excerpt import bounds
-from kinlint.reporters.hunk import edits_of
+from kinlint.reporters.hunk import edits_by_source
 from kinlint.rule import Applicability, Severity
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import KINLINT
@@ -106,7 +106,7 @@ def suggestion(fix: Fix, name: str) -> dict[str, Any] | None:
 
     That is so if it changes other files, too, or much of this one.
     """
-    changes = list(edits_of(fix))
+    changes = list(edits_by_source(fix))
     if len(changes) != 1 or changes[0][0].name != name:
         return None
     ((source, edits),) = changes

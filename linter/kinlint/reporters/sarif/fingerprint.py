@@ -15,7 +15,7 @@ class Fingerprints:
     def __init__(self) -> None:
         self._seen: Counter[str] = Counter()
 
-    def of(self, finding: Finding) -> str:
+    def fingerprint(self, finding: Finding) -> str:
         """Return the fingerprint of *finding*, with `:n` for the n-th equal one.
 
         It does not depend on the place. Two files that say the same wrong thing of the same entity

@@ -32,7 +32,7 @@ class LineHashes:
             self._starts.append(at)
         self._occurrences: list[int] = []
 
-    def of(self, line: int) -> str:
+    def line_hash(self, line: int) -> str:
         """The fingerprint of *line*, counted from one."""
         if not self._occurrences:
             seen: Counter[str] = Counter()

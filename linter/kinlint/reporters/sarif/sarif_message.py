@@ -20,7 +20,7 @@ _PLACEHOLDER = re.compile(f"'?{PLACEHOLDER.pattern}'?")
 _BRACKET = re.compile(r"(\\*)([\[\]])")
 
 
-class Message(NamedTuple):
+class SarifMessage(NamedTuple):
     """What people read, and a template that with its `arguments` says the same."""
 
     text: str
@@ -28,7 +28,7 @@ class Message(NamedTuple):
     arguments: tuple[str, ...]
 
 
-def message_of(finding: Finding) -> Message:
+def sarif_message(finding: Finding) -> SarifMessage:
     """The message of *finding*, with links to its related locations, numbered from one."""
     template, arguments = _worded(finding)
     text = f"{escaped(finding.message.removesuffix('.'))}."
@@ -41,7 +41,7 @@ def message_of(finding: Finding) -> Message:
     if links:
         text += f" See {', '.join(places)}."
         template += f" See {', '.join(links)}."
-    return Message(text, template, arguments)
+    return SarifMessage(text, template, arguments)
 
 
 def message_template(template: str) -> str:

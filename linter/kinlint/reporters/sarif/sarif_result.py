@@ -9,14 +9,14 @@ from kinlint.addresses import is_address
 from kinlint.edits import Edit
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Premise
-from kinlint.reporters.hunk import edits_of
+from kinlint.reporters.hunk import edits_by_source
 from kinlint.reporters.sarif.artifact_location import Artifacts
 from kinlint.reporters.sarif.fingerprint import Fingerprints
 from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.region import Regions
 from kinlint.reporters.sarif.rule_descriptors import LEVELS, Catalogue, taxon_references
 from kinlint.reporters.sarif.sarif_fix import anchored, fix_object
-from kinlint.reporters.sarif.sarif_message import RELATED_LOCATIONS, escaped, message_of
+from kinlint.reporters.sarif.sarif_message import RELATED_LOCATIONS, escaped, sarif_message
 from kinlint.rule import Applicability
 from kinlint.text import Location, SourceText, Span
 
@@ -40,7 +40,7 @@ class Results:
         *silenced* tells that some findings of the run are suppressed: then each must say
         whether it is (SARIF 2.1.0, 3.27.23).
         """
-        rule, message = finding.rule, message_of(finding)
+        rule, message = finding.rule, sarif_message(finding)
         result: dict[str, Any] = {
             "ruleId": rule.code,
             "ruleIndex": self._catalogue.index(rule),
@@ -52,7 +52,7 @@ class Results:
             },
             "locations": [self._main(finding)],
             "partialFingerprints": {
-                "kinlintFinding/v1": self._fingerprints.of(finding),
+                "kinlintFinding/v1": self._fingerprints.fingerprint(finding),
                 "primaryLocationLineHash": self._line_hash(finding.location),
             },
         }
@@ -86,7 +86,7 @@ class Results:
         made: list[dict[str, Any]] = []
         for fix in finding.fixes:
             if fix.applicability is not Applicability.DISPLAY:
-                changes = [self._change(source, edits) for source, edits in edits_of(fix)]
+                changes = [self._change(source, edits) for source, edits in edits_by_source(fix)]
                 made += [each for each in [fix_object(fix, changes)] if each not in made]
         return made
 
@@ -159,7 +159,7 @@ class Results:
         name = location.source.name
         if name not in self._hashes:
             self._hashes[name] = LineHashes(location.source)
-        return self._hashes[name].of(location.start.line)
+        return self._hashes[name].line_hash(location.start.line)
 
 
 def _suppressions(finding: Finding) -> list[dict[str, str]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS, Context
 from kinlint.formats.jsonld.editing.tracing import Scope, Tracing
@@ -44,7 +44,7 @@ class Compaction:
                 outer, skeleton, processor.options
             )
         except FAULTS as fault:
-            raise Unsayable("the contexts of its types cannot be combined") from fault
+            raise NotExpressible("the contexts of its types cannot be combined") from fault
         finally:
             processor.trail.pop()
         return Scope(outer, keys, types)
@@ -59,7 +59,7 @@ class Compaction:
         base = self._processor.options["base"]
         found = self._processor._expand_iri(scope.types, name, base, vocab=True)  # noqa: SLF001
         if found != iri:
-            raise Unsayable(f"no name for the type {iri} under the contexts of the file")
+            raise NotExpressible(f"no name for the type {iri} under the contexts of the file")
         return self._prefixed(scope, iri) if name == iri else name
 
     def identifier(self, context: Context, iri: str) -> str:
@@ -70,14 +70,14 @@ class Compaction:
         name = self._iri(context, iri, base=base)
         found = self._processor._expand_iri(context, name, base)  # noqa: SLF001
         if found != iri:
-            raise Unsayable(f"no way to write {iri} under the contexts of the file")
+            raise NotExpressible(f"no way to write {iri} under the contexts of the file")
         return name
 
     def _iri(self, context: Context, iri: str, **how: Any) -> str:
         try:
             return str(self._processor._compact_iri(context, iri, **how))  # noqa: SLF001
         except FAULTS as fault:
-            raise Unsayable(f"no way to write {iri} under the contexts of the file") from fault
+            raise NotExpressible(f"no way to write {iri} under the contexts of the file") from fault
 
     def member(
         self, scope: Scope, prop: str, items: list[Item], agrees: Callable[[Item], bool]
@@ -94,7 +94,7 @@ class Compaction:
             if (member := self.member_for_key(scope, key, prop, [item], agrees)) is not None
         ]
         if not found:
-            raise Unsayable(f"no term for {prop} under the contexts of the file")
+            raise NotExpressible(f"no term for {prop} under the contexts of the file")
         terms = scope.keys["mappings"]
         best = max(found, key=lambda each: (not isinstance(each.value, dict), each.key in terms))
         return best._replace(key=self._prefixed(scope, prop)) if best.key == prop else best
@@ -173,7 +173,7 @@ class Compaction:
         item = {"@id": identifier or "_:b"}
         key = self._iri(scope.keys, prop, value=item, vocab=True)
         if not self.holds_nodes(scope, key):
-            raise Unsayable(f"the term '{key}' cannot hold a node")
+            raise NotExpressible(f"the term '{key}' cannot hold a node")
         return self._prefixed(scope, prop) if key == prop else key
 
     def holds_nodes(self, scope: Scope, key: str) -> bool:

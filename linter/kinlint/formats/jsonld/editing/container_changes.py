@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from kinlint.edits import Edit, Unsayable
+from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.container_edits import Layout, Piece
 from kinlint.formats.jsonld.editing.style import Style
@@ -99,7 +99,7 @@ class Changes:
     def edits(self) -> list[Edit]:
         """The edits, ascending and apart.
 
-        Raises Unsayable where one would be within what another takes out.
+        Raises NotExpressible where one would be within what another takes out.
         """
         self._empty()
         layout = Layout(self.text, self.tree.root, self.style)
@@ -138,7 +138,7 @@ def _joined(edits: list[Edit]) -> list[Edit]:
         elif edit.span.start == last.span.end:
             joined[-1] = Edit(Span(last.span.start, edit.span.end), last.text + edit.text)
         elif edit.text:
-            raise Unsayable("what is to be said would stand in what goes")
+            raise NotExpressible("what is to be said would stand in what goes")
     return joined
 
 

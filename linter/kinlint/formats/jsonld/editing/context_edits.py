@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.container_edits import Piece
 from kinlint.formats.jsonld.editing.edit_plan import Plan
@@ -54,5 +54,5 @@ def _root(plan: Plan) -> Object:
     if isinstance(root, Array) and len(root) == 1:
         root = root[0]
     if not isinstance(root, Object):
-        raise Unsayable("the file has no outermost object to hold a context")
+        raise NotExpressible("the file has no outermost object to hold a context")
     return root

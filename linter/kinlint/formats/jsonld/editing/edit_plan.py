@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.compaction import Compaction
 from kinlint.formats.jsonld.editing.container_changes import Changes
@@ -41,13 +41,13 @@ class Plan(Goal):
     def places_of(self, triple: Triple) -> Iterator[Place]:
         """Yield the places of *triple*, except in text that is removed anyway.
 
-        Raises Unsayable where it is not the value of a key.
+        Raises NotExpressible where it is not the value of a key.
         """
         for span, place in zip(self.places.spans(triple), self.places.places(triple), strict=True):
             if self.is_cut(span):
                 continue
             if place is None:
-                raise Unsayable("it is written as a reverse property, or in a map")
+                raise NotExpressible("it is written as a reverse property, or in a map")
             yield place
 
     def is_cut(self, span: Span) -> bool:
@@ -62,7 +62,7 @@ class Plan(Goal):
         """The contexts at *element* once its types are changed."""
         scope = self._scopes.get(id(element)) or self.places.scope(element)
         if scope is None:
-            raise Unsayable("it is written in a map")
+            raise NotExpressible("it is written in a map")
         return scope
 
     def retype(self, element: Object, types: Mapping[str, Any]) -> None:
@@ -88,7 +88,7 @@ class Plan(Goal):
                 t for t in self.places.by_subject.get(node or "", ()) if t[1] == f"<{meaning}>"
             ]
             if not stated or any(triple not in self.removed for triple in stated):
-                raise Unsayable(f"with these types the key '{key}' means something else")
+                raise NotExpressible(f"with these types the key '{key}' means something else")
 
     def owner(self, node: Term, prop: Term) -> Object | None:
         """The object to say something of *node* in: one that loses a value, or the main one."""

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from kinlint.contexts.prefixes import customary
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.editing.compaction import Compaction
 from kinlint.formats.jsonld.editing.context_edits import declare_prefixes
@@ -42,13 +42,13 @@ class Editor:
     def edits(self, delta: Delta) -> list[Edit]:
         """The edits after which the text says what *delta* makes of it, ascending and apart.
 
-        Raises Unsayable where the text has no place for something, or it is not clear which.
+        Raises NotExpressible where the text has no place for something, or it is not clear which.
         """
         with undisturbed():
             try:
                 return self._edits(delta)
             except JsonLdError as fault:
-                raise Unsayable("the contexts of the file do not allow for it") from fault
+                raise NotExpressible("the contexts of the file do not allow for it") from fault
 
     def _edits(self, delta: Delta) -> list[Edit]:
         compaction = Compaction(self._places.trace.processor, self._prefixes)
@@ -78,12 +78,12 @@ def _check(plan: Plan) -> None:
     places = plan.places
     for triple in plan.removed:
         if triple not in plan.settled and not (places.spans(triple) and plan.goes(triple)):
-            raise Unsayable("what is to go is written in a way that cannot be taken out alone")
+            raise NotExpressible("what is to go is written in a way that cannot be taken out alone")
     if any(triple not in plan.said for triple in plan.added):
-        raise Unsayable("there is no place in the file for what is to be said")
+        raise NotExpressible("there is no place in the file for what is to be said")
     for cut in plan.changes.cut:
         for triple in places.within(cut):
             if triple in plan.removed or triple in plan.settled:
                 continue
             if plan.goes(triple):
-                raise Unsayable("what would go with it says more")
+                raise NotExpressible("what would go with it says more")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from difflib import SequenceMatcher
 from typing import Any
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array
 from kinlint.formats.jsonld.editing.container_edits import Piece
 from kinlint.formats.jsonld.editing.edit_plan import Plan
@@ -44,7 +44,7 @@ def _head(plan: Plan, cell: Term) -> Triple | None:
         if pointing[0][1] not in LINKS:
             return pointing[0]
         if pointing[0][1] == FIRST:
-            raise Unsayable("a list within a list is to change")
+            raise NotExpressible("a list within a list is to change")
         cell = pointing[0][0]
 
 
@@ -56,13 +56,13 @@ def _change(plan: Plan, head: Triple) -> None:
     if not places:
         return
     if len(places) > 1:
-        raise Unsayable("the list is written more than once")
+        raise NotExpressible("the list is written more than once")
     before = _cells(plan, head[2])
     after = plan.sequence(now)
     dropped = {cell for cell, _ in before}.difference(cell for cell, _ in after)
     loose = [t for cell in dropped for t in plan.places.by_subject[cell]]
     if any(triple not in plan.removed for triple in loose):
-        raise Unsayable("a part of the list would belong to nothing")
+        raise NotExpressible("a part of the list would belong to nothing")
     cells = [*(cell for cell, _ in before), *(cell for cell, _ in after)]
     plan.settled.update(
         t for c in cells for t in plan.places.by_subject.get(c, ()) if t in plan.removed
@@ -90,7 +90,7 @@ def _cells(plan: Plan, head: Term) -> list[tuple[Term, Term]]:
     while head != NIL:
         values = {prop: value for _, prop, value in plan.places.by_subject.get(head, ())}
         if values.keys() != LINKS or head in found:
-            raise Unsayable("the list is written in parts")
+            raise NotExpressible("the list is written in parts")
         found[head] = values[FIRST]
         head = values[REST]
     return list(found.items())
@@ -138,13 +138,13 @@ class _List:
         elif after >= 0:
             self.plan.changes.wrap(seats[0].span, value)
         else:
-            raise Unsayable("the list is written as a single value")
+            raise NotExpressible("the list is written as a single value")
 
     def _seat(self, triple: Triple) -> Seat:
         spans = self.plan.places.spans(triple)
         seat = self.plan.places.seat(spans[0]) if len(spans) == 1 else None
         if seat is None:
-            raise Unsayable("the list is written more than once")
+            raise NotExpressible("the list is written more than once")
         return seat
 
     def _empty(self) -> Any:
@@ -154,7 +154,7 @@ class _List:
             key = self.plan.places.key_of(value, "@list")
             value = value[key] if key else None
         if not isinstance(value, Array):
-            raise Unsayable("the list is written as a single value")
+            raise NotExpressible("the list is written as a single value")
         return value
 
     def _value(self, term: Term, old: Any) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.editing.compaction import Compaction, Member
@@ -69,13 +69,13 @@ class Values:
     def element(self, scope: Scope, prop: str, key: str, term: Term, old: Any) -> Any:
         """The JSON of *term* in the list under *key*, in the place of *old*.
 
-        Raises Unsayable where *key* cannot have it.
+        Raises NotExpressible where *key* cannot have it.
         """
         items = self._items(term, old)
         how = partial(self._is, term)
         member = self._compaction.member_for_key(scope, key, prop, items, how, listed=True)
         if member is None:
-            raise Unsayable(f"the key '{key}' cannot hold the value")
+            raise NotExpressible(f"the key '{key}' cannot hold the value")
         return member.value
 
     def _is_node(self, term: Term) -> bool:
@@ -98,14 +98,14 @@ class Values:
         objects = self._goal.places.objects(term)
         pointing = self._goal.places.by_value.get(term, [])
         if len(objects) != 1 or any(triple not in self._goal.removed for triple in pointing):
-            raise Unsayable("a node without an identifier cannot be referred to")
+            raise NotExpressible("a node without an identifier cannot be referred to")
         self._goal.settled.update(self._goal.places.within(objects[0].span))
         return Verbatim(self._source[objects[0].span])
 
     def described(self, outer: Context, key: str | None, term: Term) -> dict[str, Any]:
         """A new node with all that is to be said of it, as the value of *key*."""
         if term in self._within:
-            raise Unsayable("a node without an identifier would contain itself")
+            raise NotExpressible("a node without an identifier would contain itself")
         self._within.add(term)
         compaction, triples = self._compaction, self._goal.new(term)
         self._goal.said.update(triples)
@@ -144,7 +144,7 @@ class Values:
                 {"@list": [form[min(n, len(form) - 1)] for form in forms]} for n in range(count)
             ]
         if is_blank(term) and term not in self._goal.places.trace.labels:
-            raise Unsayable("a node without an identifier would stand in a list")
+            raise NotExpressible("a node without an identifier would stand in a list")
         return [{"@id": self._name(term)}]
 
     def _name(self, term: Term) -> str:

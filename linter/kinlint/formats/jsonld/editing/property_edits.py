@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array, Key, Object
 from kinlint.formats.jsonld.editing.container_edits import Piece
 from kinlint.formats.jsonld.editing.edit_plan import Plan
@@ -98,7 +98,9 @@ class _Node:
         plan = self.plan
         owner = plan.owner(self.node, triple[1])
         if owner is None:
-            raise Unsayable("the file does not describe the node that something is to be said of")
+            raise NotExpressible(
+                "the file does not describe the node that something is to be said of"
+            )
         plan.said.add(triple)
         prop, scope = iri_value(triple[1]), plan.scope(owner)
         for key in plan.places.keys_of(owner, prop):
@@ -110,7 +112,7 @@ class _Node:
         member = plan.values.member(scope, prop, triple[2])
         assert member is not None
         if (token := owner.key(member.key)) is not None and not self._goes(owner, token):
-            raise Unsayable(f"the key '{member.key}' has another value already")
+            raise NotExpressible(f"the key '{member.key}' has another value already")
         self.members.setdefault((id(owner), member.key), (owner, []))[1].append(member.value)
 
     def _goes(self, owner: Object, key: Key) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Key, Object
 from kinlint.formats.jsonld.editing.context_edits import add_context
 from kinlint.formats.jsonld.editing.edit_plan import Plan
@@ -19,13 +19,13 @@ _WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
 def edit_source_layer(plan: Plan) -> None:
     """Replaces and takes out what the source layer tells the place of.
 
-    Raises Unsayable where the delta changes a statement about the file that no token makes.
+    Raises NotExpressible where the delta changes a statement about the file that no token makes.
     """
     added = [triple for triple in plan.added if triple[1].startswith(f"<{SRC}")]
     for triple in [triple for triple in plan.removed if triple[1].startswith(f"<{SRC}")]:
         heir = next((new for new in added if new[:2] == triple[:2]), None)
         if triple[1] not in _WRITTEN:
-            raise Unsayable("it follows from what the file says")
+            raise NotExpressible("it follows from what the file says")
         plan.settled.add(triple)
         if heir is not None:
             added.remove(heir)
@@ -33,7 +33,7 @@ def edit_source_layer(plan: Plan) -> None:
         _change(plan, triple, heir[2] if heir else None)
     for triple in added:
         if triple[:2] != (plan.document.graph, _CONTEXT):
-            raise Unsayable("it follows from what the file says")
+            raise NotExpressible("it follows from what the file says")
         plan.said.add(triple)
         add_context(plan, _text(triple[2]))
 
@@ -45,7 +45,7 @@ def _text(term: Term) -> str:
 def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
     spans = plan.document.map.nodes.get(triple[0])
     if spans is None:
-        raise Unsayable("it is not known where it is written")
+        raise NotExpressible("it is not known where it is written")
     if new is not None:
         plan.changes.rename(spans.whole, _text(new))
         return
@@ -55,7 +55,7 @@ def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
         else plan.places.tree.seat_at(spans.whole.start)
     )
     if seat is None:
-        raise Unsayable("it is not known where it is written")
+        raise NotExpressible("it is not known where it is written")
     if isinstance(seat.holder, Object) and isinstance(seat.at, Key):
         _spare(plan, seat.holder, seat.at)
     plan.changes.remove(seat)

@@ -56,14 +56,14 @@ class Goal:
     def sequence(self, head: Term) -> list[tuple[Term, Term]]:
         """The cells of a list and their values, after the delta.
 
-        Raises Unsayable where the delta leaves it without an end.
+        Raises NotExpressible where the delta leaves it without an end.
         """
         found: list[tuple[Term, Term]] = []
         seen: set[Term] = set()
         while head != NIL:
             value, rest = self._link(head, FIRST), self._link(head, REST)
             if head in seen or value is None or rest is None:
-                raise Unsayable("the list would be broken")
+                raise NotExpressible("the list would be broken")
             seen.add(head)
             found.append((head, value))
             head = rest

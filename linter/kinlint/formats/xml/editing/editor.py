@@ -7,7 +7,7 @@ from functools import partial
 from itertools import pairwise
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.editing import rewriting, spelling
 from kinlint.formats.xml.editing.element_delta import Change, Changes
@@ -66,10 +66,10 @@ class _Writing:
             self._fill(parent, gone)
         new = {each for each in (*changes.values, *changes.children) if is_blank(each)}
         if not new <= self._fresh.written:
-            raise Unsayable("a new element stands nowhere")
+            raise NotExpressible("a new element stands nowhere")
         self._delete(gone)
         if any(self._awaited.values()):
-            raise Unsayable(SEVERAL)
+            raise NotExpressible(SEVERAL)
         return merged(self._edits)
 
     def _is_below(self, node: Term, others: Iterable[Term]) -> bool:
@@ -149,10 +149,10 @@ class _Writing:
         for node in gone:
             site = self._sites.shared_site(node)
             if site.layout.parents[site.number] < 0:
-                raise Unsayable("a file has a root element")
+                raise NotExpressible("a file has a root element")
             parent = self._sites.elements[node].parent
             if self._is_below(parent, self._changes.moved):
-                raise Unsayable("the changes touch each other")
+                raise NotExpressible("the changes touch each other")
             if not self._is_below(parent, self._changes.deleted):
                 texts.setdefault(site.begin, []).append(site)
         for sites in texts.values():
@@ -181,7 +181,7 @@ def merged(edits: Iterable[Edit]) -> list[Edit]:
         else:
             merged.append(edit)
     if any(one.span.end > other.span.start for one, other in pairwise(merged)):
-        raise Unsayable("the changes touch each other")
+        raise NotExpressible("the changes touch each other")
     return merged
 
 

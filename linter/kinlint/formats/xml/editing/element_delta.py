@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.xml.editing.stated_elements import Element, slot_of, tag_of
 from kinlint.terms import Term, Triple, is_blank, is_literal
 
@@ -46,7 +46,7 @@ class Changes:
                 changes._removal(triple)
         for triple in delta.added:
             if changes.within(triple[0], gone):
-                raise Unsayable("what is deleted cannot be changed")
+                raise NotExpressible("what is deleted cannot be changed")
             if tag_of(triple[1]) is None:
                 changes._addition(triple)
         return changes
@@ -55,11 +55,11 @@ class Changes:
         before = dict(_placed(delta.removed))
         after = dict(_placed(delta.added))
         if len(after) < sum(1 for _ in _placed(delta.added)):
-            raise Unsayable("an element cannot stand in two places")
+            raise NotExpressible("an element cannot stand in two places")
         for node, (parent, tag) in before.items():
             element = self.known.get(node)
             if element is None or element.parent != parent or element.tag != tag:
-                raise Unsayable("the element is not there")
+                raise NotExpressible("the element is not there")
         both = before.keys() & after.keys()
         self.moved = {each for each in both if before[each][0] != after[each][0]}
         gone = before.keys() - after.keys()
@@ -70,9 +70,9 @@ class Changes:
         ]
         for node, (parent, tag) in after.items():
             if not is_blank(node) and node not in before:
-                raise Unsayable("an element cannot stand in two places")
+                raise NotExpressible("an element cannot stand in two places")
             if self.within(parent, gone) or not (is_blank(parent) or parent in self.known):
-                raise Unsayable("no element is there to hold it")
+                raise NotExpressible("no element is there to hold it")
             self._check_reached(node, after)
             if node in before and before[node][1] != tag:
                 self.renamed[node] = tag
@@ -80,7 +80,7 @@ class Changes:
                 self.children.setdefault(parent, []).append((tag, node))
 
     def _check_reached(self, node: Term, after: Mapping[Term, tuple[Term, str]]) -> None:
-        """Raises Unsayable for an element that would stand within itself."""
+        """Raises NotExpressible for an element that would stand within itself."""
         at, passed = node, set[Term]()
         while at not in passed:
             passed.add(at)
@@ -90,7 +90,7 @@ class Changes:
                 at = self.known[at].parent
             else:
                 return
-        raise Unsayable("an element cannot stand within itself")
+        raise NotExpressible("an element cannot stand within itself")
 
     def within(self, node: Term, others: Collection[Term]) -> bool:
         """Tell whether *node* is one of *others*, or below one and does not leave it."""
@@ -105,9 +105,9 @@ class Changes:
         element = self.known.get(node)
         slot = slot_of(predicate, value)
         if element is None or slot is None:
-            raise Unsayable("no element says it")
+            raise NotExpressible("no element says it")
         if element.slots.get(slot[0], {}).get(slot[1]) != value:
-            raise Unsayable("the text does not say it")
+            raise NotExpressible("the text does not say it")
         change = self.values.setdefault(node, Change())
         change.removed.setdefault(slot[0], {})[slot[1]] = value
 
@@ -115,12 +115,12 @@ class Changes:
         node, predicate, value = triple
         slot = slot_of(predicate, value)
         if slot is None or not (is_blank(node) or node in self.known):
-            raise Unsayable("no element can say it")
+            raise NotExpressible("no element can say it")
         if not is_literal(value):
-            raise Unsayable("an attribute or a text cannot be a node")
+            raise NotExpressible("an attribute or a text cannot be a node")
         own = self.values.setdefault(node, Change()).added.setdefault(slot[0], {})
         if own.setdefault(slot[1], value) != value:
-            raise Unsayable(f"two values for one {slot[0] or 'text'}")
+            raise NotExpressible(f"two values for one {slot[0] or 'text'}")
 
 
 def _placed(triples: tuple[Triple, ...]) -> Iterator[tuple[Term, tuple[Term, str]]]:
@@ -128,5 +128,5 @@ def _placed(triples: tuple[Triple, ...]) -> Iterator[tuple[Term, tuple[Term, str
     for subject, predicate, value in triples:
         if (tag := tag_of(predicate)) is not None:
             if is_literal(value):
-                raise Unsayable("an element cannot be a value")
+                raise NotExpressible("an element cannot be a value")
             yield value, (subject, tag)

@@ -6,7 +6,7 @@ import re
 from functools import cached_property
 from typing import NamedTuple
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
@@ -36,18 +36,18 @@ class Attribute(NamedTuple):
 class Layout:
     """The elements of *source*, numbered in order; `parents` has -1 for the root.
 
-    Raises Unsayable for what is not read as XML.
+    Raises NotExpressible for what is not read as XML.
     """
 
     def __init__(self, source: SourceText) -> None:
         if not source.encoding:
-            raise Unsayable("some bytes of the file are not in its encoding")
+            raise NotExpressible("some bytes of the file are not in its encoding")
         try:
             parsed = parse(source, lambda: Elements("<>", Schema("", {}, {}, {})))
         except SourceError as error:
-            raise Unsayable("the text is not read") from error
+            raise NotExpressible("the text is not read") from error
         if parsed.fatal is not None:
-            raise Unsayable("the text is not well-formed")
+            raise NotExpressible("the text is not well-formed")
         self.source, self.text = source, source.text
         found = parsed.elements
         self.places = ElementPlaces(

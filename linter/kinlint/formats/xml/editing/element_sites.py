@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kinlint.document import Document
-from kinlint.edits import Edit, Unsayable
+from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing.element_layout import Layout
 from kinlint.formats.xml.editing.stated_elements import Element, elements
 from kinlint.formats.xml.span_lookup import AT, TEXT
@@ -56,15 +56,15 @@ class Sites:
         return elements(self._document.statements)
 
     def __getitem__(self, node: Term) -> Site:
-        """Return the place of *node*; raises Unsayable if it has none, or stands for several."""
+        """Return the place of *node*; raises NotExpressible if it has none or several."""
         self.check_uses([node])
         return self.shared_site(node)
 
     def check_uses(self, nodes: Iterable[Term]) -> None:
-        """Raises Unsayable if a text that wrote one of *nodes* wrote others too."""
+        """Raises NotExpressible if a text that wrote one of *nodes* wrote others too."""
         places = Counter(self._place(self._start(node)) for node in nodes)
         if any(self._shared[place] > count for place, count in places.items()):
-            raise Unsayable(SEVERAL)
+            raise NotExpressible(SEVERAL)
 
     def use_count(self, site: Site) -> int:
         """Return the number of elements that the text at *site* stands for, at least."""
@@ -74,12 +74,12 @@ class Sites:
         """Return the place of *node*, maybe as one of several; raises Unsayable if it has none."""
         element, start = self.elements.get(node), self._start(node)
         if element is None:
-            raise Unsayable("the element is not written there")
+            raise NotExpressible("the element is not written there")
         begin, source = self._piece(start)
         layout = self.layout(source)
         number = layout.number(start - begin)
         if number is None or layout.name(number) != element.tag:
-            raise Unsayable("the element is not written there literally")
+            raise NotExpressible("the element is not written there literally")
         return Site(layout, number, begin, element.tag)
 
     def component(self, node: Term, slot: str, number: int) -> Span | None:
@@ -95,7 +95,7 @@ class Sites:
     def _start(self, node: Term) -> int:
         spans = self._document.map.nodes.get(node)
         if spans is None:
-            raise Unsayable("the element is not written there")
+            raise NotExpressible("the element is not written there")
         return spans.whole.start
 
     def _piece(self, at: int) -> tuple[int, SourceText]:

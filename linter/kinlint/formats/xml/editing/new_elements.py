@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from kinlint.edits import Edit, Unsayable, applied
+from kinlint.edits import Edit, NotExpressible, applied
 from kinlint.formats.xml.editing import rewriting, spelling
 from kinlint.formats.xml.editing.element_delta import Change, Changes
 from kinlint.formats.xml.editing.element_layout import BREAK, Layout
@@ -35,7 +35,7 @@ class Fresh:
     def element(self, tag: str, node: Term, layout: Layout, quote: str) -> Written:
         """Return *node* as a new element with *tag*, for a text with a *layout*."""
         if not NAME.fullmatch(tag):
-            raise Unsayable(f"{tag} is no name in XML")
+            raise NotExpressible(f"{tag} is no name in XML")
         if node in self.changes.moved:
             return self._moved(node, layout)
         self.written.add(node)
@@ -52,7 +52,7 @@ class Fresh:
             )
             text = spelling.escaped_text(plain, layout.source)
         if children and text:
-            raise Unsayable("there are elements in place of a text")
+            raise NotExpressible("there are elements in place of a text")
 
         def write(manner: Manner) -> str:
             inside = within(manner, children) if children else text
@@ -64,7 +64,7 @@ class Fresh:
         """Return *node* as it is written in its old place, with its lines indented anew."""
         site = self.sites[node]
         if site.layout.source.encoding != layout.source.encoding:
-            raise Unsayable("the files have different encodings")
+            raise NotExpressible("the files have different encodings")
         old = site.layout.indent(site.number) or ""
 
         def write(manner: Manner) -> str:

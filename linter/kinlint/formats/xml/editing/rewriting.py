@@ -27,10 +27,10 @@ def merged_values(old: Values, removed: Values, added: Values, name: str) -> dic
     left = {number: value for number, value in old.items() if number not in removed}
     mixed = added and left and (0 in added) != (0 in left)
     if mixed or any(left.get(number, value) != value for number, value in added.items()):
-        raise Unsayable(f"there is another {name} already")
+        raise NotExpressible(f"there is another {name} already")
     new = {**left, **added}
     if new and sorted(new) not in ([0], list(range(1, len(new) + 1))):
-        raise Unsayable(f"{name} would have no {_missing(new)}. component")
+        raise NotExpressible(f"{name} would have no {_missing(new)}. component")
     return new
 
 
@@ -42,7 +42,7 @@ def formatted_values(values: Values, kept: frozenset[str]) -> str:
     """Return *values* as plain text; those spelled as in *kept* keep their spelling."""
     text = " ".join(lexical_form(values[number], kept) for number in sorted(values))
     if UNEXPANDED.search(text):
-        raise Unsayable("xacro would take the value for an expression")
+        raise NotExpressible("xacro would take the value for an expression")
     return text
 
 
@@ -81,7 +81,7 @@ class Rewriting:
             return [Edit(first, whole), *(Edit(each, "") for each in rest)]
         words = [Span(*m.span()) for each in spans for m in WORD.finditer(self.text, *each)]
         if len(words) != len(self.old):
-            raise Unsayable(NOT_LITERAL)
+            raise NotExpressible(NOT_LITERAL)
         edits = [Edit(words[number - 1], new) for number, new in self._changed()]
         common = min(len(self.old), len(self.new))
         end = words[common - 1].end
@@ -97,12 +97,12 @@ class Rewriting:
     def edits_of_parts(self) -> list[Edit]:
         """The edits of a value of which other components are expressions of xacro."""
         if 0 in self.old or self.old.keys() != self.new.keys():
-            raise Unsayable(NOT_LITERAL)
+            raise NotExpressible(NOT_LITERAL)
         edits = []
         for number, new in self._changed():
             span = self.place(number)
             if span is None or not self._is_component(span, self.old[number]):
-                raise Unsayable(NOT_LITERAL)
+                raise NotExpressible(NOT_LITERAL)
             edits.append(Edit(span, new))
         return edits
 

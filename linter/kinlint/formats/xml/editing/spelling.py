@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from math import isfinite
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.xml.recovery import CONTROL, HIGHEST
 from kinlint.formats.xml.value_reading import HEXADECIMAL, NUMBER, SPECIAL
 from kinlint.terms import NUMERIC, XSD, Term, is_literal, literal_datatype, literal_value
@@ -56,10 +56,10 @@ def is_number(term: Term) -> bool:
 def lexical_form(term: Term, kept: frozenset[str] = frozenset()) -> str:
     """Return a value as text; one spelled as in *kept* keeps its spelling.
 
-    Numbers have as many digits as carry the value. Raises Unsayable for what is no literal.
+    Numbers have as many digits as carry the value. Raises NotExpressible for what is no literal.
     """
     if not is_literal(term):
-        raise Unsayable("an attribute or a text cannot be a node")
+        raise NotExpressible("an attribute or a text cannot be a node")
     value, datatype = literal_value(term), literal_datatype(term)
     if value in kept or datatype not in NUMERIC:
         return value
@@ -91,14 +91,14 @@ def cdata_content(value: str, source: SourceText) -> str:
     """Return *value* as content of a CDATA section; raises Unsayable for what would end it."""
     text = encodable(value, source)
     if "]]>" in value or text != value:
-        raise Unsayable("a CDATA section cannot hold it")
+        raise NotExpressible("a CDATA section cannot hold it")
     return text
 
 
 def encodable(text: str, source: SourceText) -> str:
     """Return *text* with references for the characters that the encoding of *source* lacks."""
     if CONTROL.search(text):
-        raise Unsayable("XML has no such character")
+        raise NotExpressible("XML has no such character")
     if text.isascii():
         return text
     return text.encode(source.encoding, "xmlcharrefreplace").decode(source.encoding)

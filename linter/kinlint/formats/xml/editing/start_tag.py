@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
 
-from kinlint.edits import Edit, Unsayable
+from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing import rewriting, spelling
 from kinlint.formats.xml.editing.element_delta import Change, Slots
 from kinlint.formats.xml.editing.element_layout import Attribute, Layout
@@ -58,12 +58,12 @@ class StartTag:
             old, removed = self.slots.get(name, {}), change.removed.get(name, {})
             new = rewriting.merged_values(old, removed, change.added.get(name, {}), name)
             if old and name not in self._first:
-                raise Unsayable(rewriting.NOT_LITERAL)
+                raise NotExpressible(rewriting.NOT_LITERAL)
             literal = not old or rewriting.matches(layout.source[self._first[name].value], old)
             if old and new:
                 yield from self._changed(name, new, literal=literal)
             elif not literal:
-                raise Unsayable(rewriting.NOT_LITERAL)
+                raise NotExpressible(rewriting.NOT_LITERAL)
             elif old:
                 gone.append(name)
             else:
@@ -106,7 +106,7 @@ class StartTag:
     def _renamed(self, old: str, new: str, value: str) -> Iterator[Edit]:
         attribute = self._first[old]
         if not NAME.fullmatch(new):
-            raise Unsayable(f"{new} is no name in XML")
+            raise NotExpressible(f"{new} is no name in XML")
         self._once(old)
         yield Edit(attribute.key, new)
         if spelling.tokens(rewriting.current_text(self.slots[old])) != spelling.tokens(value):
@@ -114,7 +114,7 @@ class StartTag:
 
     def _once(self, name: str) -> None:
         if sum(1 for each in self._all if each.name == name) > 1:
-            raise Unsayable(f"{name} is given twice")
+            raise NotExpressible(f"{name} is given twice")
 
     def _inserted(self, texts: dict[str, str]) -> Iterator[Edit]:
         """Puts attributes behind the last one, or a name before the first."""

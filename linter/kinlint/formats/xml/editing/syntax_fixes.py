@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, Unsayable
+from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.source_layer import src
 from kinlint.formats.xml.editing.element_layout import Layout
 from kinlint.formats.xml.editing.element_removal import with_lines
@@ -84,7 +84,7 @@ def _respaced(layout: Layout, span: Span) -> Iterator[Edit]:
     """Parts numbers by blanks, with nothing around them."""
     written = layout.source[span]
     if not NUMBERS.fullmatch(written):
-        raise Unsayable(NOT_LITERAL)
+        raise NotExpressible(NOT_LITERAL)
     yield Edit(span, BREAK.sub(" ", written.strip()))
 
 
@@ -108,7 +108,7 @@ def _mended(layout: Layout, span: Span) -> Iterator[Edit]:
     elif start and text[start - 1] in "\"'":
         yield Edit(Span(start, start), " ")
     else:
-        raise Unsayable("nobody knows what is meant")
+        raise NotExpressible("nobody knows what is meant")
 
 
 def _comment(text: str, at: int) -> Iterator[Edit]:
