@@ -105,5 +105,5 @@ def _silence(
         ]
         meant = [one for one in candidates if one.active and finding.rule.code in one.codes]
         used.update(meant)
-        out.append(replace(finding, suppressed=meant[0].excuse) if meant else finding)
+        out.append(replace(finding, suppressed=meant[0].justification) if meant else finding)
     return out, frozenset(used)
