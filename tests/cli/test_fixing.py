@@ -79,7 +79,7 @@ def test_standard_input_comes_out_mended(kinlint, here, capsys, monkeypatch):
 
 def test_a_file_that_changed_meanwhile_is_not_overwritten(kinlint, arm, monkeypatch):
     """It is reported, with exit code 2."""
-    mended = fix_files.mended
+    mended = fix_files.fix_in_rounds
 
     def meanwhile(*given):
         outcome = mended(*given)

@@ -9,7 +9,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.formats.registry import decode
 from kinlint.project.discovery import Input
 from kinlint.project.model_detection import is_model
-from kinlint.project.reading import read
+from kinlint.project.reading import read_models
 
 ROBOT = '{"@context": "https://comp-rob2b.github.io/metamodels/qudt.json", "@id": "x:y"}'
 PACKAGE = '{"@context": "https://doi.org/10.5063/schema/codemeta-2.0", "@type": "X"}'

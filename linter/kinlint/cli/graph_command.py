@@ -151,7 +151,7 @@ def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     """Return the report to draw. Raises `SourceError` for what cannot be read or has no robot."""
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
     from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
-    from kinlint.project.reading import read  # noqa: PLC0415
+    from kinlint.project.reading import read_models  # noqa: PLC0415
 
     sources, errors = read_models(found.inputs, settings)
     for error in (*found.errors, *errors):

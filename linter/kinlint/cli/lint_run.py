@@ -58,7 +58,7 @@ class LintRun:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
             from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
-            from kinlint.project.reading import read  # noqa: PLC0415
+            from kinlint.project.reading import read_models  # noqa: PLC0415
 
         with self.phases.phase("decoding"):
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
@@ -66,7 +66,7 @@ class LintRun:
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 
-                sources = concerning(sources, asides, self.settings)
+                sources = affecting_sources(sources, asides, self.settings)
             more = find_nearby(sources, self.settings)
             return [*sources, *more], [*self.found.errors, *errors]
 

@@ -55,7 +55,7 @@ def affecting_sources(
     if all(source.name in asides for source in sources):
         return []
     from kinlint.formats.dependencies.file_groups import group_sources  # noqa: PLC0415
-    from kinlint.parallel.partition import divisible  # noqa: PLC0415  loads every reader
+    from kinlint.parallel.partition import is_divisible  # noqa: PLC0415  loads every reader
 
     if not is_divisible(sources, settings) or any(UNREADABLE in each.text for each in sources):
         return list(sources)

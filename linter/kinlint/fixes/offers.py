@@ -14,7 +14,7 @@ from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.sparql_update import update
 from kinlint.fixes.texts import Texts
-from kinlint.fixes.trial import Group, Verdict, tried
+from kinlint.fixes.trial import Group, Verdict, try_candidates
 from kinlint.formats.dependencies.file_groups import group_sources
 from kinlint.lint import examine
 from kinlint.phases import Phases

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.edits import Delta, Unsayable
+from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import Term, Triple

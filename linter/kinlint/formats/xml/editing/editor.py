@@ -31,7 +31,7 @@ class Editor:
         self._document, self._sites = document, Sites(document)
 
     def edits(self, delta: Delta) -> list[Edit]:
-        """The smallest edits that say *delta*, in order; raises Unsayable if there are none."""
+        """The smallest edits that say *delta*, in order; raises NotExpressible if none do."""
         rest, about = split_delta(self._document, delta)
         edits = _Writing(self._sites, rest).edits() if rest else []
         return (
@@ -114,7 +114,7 @@ class _Writing:
 
     def _rename(self, node: Term, tag: str) -> None:
         if not NAME.fullmatch(tag):
-            raise Unsayable(f"{tag} is no name in XML")
+            raise NotExpressible(f"{tag} is no name in XML")
         site = self._sites.shared_site(node)
         names = site.layout.names(site.number)
         self._make(site, [Edit(span, tag) for span in names])

@@ -37,7 +37,7 @@ class Changes:
 
     @classmethod
     def from_delta(cls, delta: Delta, known: Mapping[Term, Element]) -> Changes:
-        """The changes of *delta*; raises Unsayable for what is no matter of elements."""
+        """The changes of *delta*; raises NotExpressible for what is no matter of elements."""
         changes = cls(known)
         changes._structure(delta)
         gone = set(changes.deleted)

@@ -71,7 +71,7 @@ class Sites:
         return self._shared[id(site.layout.source), site.layout.start(site.number)]
 
     def shared_site(self, node: Term) -> Site:
-        """Return the place of *node*, maybe as one of several; raises Unsayable if it has none."""
+        """Return the place of *node*, one of several; raises NotExpressible if it has none."""
         element, start = self.elements.get(node), self._start(node)
         if element is None:
             raise NotExpressible("the element is not written there")

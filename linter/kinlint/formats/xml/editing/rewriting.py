@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinlint.edits import Edit, Unsayable
+from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing.spelling import lexical_form, tokens, unescaped
 from kinlint.formats.xml.value_reading import UNEXPANDED
 from kinlint.terms import Term, literal_value

@@ -88,7 +88,7 @@ def escaped_text(value: str, source: SourceText) -> str:
 
 
 def cdata_content(value: str, source: SourceText) -> str:
-    """Return *value* as content of a CDATA section; raises Unsayable for what would end it."""
+    """Return *value* as content of a CDATA section; raises NotExpressible for what would end it."""
     text = encodable(value, source)
     if "]]>" in value or text != value:
         raise NotExpressible("a CDATA section cannot hold it")

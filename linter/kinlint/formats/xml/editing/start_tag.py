@@ -30,7 +30,7 @@ def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> It
 def assignment(name: str, value: str, quote: str, layout: Layout) -> str:
     """An attribute as it is written."""
     if not NAME.fullmatch(name):
-        raise Unsayable(f"{name} is no name in XML")
+        raise NotExpressible(f"{name} is no name in XML")
     return f"{name}={quote}{spelling.escaped_attribute(value, quote, layout.source)}{quote}"
 
 
@@ -69,7 +69,7 @@ class StartTag:
             else:
                 come[name] = new
         for name in [each for each in come if each in self._first]:
-            raise Unsayable(f"there is another {name} already")
+            raise NotExpressible(f"there is another {name} already")
         texts = {name: rewriting.formatted_values(new, self.kept) for name, new in come.items()}
         for old_name, new_name in list(self._pairs(gone, texts)):
             gone.remove(old_name)
