@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.edits import Unsayable
+from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array, Key, Object
 from kinlint.formats.jsonld.editing.container_edits import Piece
 from kinlint.formats.jsonld.editing.edit_plan import Plan
@@ -77,13 +77,13 @@ def _name(plan: Plan, element: Object, old: Term, new: Term) -> None:
         after = number_before(plan.places, element, keyword)
         plan.changes.insert(element, Piece(name, keyword, after))
     else:
-        raise Unsayable("the node has its name from a map")
+        raise NotExpressible("the node has its name from a map")
 
 
 def _settle(plan: Plan, triple: Triple, heir: Triple) -> None:
     """A triple of a renamed node is said with it; one that points to it where it is described."""
     if triple[0] != heir[0] and triple[1] not in LINKS and None in plan.places.places(triple):
-        raise Unsayable("it is written as a reverse property, or in a map")
+        raise NotExpressible("it is written as a reverse property, or in a map")
     old = plan.renamed.get(heir[2], heir[2])
     if old == triple[2] != heir[2]:
         described = plan.places.objects(old)
@@ -130,7 +130,7 @@ def _take_out(plan: Plan, node: Term, element: Object) -> None:
         if subject is not None and (subject, iri(prop), node) not in plan.removed:
             written = plan.values.member(plan.scope(owner), prop, node, key=key)
             if written is None:
-                raise Unsayable(f"the key '{key}' cannot hold a reference")
+                raise NotExpressible(f"the key '{key}' cannot hold a reference")
             plan.settled.add((subject, iri(prop), node))
             plan.changes.replace(element.span, written.value)
 
@@ -158,7 +158,7 @@ def _add(plan: Plan, node: Term) -> None:
     near = _near(plan, node)
     graph = _graph(plan, near)
     if graph is None or plan.is_cut(graph.key.value_span):
-        raise Unsayable("the file has no @graph that could hold one more node")
+        raise NotExpressible("the file has no @graph that could hold one more node")
     holder, key = graph.owner, graph.key
     written = plan.values.described(plan.scope(holder).keys, str(key), node)
     value = holder[key]

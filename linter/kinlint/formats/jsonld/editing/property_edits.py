@@ -141,10 +141,10 @@ class _Node:
 def write_types(plan: Plan, node: Term, removed: Sequence[Triple], added: Sequence[Triple]) -> None:
     """The types of *node* change; the contexts that they bring along change with them."""
     if any(not is_iri(triple[2]) for triple in (*removed, *added)):
-        raise Unsayable("the type has no IRI")
+        raise NotExpressible("the type has no IRI")
     owner = plan.owner(node, RDF_TYPE)
     if owner is None:
-        raise Unsayable("the file does not describe the node that is to have a type")
+        raise NotExpressible("the file does not describe the node that is to have a type")
     plan.said.update(added)
     scope = plan.scope(owner)
     names = [plan.compaction.type(scope, iri_value(triple[2])) for triple in added]

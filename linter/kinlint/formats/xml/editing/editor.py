@@ -203,7 +203,7 @@ def text_edits(
     )
     literal = spelling.tokens(raw) == spelling.tokens(rewriting.current_text(old))
     if not literal and not (old and new and runs):
-        raise Unsayable(rewriting.NOT_LITERAL)
+        raise NotExpressible(rewriting.NOT_LITERAL)
     if old and not new:
         return [Edit(run, "") for run in runs]
     if not old:
@@ -225,7 +225,7 @@ def _first(site: Site, text: str) -> Edit:
     if layout.closed(number):
         return Edit(opening(layout, number), f">{text}</{site.tag}>")
     if layout.children[number]:
-        raise Unsayable("there are elements in place of a text")
+        raise NotExpressible("there are elements in place of a text")
     start, end = layout.content(number)
     blank = not layout.text[start:end].strip()
     return Edit(Span(start, end if blank else start), text)
