@@ -44,7 +44,7 @@ def on_ignore(directive: Directive, rules: Sequence[Rule]) -> str:
     why = f": {directive.reason}" if directive.reason else ""
     until = f", until {directive.until}" if directive.until else ""
     if not rules:
-        return f"ConfigIgnores `{directive.selector}`, which names no rule{why}{until}"
+        return f"Ignores `{directive.selector}`, which names no rule{why}{until}"
     pages = [rule_page.markdown(rule) for rule in rules[:MOST_RULES]]
     more = len(rules) - MOST_RULES
     rest = [f"and {more} more rules"] if more > 0 else []

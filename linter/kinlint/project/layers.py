@@ -193,7 +193,7 @@ def cache_directory(environment: Mapping[str, str], given: str | None = None) ->
     if sys.platform == "win32":
         base = Path(environment.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
     elif sys.platform == "darwin":
-        base = Path.home() / "Workspace" / "Caches"
+        base = Path.home() / "Library" / "Caches"
     else:
         base = Path(environment.get("XDG_CACHE_HOME") or Path.home() / ".cache")
     return base / "kinlint"
