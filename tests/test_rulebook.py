@@ -8,9 +8,11 @@ from support.linting import findings
 
 from kinlint.catalogue import compilation, rulebook
 from kinlint.catalogue.compiled_store import KEPT
+from kinlint.engine import lifting
 from kinlint.engine.compiler.compile import compile_shapes
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
+from kinlint.formats.records import LIFTED
 
 pytestmark = pytest.mark.xdist_group("rulebook")
 
@@ -48,6 +50,26 @@ def test_a_kept_catalogue_equals_a_compiled_one(tmp_path):
     assert len(list(tmp_path.iterdir())) == 1
     assert (compiled.recalled, revived.recalled) == (False, True)
     assert revived == compiled == rulebook.load()
+
+
+def test_a_kept_catalogue_has_the_lifting_queries(tmp_path, monkeypatch):
+    """So that no query is parsed by who lints with it, and those are what files come to."""
+    parsed = {form.name: lifting.queries(form.name) for form in LIFTED}
+    rulebook.load(cache=tmp_path)
+    monkeypatch.setattr(lifting, "_compiled", {})
+    monkeypatch.setattr(lifting, "_compile", None)
+    lifting.queries.cache_clear()
+    rulebook.load(cache=tmp_path)
+
+    for form, queries in parsed.items():
+        found = lifting.queries(form)
+        assert list(map(spelled, found)) == list(map(spelled, queries)) != []
+    lifting.queries.cache_clear()
+
+
+def spelled(query):
+    """What *query* has, and what it stores."""
+    return query.format, query.name, query.made, query.makes, query.where, query.update()
 
 
 @pytest.fixture

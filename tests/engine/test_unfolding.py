@@ -6,7 +6,7 @@ import pyoxigraph as ox
 import pytest
 
 from kinlint.contexts.prefixes import customary
-from kinlint.engine.lifting import SHARED
+from kinlint.engine.lifting_compiler import SHARED
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.unfolding import is_reading, unfolded
 from kinlint.errors import RuleInvalid

@@ -13,6 +13,7 @@ from kinlint.catalogue.rule_file import stated_rules
 from kinlint.engine.compiler.compile import compile_graph
 from kinlint.engine.compiler.graph import FIRST, REST, ShapesFile, ShapesGraph, labels, parse
 from kinlint.engine.compiler.names import IMPORTS, SUBCLASS, TYPE, sh
+from kinlint.engine.lifting import compiled_queries
 from kinlint.engine.ontology import compile_axioms
 from kinlint.terms import RDF, Term, is_iri
 from kinlint.vocabulary import OWL, RDFS, SH
@@ -94,6 +95,14 @@ class Units:
         if key not in self._known:
             made = [axiom.to_json() for axiom in compile_axioms(files)]
             self._known[key] = {"key": key, "axioms": made}
+        return self._known[key]
+
+    def lifting(self, files: Iterable[Path]) -> Unit:
+        """Return the lifting queries, whose *files* these are, as JSON by format."""
+        own = "-".join(self._key(file, f"{file.parent.name}/{file.name}") for file in files)
+        key = f"lifting-{sha256(own.encode()).hexdigest()[:24]}"
+        if key not in self._known:
+            self._known[key] = {"key": key, "queries": compiled_queries()}
         return self._known[key]
 
     def _key(self, file: Path, label: str) -> str:

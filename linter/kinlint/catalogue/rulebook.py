@@ -15,6 +15,7 @@ from kinlint import __version__, resources
 from kinlint.catalogue.compiled_store import newest, read_catalogue, rule_from_json, write_catalogue
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.lifting import recall_queries
 from kinlint.errors import RuleInvalid
 from kinlint.rule import Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
@@ -26,6 +27,8 @@ SHIPPED = Path(__file__).parent / "compiled"
 
 ASKED = 2
 """How many catalogues of a cache, the newest, are asked for units of another set of rules."""
+CODE = ("rule.py", "terms.py", "vocabulary.py", "facts/fact_kinds.py", "formats/records.py")
+"""Modules outside the packages that compile which decide what is compiled, too."""
 OWN = (f"<{SRC}", f"<{FACT}")
 """How what kinlint itself says of a model begins."""
 
@@ -83,7 +86,7 @@ def load(
     compiled already are not compiled again. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
-    files, extra, ontology, others, inputs = _parts(rules, shapes)
+    files, extra, ontology, others, lifting, inputs = _parts(rules, shapes)
     digest = _digest(inputs)
     name = f"catalogue-{digest}.json"
     places = [SHIPPED, *([cache] if cache is not None else [])]
@@ -91,13 +94,14 @@ def load(
     homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
     recalled = compiled is not None
     if compiled is None:
-        compiled = _compile((*files, *extra), (ontology, others), ours / PREFIXES, places)
+        compiled = _compile((*files, *extra), (ontology, others), lifting, places)
     units = (*compiled["units"], compiled["shapes"])
     found = [rule_from_json(values, homes) for unit in units for values in unit["rules"]]
     if not recalled:
         _distinct(found)
         if cache is not None:
             write_catalogue(cache / name, compiled)
+    recall_queries(compiled["lifting"]["queries"])
     constraints = (values for unit in compiled["units"] for values in unit["constraints"])
     return Rulebook(
         rules=tuple(sorted(found, key=lambda rule: rule.code)),
@@ -121,6 +125,8 @@ class _Parts(NamedTuple):
     """Vocabulary of kinlint's own."""
     others: tuple[Path, ...]
     """Further vocabulary: the files that are not kinlint's own."""
+    lifting: tuple[Path, ...]
+    """Lifting queries."""
     inputs: tuple[Path, ...]
     """All that decide what the catalogue is."""
 
@@ -133,8 +139,9 @@ def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
     extra = tuple(_existing(shapes))
     ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
     others = (*_others(given, shipped), *extra)
-    inputs = (ours / PREFIXES, *ontology, *files, *extra)
-    return _Parts(files, extra, ontology, others, inputs)
+    lifting = tuple(sorted(ours.glob("lifting/*/*.rq")))
+    inputs = (ours / PREFIXES, *ontology, *files, *extra, *lifting)
+    return _Parts(files, extra, ontology, others, lifting, inputs)
 
 
 def built_in() -> tuple[str, int]:
@@ -146,16 +153,19 @@ def built_in() -> tuple[str, int]:
 def _compile(
     files: Sequence[Path],
     vocabulary: tuple[Sequence[Path], Sequence[Path]],
-    prefixes: Path,
+    lifting: Sequence[Path],
     places: Iterable[Path],
 ) -> dict[str, Any]:
-    """Return *files* and *vocabulary* compiled, as far as the catalogues in *places* lack them."""
+    """Return *files*, *vocabulary* and the queries *lifting* compiled.
+
+    What the catalogues in *places* have is taken from there.
+    """
     from kinlint.catalogue.compilation import Units  # noqa: PLC0415
 
     stored = [each for place in places for each in newest(place)[:ASKED]]
-    kept = (each for each in map(read_catalogue, stored) if each and "units" in each)
-    known = (unit for each in kept for unit in (*each["units"], each["axioms"]))
-    units = Units(known, _code(), prefixes)
+    kept = (each for each in map(read_catalogue, stored) if each and "lifting" in each)
+    known = (unit for each in kept for unit in (*each["units"], each["axioms"], each["lifting"]))
+    units = Units(known, _code(), resources.data("shapes") / PREFIXES)
     made = units.compiled(files)
     constraints = [Constraint.from_json(each) for unit in made for each in unit["constraints"]]
     owners = {rule["iri"] for unit in made for rule in unit["rules"]}
@@ -168,6 +178,7 @@ def _compile(
         "units": made,
         "shapes": {"rules": [asdict(each) for each in shapes]},
         "axioms": units.axioms(*vocabulary),
+        "lifting": units.lifting(lifting),
     }
 
 
@@ -228,7 +239,8 @@ def _digest(inputs: Iterable[Path]) -> str:
     """Return what decides the compiled catalogue: the files, and the code that compiles them."""
     digest = hashlib.sha256(_code().encode())
     for file in inputs:
-        digest.update(f"\0{file.name}\0".encode())
+        name = f"{file.parent.name}/{file.name}" if file.suffix == ".rq" else file.name
+        digest.update(f"\0{name}\0".encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:24]
 
@@ -238,7 +250,7 @@ def _code() -> str:
     """Return what stands for the code that compiles rules and says what they are."""
     package = Path(__file__).parents[1]
     folders = ("catalogue/*.py", "engine/**/*.py", "sparql/*.py")
-    extra = (package / name for name in ("rule.py", "terms.py", "facts/fact_kinds.py"))
+    extra = (package / name for name in CODE)
     files = [each for pattern in folders for each in package.glob(pattern)]
     digest = hashlib.sha256(__version__.encode())
     for file in sorted([*files, *extra]):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from kinlint.conversion.coverage import Coverage, Reason, coverage
-from kinlint.engine.lifting import SHARED
+from kinlint.engine.lifting_compiler import SHARED
 from kinlint.formats.records import LIFTED
 from kinlint.resources import data
 

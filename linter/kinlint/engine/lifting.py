@@ -2,41 +2,24 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from functools import cache, lru_cache
-from pathlib import Path
+import json
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
 
 import pyoxigraph as ox
 
-from kinlint import resources
-from kinlint.contexts.prefixes import customary
 from kinlint.engine.store import ASSERTED_GRAPH, Store
-from kinlint.engine.template import Made, made_by, needed, trimmed
-from kinlint.engine.unfolding import is_reading, unfolded
+from kinlint.engine.template import Made, needed, trimmed, variables_of
 from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
-from kinlint.formats.records import ELEMENTS, LIFTED
-from kinlint.sparql.ast import Construct, Group, render
-from kinlint.sparql.parser import parse_construct
-from kinlint.sparql.scope import words
-from kinlint.sparql.tokens import NotSparql
+from kinlint.formats.records import LIFTED
+from kinlint.sparql.ast import Group, render
+from kinlint.sparql.ast_json import from_json
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value
-from kinlint.vocabulary import (
-    ATTRIBUTE,
-    EXTENSION,
-    INTERMEDIATE,
-    KIN,
-    LIFTED_GRAPH,
-    METAMODELS,
-    QUANTITY_KIND,
-    QUDT,
-    SRC,
-    UNIT,
-)
+from kinlint.vocabulary import KIN, LIFTED_GRAPH, METAMODELS, QUDT, SRC
 
-_IRI = re.compile(r"<[^<>]+>")
 _REL = f"{METAMODELS}geometry/spatial-relations#"
 _GEOM = f"{METAMODELS}geometry/structural-entities#"
 _COORD = f"{METAMODELS}geometry/coordinates#"
@@ -49,16 +32,18 @@ EVERYWHERE = frozenset(
     }
 )
 """Properties that nodes of many classes have, so that asking for them asks for no query."""
-READ = (*ELEMENTS, ATTRIBUTE, EXTENSION, SRC)
-"""The namespaces that queries match; a name of another one below the template is chosen for it."""
 
 FOUNDATION = frozenset({"bodies", "joints"})
 """Queries that make what everything else is about."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+_compiled: dict[str, str] = {}
+"""The queries by format, as JSON; a catalogue brings them, so that they are parsed once."""
+
+
+@dataclass(frozen=True, eq=False)
 class Lifting:
-    """One query."""
+    """A lifting query, its WHERE ready when it is first looked at."""
 
     format: str
     """The format that it reads."""
@@ -68,8 +53,22 @@ class Lifting:
     """The triples of its template."""
     makes: frozenset[Term]
     """The properties and classes that it states, but for those that nodes of many kinds have."""
-    where: Group
-    """What it matches."""
+    stored: Any
+    """Its WHERE as JSON."""
+
+    @classmethod
+    def from_json(
+        cls, form: str, name: str, made: Iterable[Any], makes: Iterable[Term], stored: Any
+    ) -> Lifting:
+        """Return the query for *form* that `compile_queries` has compiled to the other values."""
+        template = tuple(Made(*each) for each in made)
+        return cls(form, name, template, frozenset(makes) - EVERYWHERE, stored)
+
+    @cached_property
+    def where(self) -> Group:
+        """The group that it matches."""
+        group: Group = from_json(self.stored)
+        return group
 
     def serves(self, wanted: Collection[Term]) -> bool:
         """Whether it makes something of what is *wanted*."""
@@ -84,15 +83,7 @@ class Lifting:
         if wanted is None:
             return self.made, self.where
         made = needed(self.made, wanted)
-        return made, trimmed(self.where, _variables(made))
-
-
-def _variables(made: Iterable[Made]) -> set[str]:
-    return set[str]().union(*(each.variables for each in made))
-
-
-SHARED = "shared"
-"""The directory of the queries that make the composable model of what readings make."""
+        return made, trimmed(self.where, variables_of(made))
 
 
 @lru_cache(maxsize=512)
@@ -107,47 +98,25 @@ def _update(lifting: Lifting, wanted: frozenset[Term] | None) -> str:
 
 @lru_cache(maxsize=len(LIFTED))
 def queries(form: str) -> tuple[Lifting, ...]:
-    """Return the lifting queries of the format *form*, by name.
-
-    In place of a reading come the shared queries that make something of its records.
-    """
-    return tuple(each for file in _files(form) for each in _queries(form, file))
+    """Return the lifting queries of the format *form*, by name, unfolded."""
+    stored = json.loads(_compiled[form]) if form in _compiled else _compile(form)
+    return tuple(Lifting.from_json(form, *each) for each in stored)
 
 
-def _queries(form: str, file: Path) -> Iterator[Lifting]:
-    query = _parsed(file)
-    if not is_reading(query):
-        yield _lifting(form, file.stem, query)
-        return
-    for shared in _files(SHARED):
-        if (made := unfolded(_parsed(shared), query)) is not None:
-            each = _lifting(form, f"{file.stem}/{shared.stem}", made)
-            yield replace(each, where=trimmed(each.where, _variables(each.made)))
+def _compile(form: str) -> Any:
+    from kinlint.engine.lifting_compiler import compile_queries  # noqa: PLC0415
+
+    return compile_queries(form)
 
 
-def _files(directory: str) -> list[Path]:
-    return sorted(resources.data("shapes").glob(f"lifting/{directory}/*.rq"))
+def compiled_queries() -> dict[str, str]:
+    """Return the queries of each format as JSON, for `recall_queries` of another process."""
+    return {each.name: json.dumps(_compile(each.name), separators=(",", ":")) for each in LIFTED}
 
 
-@cache
-def _parsed(file: Path) -> Construct:
-    prefixes = {**customary(), "ir": INTERMEDIATE}
-    try:
-        return parse_construct(file.read_text(encoding="utf-8"), prefixes)
-    except NotSparql as error:
-        raise RuleInvalid(f"{file}: {error}") from error
-
-
-def _lifting(form: str, name: str, query: Construct) -> Lifting:
-    made = made_by(query.template)
-    stated = {term for each in made for term in (each.predicate, each.term) if term}
-    chosen = {
-        each
-        for each in words(query.group)
-        if _IRI.fullmatch(each) and not each[1:].startswith(READ)
-    }
-    named = {each for each in stated | chosen if not each[1:].startswith((UNIT, QUANTITY_KIND))}
-    return Lifting(form, name, made, frozenset(named - EVERYWHERE), query.group)
+def recall_queries(compiled: Mapping[str, str]) -> None:
+    """Take *compiled* queries in place of files, to which they must belong."""
+    _compiled.update(compiled)
 
 
 def lifts(formats: Iterable[Format]) -> frozenset[Term]:

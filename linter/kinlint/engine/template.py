@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -44,6 +44,11 @@ class Made(NamedTuple):
 def made_by(triples: Triples) -> tuple[Made, ...]:
     """Return the triples of a template."""
     return tuple(Made(*each) for each in template(triples.tokens, lists=True))
+
+
+def variables_of(made: Iterable[Made]) -> set[str]:
+    """Return the variables of all triples of *made*."""
+    return set[str]().union(*(each.variables for each in made))
 
 
 def needed(made: Collection[Made], wanted: Collection[Term]) -> list[Made]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import count, pairwise
+from typing import Any
 
 from kinlint.sparql.ast import (
     Bind,
@@ -24,29 +25,37 @@ from kinlint.sparql.tokens import is_variable
 
 
 def words(part: Group | Element | Expression) -> list[str]:
-    """Every token of *part*."""
-    return [word for word in _words(part) if word]
+    """Return every token of *part*, in the order of the text."""
+    found: list[str] = []
+    _collect(part, found)
+    return found
 
 
-def _words(part: Group | Element | Expression | str) -> Iterator[str]:
+def _collect(part: Group | Element | Expression | str, found: list[str]) -> None:
     match part:
         case str():
-            yield part
-        case tuple():
-            for each in part:
-                yield from _words(each)
-        case Group(elements) | Union(elements):
-            yield from _words(elements)  # type: ignore[arg-type]
+            if part:
+                found.append(part)
         case Triples(tokens) | Values(tokens):
-            yield from tokens
-        case Filter(expression):
-            yield from _words(expression)
+            found += filter(None, tokens)
+        case _:
+            for each in _inner(part):
+                _collect(each, found)
+
+
+def _inner(part: Any) -> Iterable[Group | Element | str]:
+    """Return what *part*, no token and no block of tokens, consists of."""
+    inner: Iterable[Group | Element | str] = part
+    match part:
+        case Group(parts) | Union(parts) | Filter(parts):
+            inner = parts
         case Bind(expression, variable):
-            yield from _words((*expression, variable))
+            inner = (*expression, variable)
         case Clause(head, group):
-            yield from _words((*head, group))
+            inner = (*head, group)
         case Select(head, group, tail):
-            yield from _words((*head, group, *tail))
+            inner = (*head, group, *tail)
+    return inner
 
 
 def iris(part: Group | Element | Expression) -> Iterator[str]:
