@@ -12,7 +12,7 @@ from typing import BinaryIO
 
 @contextmanager
 def replacement(path: Path) -> Iterator[BinaryIO]:
-    """A stream whose content takes the place of the file at *path* once it is complete.
+    """Open a stream whose content replaces the file at *path* once it is complete.
 
     If the block raises, the file stays as it was. Links stay links, and an existing file keeps its
     mode. What is no regular file, such as `/dev/stdout`, is written to as it is.

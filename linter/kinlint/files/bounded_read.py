@@ -23,9 +23,10 @@ class Unreadable(Exception):
 
 @question
 def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
-    """The bytes of the regular file at *path*, at most *limit*, which a file at *near* names.
+    """Return the content of the regular file at *path*, at most *limit* bytes.
 
-    Raises Unreadable, also for what lies hidden or belongs to the system.
+    A file at *near* names it. Raises Unreadable, also for files that are hidden or belong to the
+    system.
     """
     if _is_private(path, near):
         raise Unreadable(f"'{shown(path)}' is none of the files that a robot is made of")
@@ -45,7 +46,7 @@ def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
 
 @question
 def head(path: Path, size: int) -> str | None:
-    """The first *size* characters of the regular file at *path*; None if there is none."""
+    """Return the first *size* characters of the regular file at *path*; None if there is none."""
     try:
         if not stat.S_ISREG(path.stat().st_mode):
             return None

@@ -39,7 +39,7 @@ class Environment(Mapping[str, str]):
 
 @question
 def today() -> str:
-    """The day, as in `2027-01-01`."""
+    """Return the day, as in `2027-01-01`."""
     from datetime import date  # noqa: PLC0415  few models ask
 
     return date.today().isoformat()  # noqa: DTZ011  the day where the user is
@@ -63,7 +63,10 @@ def kind(path: Path) -> str | None:
 
 @question
 def listing(directory: Path) -> dict[str, bool]:
-    """The names in *directory*, sorted, and whether each is a directory; none if it is none."""
+    """Return the names in *directory*, sorted, and whether each is a directory.
+
+    None if it is none.
+    """
     try:
         with os.scandir(directory) as entries:
             return {each.name: each.is_dir() for each in sorted(entries, key=lambda one: one.name)}

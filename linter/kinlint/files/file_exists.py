@@ -116,13 +116,13 @@ class References:
         return alike[0] if len(alike) == 1 else None
 
     def _listing(self, directory: Path) -> Mapping[str, bool]:
-        """The entries of *directory*, and whether each is a directory."""
+        """Return the entries of *directory*, and whether each is a directory."""
         if directory not in self._names:
             self._names[directory] = listing(directory)
         return self._names[directory]
 
     def _below_of(self, root: Path) -> Mapping[str, list[str]]:
-        """The files in and below *root* by name, whatever the case, as paths from there."""
+        """Return the paths of the files in and below *root*, by their names in lower case."""
         if root not in self._below:
             found: dict[str, list[str]] = {}
             for path in self._files(root):

@@ -17,7 +17,7 @@ _ALTERNATIVES = re.compile(r"\{([^{}]*)\}")
 def matches(
     pattern: str, skip: Callable[[Path], bool], unreadable: Callable[[OSError], None]
 ) -> list[Path]:
-    """The absolute paths that *pattern* matches, sorted.
+    """Return the absolute paths that *pattern* matches, sorted.
 
     `*` and the like match no name with a leading dot unless they have one; `**` is any number of
     directories, `{a,b}` is either. What wildcards stand for and *skip* is true of is not looked
@@ -71,7 +71,7 @@ class _Walk:
                 yield from self.below(base / entry.name, rest)
 
     def _at_any_depth(self, base: Path, parts: Sequence[str]) -> Iterator[Path]:
-        """The same for *parts* that begin with `**`."""
+        """Yield the same for *parts* that begin with `**`."""
         rest = parts[1:]
         if rest:
             yield from self.below(base, rest)

@@ -53,7 +53,7 @@ class Packages:
     _names: dict[Path, str | None] = field(default_factory=dict, repr=False)
 
     def find(self, name: str, near: Path) -> Path | None:
-        """The directory of the package *name*, as a file in the directory *near* means it."""
+        """Return the directory of the package *name* for a file in the directory *near*."""
         if not name or "/" in name or name in (".", ".."):
             return None
         if name in self.given:
@@ -65,7 +65,7 @@ class Packages:
         return self._known[key]
 
     def resolve(self, uri: str, near: Path) -> Path | None:
-        """The file that *uri*, `package://x/…` or `model://x/…`, stands for, be it there or not.
+        """Return the file of *uri*, `package://x/…` or `model://x/…`, be it there or not.
 
         None if there is no such package or model, or *uri* is another one.
         """
@@ -77,7 +77,7 @@ class Packages:
         return None if home is None else absolute(home / below)
 
     def _above(self, name: str, near: Path) -> Iterator[Path]:
-        """A directory above that is the package, or else one beside these of its name."""
+        """Yield a directory above that is the package, or else its neighbour of that name."""
         above = (near, *near.parents)
         yield from (each for each in above if self._manifest_name(each) == name)
         yield from (each for each in above if each.name == name)
@@ -107,7 +107,7 @@ class Packages:
                 yield share
 
     def _model(self, name: str) -> Path | None:
-        """The directory *name* in one where Gazebo keeps models."""
+        """Return the directory *name* in one where Gazebo keeps models."""
         roots = (root for variable in MODEL_PATHS for root in self._path(variable))
         return next((root / name for root in roots if kind(root / name) == "directory"), None)
 
@@ -123,7 +123,7 @@ class Packages:
         return self._indexed[root]
 
     def _manifest_name(self, directory: Path) -> str | None:
-        """The name of the package that *directory* is, if it is one."""
+        """Return the name of the package that *directory* is, if it is one."""
         if directory not in self._names:
             self._names[directory] = package_name(directory)
         return self._names[directory]
@@ -136,14 +136,14 @@ def _is_top(directory: Path) -> bool:
 
 @question
 def package_name(directory: Path) -> str | None:
-    """The name of the package that *directory* is, if it is one."""
+    """Return the name of the package that *directory* is, if it is one."""
     match = _NAME.search(_COMMENT.sub("", head(directory / MANIFEST, HEAD) or ""))
     return match[1] if match else None
 
 
 @question
 def packages_below(root: Path) -> dict[str, Path]:
-    """The packages below *root*, by name; the first of a name counts."""
+    """Return the packages below *root*, by name; the first of a name counts."""
     found: dict[str, Path] = {}
     for directory in _directories(root):
         name = package_name(directory)
@@ -153,7 +153,10 @@ def packages_below(root: Path) -> dict[str, Path]:
 
 
 def _directories(root: Path) -> Iterator[Path]:
-    """*root* and directories below it, nearest first; nothing below a package, links not taken."""
+    """Yield *root* and directories below it, nearest first.
+
+    None below a package, links not followed.
+    """
     level, seen = [root], 0
     for _ in range(DEPTH + 1):
         below: list[Path] = []

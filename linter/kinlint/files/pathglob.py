@@ -58,7 +58,7 @@ class Glob:
 
 
 def translate(pattern: str) -> str:
-    """The regular expression of a glob *pattern* over a path with forward slashes."""
+    """Return the regular expression of a glob *pattern* over a path with forward slashes."""
     return "".join(_pieces(pattern))
 
 
@@ -87,7 +87,10 @@ def _pieces(pattern: str) -> Iterator[str]:
 
 
 def _class(inside: str) -> str:
-    """The regular expression of `[inside]`; what is no range, such as `z-a`, means itself."""
+    """Return the regular expression of `[inside]`.
+
+    What is no range, such as `z-a`, means itself.
+    """
     escaped = inside.replace("\\", "\\\\").replace("[", "\\[")
     made = f"[{'^' + escaped[1:] if inside[0] in '!^' else escaped}]"
     try:
@@ -98,5 +101,5 @@ def _class(inside: str) -> str:
 
 
 def absolute(path: str | Path) -> Path:
-    """*path* from the root of the file system, without `.` and `..`, links kept."""
+    """Return *path* from the root of the file system, without `.` and `..`, links kept."""
     return Path(os.path.abspath(path))  # noqa: PTH100  Path.resolve would follow links

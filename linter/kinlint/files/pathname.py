@@ -29,12 +29,12 @@ def printable(name: str) -> str:
 
 @question
 def real(path: str | Path) -> Path:
-    """*path* from the root of the file system, with all links followed."""
+    """Return *path* from the root of the file system, with all links followed."""
     return Path(os.path.realpath(path))
 
 
 def missing(path: Path) -> str:
-    """Why there is nothing at *path*, with what there is of a similar name."""
+    """Say why there is nothing at *path*, with what there is of a similar name."""
     try:
         beside = [one.name for one in path.parent.iterdir()]
     except OSError:

@@ -31,7 +31,7 @@ class Repository:
 
     @classmethod
     def from_directory(cls, directory: Path) -> Repository:
-        """The repository that *directory* lies in.
+        """Return the repository that *directory* lies in.
 
         Raises UsageError where there is none, or git refuses to look at it.
         """
@@ -51,14 +51,14 @@ class Repository:
         return self.top / os.fsdecode(told).rstrip("\r\n")
 
     def revision(self, name: str) -> Revision:
-        """The commit that *name* stands for.
+        """Return the commit that *name* stands for.
 
         Raises UsageError if there is none.
         """
         return Revision(self, self._commit(name))
 
     def merge_base(self, name: str) -> Revision:
-        """The last commit that *name* and the one that is checked out have in common.
+        """Return the last commit that *name* and the one that is checked out have in common.
 
         Raises UsageError if there is none.
         """
@@ -221,7 +221,7 @@ class Revision:
                 yield first, None if status == b"A" else first, status
 
     def _of_git(self, name: str) -> Path:
-        """The file or directory *name* of those that git keeps for the working tree."""
+        """Return the file or directory *name* of those that git keeps for the working tree."""
         told = git(self._top, ["rev-parse", "--git-path", name])
         return self._top / os.fsdecode(told).rstrip("\r\n")
 

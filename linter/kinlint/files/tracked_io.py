@@ -46,7 +46,7 @@ _KEPT: ContextVar[Record | None] = ContextVar("record", default=None)
 
 @contextmanager
 def recorded() -> Iterator[Record]:
-    """A record of all that is asked meanwhile, in this thread."""
+    """Record all that is asked within the block, in this thread."""
     record = Record()
     token = _KEPT.set(record)
     try:
@@ -56,7 +56,7 @@ def recorded() -> Iterator[Record]:
 
 
 def question(look: Callable[P, R]) -> Callable[P, R]:
-    """*look*, a function of a module of this package, noting what it says if a record is kept.
+    """Wrap *look*, a function of a module of this package, to note its answer if a record is kept.
 
     What it asks on the way is part of its answer. It takes positional arguments; what it gives has
     a `repr` that tells all of it.
@@ -84,7 +84,10 @@ def question(look: Callable[P, R]) -> Callable[P, R]:
 
 
 def answer(asked: Asked) -> str:
-    """The digest of what is answered to *asked* now. Raises ValueError if it is no question."""
+    """Return the digest of what is answered to *asked* now.
+
+    Raises ValueError if it is no question.
+    """
     module, _, name = asked[0].partition(".")
     if not module.isidentifier() or not name.isidentifier():
         raise ValueError(asked[0])

@@ -21,12 +21,12 @@ class BlankNodes:
         self._written: dict[str, Term] = {}
 
     def fresh(self) -> Term:
-        """A blank node without a name in the text."""
+        """Return a blank node without a name in the text."""
         self._count += 1
         return blank(f"{self._prefix}{self._count}")
 
     def named(self, label: str) -> Term:
-        """The blank node that the text calls *label*."""
+        """Return the blank node that the text calls *label*."""
         known = self._written.get(label)
         if known is None:
             known = self._written[label] = self.fresh()

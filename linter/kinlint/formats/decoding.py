@@ -22,7 +22,7 @@ _HEAD = 1024
 
 
 def decode(name: str, data: bytes) -> SourceText:
-    """The text of the file *name*, with its format if that is known.
+    """Return the text of the file *name*, with its format if that is known.
 
     Raises SourceError that says what was found, and where, if *data* is no text: XML in the
     encoding that it declares, anything else in UTF-8.
@@ -50,10 +50,10 @@ def decode(name: str, data: bytes) -> SourceText:
 
 
 def encode(source: SourceText) -> bytes:
-    """The bytes of a file that is read as *source*.
+    """Return the bytes of a file that is read as *source*.
 
-    Raises NotExpressible where there are none: a character is not in its encoding, or the text was
-    put together from bytes that were not.
+    Raises Unsayable where there are none: a character is not in its encoding, or the text was put
+    together from bytes that were not.
     """
     if not source.encoding:
         raise NotExpressible("some bytes of the file are not in its encoding")
@@ -74,7 +74,10 @@ def _looks_like_xml(head: bytes) -> bool:
 
 
 def _guess(content: bytes) -> str | None:
-    """UTF-16 without a mark has a zero in nearly every other byte of plain text."""
+    """Return the likely encoding of *content* with zeros.
+
+    UTF-16 without a mark has a zero in nearly every other byte of plain text.
+    """
     head = content[:64]
     for parity, order in ((1, "little"), (0, "big")):
         if len(head) > 1 and all(byte == 0 for byte in head[parity::2]) and any(head):
@@ -83,7 +86,7 @@ def _guess(content: bytes) -> str | None:
 
 
 def _place(content: bytes, at: int) -> tuple[int, int]:
-    """Line and column of a byte, all before which is UTF-8."""
+    """Return line and column of a byte, all before which is UTF-8."""
     before = content[:at].decode("utf-8", "replace")
     position = SourceText("", before).position(len(before))
     return position.line, position.column

@@ -47,7 +47,7 @@ class Rereader:
         return document
 
     def _divided(self, source: SourceText, options: ReadOptions) -> Reading | None:
-        """*source*, read part by part; None if it has to be read at once."""
+        """Return *source*, read part by part; None if it has to be read at once."""
         from kinlint.formats.jsonld.incremental import reader  # noqa: PLC0415  needs PyLD
 
         if self._parted is not None:

@@ -24,11 +24,11 @@ class ContextLibrary(Protocol):
         ...
 
     def document(self, iri: str) -> Mapping[str, Any] | None:
-        """The document at *iri*, `{"@context": ...}`, or None if nobody knows it."""
+        """Return the document at *iri*, `{"@context": ...}`, or None if nobody knows it."""
         ...
 
     def at_release(self, release: str) -> ContextLibrary:
-        """The same library serving another release."""
+        """Return the same library serving another release."""
         ...
 
 

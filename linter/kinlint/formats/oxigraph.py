@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def triples(
     source: SourceText, form: RdfFormat, base: str | None, blanks: BlankNodes | None = None
 ) -> Iterator[Triple]:
-    """The triples of *source*, graph names left out; blank nodes renamed by *blanks*.
+    """Yield the triples of *source*, graph names left out; blank nodes renamed by *blanks*.
 
     Raises SourceError with line and column when it is not what *form* says.
     """
@@ -47,7 +47,7 @@ def _term(term: Any, source: SourceText, blanks: BlankNodes | None) -> Term:
 
 
 def _place(source: SourceText, error: SyntaxError) -> tuple[int | None, int | None]:
-    """Oxigraph counts columns in code points, and lines by their line feeds."""
+    """Return line and column: Oxigraph counts code points, and lines by their line feeds."""
     if error.lineno is None:
         return None, None
     return min(error.lineno, len(source.line_starts)), error.offset

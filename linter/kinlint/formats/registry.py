@@ -23,9 +23,9 @@ class Editor(Protocol):
     """Writes changes of one document into its text."""
 
     def edits(self, delta: Delta) -> Sequence[Edit]:
-        """The smallest edits after which the text says *delta*, ascending, without overlap.
+        """Return the smallest edits that apply *delta* to the text, ascending, without overlap.
 
-        Raises NotExpressible where it cannot.
+        Raises Unsayable where it cannot.
         """
         ...
 

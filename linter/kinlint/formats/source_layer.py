@@ -26,7 +26,7 @@ URN_PARTS = 3
 
 
 def src(name: str) -> Term:
-    """The token of a name in the source vocabulary."""
+    """Return the token of a name in the source vocabulary."""
     return iri(SRC + name)
 
 
@@ -45,7 +45,7 @@ class SourceLayer:
     _graphs: set[Term] = field(default_factory=set)
 
     def state_file(self, form: str, name: str, whole: Span) -> None:
-        """The document itself."""
+        """State the document itself."""
         self.nodes[self.document] = NodeSpans(whole)
         place = Span(whole.start, min(whole.start + 1, whole.end))
         for prop, value in (
@@ -56,39 +56,39 @@ class SourceLayer:
             self.triples[self.document, prop, value] = place
 
     def state_described(self, nodes: Mapping[Term, NodeSpans]) -> None:
-        """The nodes that the document describes, and the namespaces of those with IRIs."""
+        """State the nodes that the document describes, and the namespaces of those with IRIs."""
         for node, spans in nodes.items():
             self.triples[node, DESCRIBED, self.document] = spans.best
         self.state_namespaces(namespaces(nodes))
 
     def state_namespaces(self, found: Mapping[str, Span]) -> None:
-        """The namespaces in which the document describes nodes."""
+        """State the namespaces in which the document describes nodes."""
         for namespace, span in found.items():
             self.triples[self.document, src("ownNamespace"), literal(namespace)] = span
 
     def state_terms(self, found: Mapping[Term, Span]) -> None:
-        """The properties and classes that the document uses."""
+        """State the properties and classes that the document uses."""
         used = src("usesTerm")
         for term, span in found.items():
             self.triples[self.document, used, term] = span
 
     def state_lost_value(self, node: Term, value: Term, span: Span, reason: str) -> None:
-        """The literal *value* at *span*, said of *node*, is none, for this *reason*."""
+        """State that *value* at *span*, a value of *node*, is no literal, for this *reason*."""
         texts = ("written", literal(literal_value(value))), ("reason", literal(reason))
         self.add_node("LostValue", span, ("node", node), *texts)
 
     def state_graph(self, name: Term, span: Span) -> None:
-        """The document puts statements into the graph *name*; said once for each."""
+        """State, once for each, that the document puts statements into the graph *name*."""
         if name not in self._graphs:
             self._graphs.add(name)
             self.add_node("NamedGraph", span, ("name", name))
 
     def state_context_use(self, use: Term, span: Span) -> None:
-        """The document names a context."""
+        """State that the document names a context."""
         self.triples[self.document, src("usesContext"), use] = span
 
     def add_node(self, kind: str, span: Span, *details: tuple[str, Term | None]) -> Term:
-        """A new blank node of *kind* at *span*, with those of its *details* that are known."""
+        """Add a blank node of *kind* at *span*, with those of its *details* that are known."""
         node = self.blanks.fresh()
         self.nodes[node] = NodeSpans(span, span)
         self.triples[node, RDF_TYPE, src(kind)] = span
@@ -101,7 +101,7 @@ class SourceLayer:
 
 
 def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
-    """The namespaces of those of *nodes* that have IRIs, each where it comes first.
+    """Return the namespaces of those of *nodes* that have IRIs, each where it comes first.
 
     The sentinel base is no namespace of anybody.
     """
@@ -116,7 +116,7 @@ def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
 
 
 def terms(stated: Mapping[Triple, Span]) -> dict[Term, Span]:
-    """The properties and classes in *stated*, each where it comes first."""
+    """Return the properties and classes in *stated*, each where it comes first."""
     found: dict[Term, Span] = {}
     for (_, prop, value), span in stated.items():
         found.setdefault(value if prop == RDF_TYPE else prop, span)

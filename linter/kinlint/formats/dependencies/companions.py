@@ -116,10 +116,10 @@ def may_be_srdf(source: SourceText) -> bool:
 def find_companions(
     sources: Iterable[SourceText], told: Callable[[str], str | None] = lambda _: None
 ) -> dict[str, str]:
-    """The name of the URDF among *sources* that each SRDF among them is about, by its name.
+    """Return the name of the URDF among *sources* for each SRDF among them, by its name.
 
     It is the one *told*, by its path, or one that has the robot's name and most of the links and
-    joints that the SRDF speaks of: the nearest of several. If there are no others, one of both will
+    joints that the SRDF refers to: the nearest of several. If there are no others, one of both will
     do.
     """
     every = [one for each in sources if (one := describe(each)) and not one.unexpanded]
@@ -219,7 +219,7 @@ def find_nearby(
 
 
 def _urdfs_near(srdf: Path) -> Iterator[Path]:
-    """The URDF files that may describe the robot of the file at *srdf*, the nearest first."""
+    """Yield the URDF files that may describe the robot of the file at *srdf*, the nearest first."""
     for folder in dict.fromkeys(absolute(srdf.parent / folder) for folder in FOLDERS):
         for pattern in PATTERNS:
             yield from sorted(one for one in folder.glob(pattern) if one.is_file())
@@ -228,7 +228,7 @@ def _urdfs_near(srdf: Path) -> Iterator[Path]:
 def _fitting(
     srdf: Description, candidates: Iterable[Path], overlay: Mapping[Path, SourceText]
 ) -> dict[Path, SourceText]:
-    """The first of *candidates* that *srdf* may be about, with its text."""
+    """Return the first of *candidates* that *srdf* may be about, with its text."""
     for path in candidates:
         try:
             urdf = describe(_companion(path, overlay))

@@ -76,7 +76,7 @@ class _Groups:
         self._above = list(range(size))
 
     def first(self, one: int) -> int:
-        """The least number of the group of *one*."""
+        """Return the least number of the group of *one*."""
         while self._above[one] != one:
             self._above[one] = self._above[self._above[one]]
             one = self._above[one]

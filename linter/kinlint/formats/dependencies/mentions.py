@@ -85,5 +85,5 @@ def includes_nothing(source: SourceText) -> bool:
 
 
 def _values(found: Iterable[tuple[str, str]]) -> Iterable[str]:
-    """The values of attributes, which stand between either kind of quotes."""
+    """Return the values of attributes, which stand between either kind of quotes."""
     return (one or other for one, other in found)

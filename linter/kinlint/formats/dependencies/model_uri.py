@@ -31,7 +31,10 @@ class Missing:
 
 
 def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Missing:
-    """The SDF file that *uri* names in the last file of *chain*, which include each other."""
+    """Return the SDF file that *uri* names in the last file of *chain*.
+
+    The files of the chain include each other.
+    """
     scheme = urlsplit(uri).scheme if "://" in uri else ""
     if scheme not in LOCAL:
         return Missing("it is on the network")
@@ -50,7 +53,7 @@ def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Miss
 
 
 def _candidates(uri: str, scheme: str, near: Path, packages: Packages) -> Iterator[Path]:
-    """The paths to try: beside the file that includes, then among the known models."""
+    """Yield the paths to try: beside the file that includes, then among the known models."""
     if scheme in ("model", "package"):
         resolved = packages.resolve(uri, near)
         if resolved is not None:
@@ -65,7 +68,7 @@ def _candidates(uri: str, scheme: str, near: Path, packages: Packages) -> Iterat
 
 
 def _named_by_manifest(directory: Path) -> Path | None:
-    """The file of the newest version that the model in *directory* has, as its manifest says.
+    """Return the file of the newest version of the model in *directory*, by its manifest.
 
     Without a manifest it is `model.sdf`, or the only SDF file there.
     """

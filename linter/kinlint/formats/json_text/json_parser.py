@@ -39,7 +39,7 @@ _LITERALS = {"t": ("true", True), "f": ("false", False), "n": ("null", None)}
 
 
 def parse(source: SourceText) -> Parsed:
-    """The JSON value that *source* is.
+    """Parse the JSON value of *source*.
 
     Raises SourceError with line and column when it is none.
     """
@@ -110,7 +110,7 @@ class _Parser:
         self.fail(f"not JSON: expected {wanted}, found {self.shown(at)}", at)
 
     def container(self, at: int, depth: int = 0) -> tuple[Any, int]:
-        """The array or object at an offset, with all it contains, within *depth* others."""
+        """Return the array or object at an offset, with all it contains, within *depth* others."""
         text = self.text
         stack: list[tuple[Array | Object, Key | None]] = []
         current: Array | Object = Object(at) if text[at] == "{" else Array(at)
@@ -156,7 +156,7 @@ class _Parser:
                 at = end
 
     def element(self, at: int, *, first: bool, depth: int) -> Element:
-        """The next element of an array, or its closing bracket."""
+        """Return the next element of an array, or its closing bracket."""
         at = self.space(at) if first else at
         follows = None if first else _NEXT_ELEMENT.match(self.text, at)
         if self.text.startswith("]", at) if first else follows is None:
@@ -214,7 +214,7 @@ class _Parser:
         tokens[key] = key
 
     def key(self, at: int) -> tuple[Key, int]:
-        """The key at an offset, and the offset of its value."""
+        """Return the key at an offset, and the offset of its value."""
         if not self.text.startswith('"', at):
             self.unexpected("a key in double quotes", at)
         content, end = self.string(at)
@@ -259,7 +259,7 @@ class _Parser:
         return self.unexpected("a value", at)
 
     def boundary(self, end: int, at: int) -> None:
-        """Refuses a word or number that runs on: `nullx`, `01`, `1.`, `1e`."""
+        """Refuse a word or number that runs on: `nullx`, `01`, `1.`, `1e`."""
         following = self.text[end : end + 1]
         if following and (following.isalnum() or following in "._+-"):
             self.fail(f"not JSON: expected a value, found {self.shown(at)}", at)

@@ -91,7 +91,7 @@ class Object(Placed, dict[str, Any]):
         self.overwritten = None
 
     def key(self, name: str) -> Key | None:
-        """The token of the key called *name*."""
+        """Return the token of the key called *name*."""
         return next((key for key in self if key == name and isinstance(key, Key)), None)
 
 

@@ -132,7 +132,7 @@ class ActiveContexts:
         return result, None
 
     def _datatypes(self, entry: Object, result: Context) -> None:
-        """Notes datatypes in a context of the file that no prefix makes an IRI."""
+        """Note datatypes in a context of the file that no prefix makes an IRI."""
         for term, definition in entry.items():
             written = definition.get("@type") if isinstance(definition, Mapping) else None
             mapping = result["mappings"].get(term)
@@ -176,7 +176,7 @@ class ActiveContexts:
     def _compare(
         self, before: Context, after: Context, entry: Text, options: Any, owners: dict[str, str]
     ) -> None:
-        """Notes the terms of earlier documents that the document *entry* redefines."""
+        """Note the terms of earlier documents that the document *entry* redefines."""
         try:
             found = self.resolver.resolve(before, entry, options["base"])
         except FAULTS:
@@ -192,7 +192,7 @@ class ActiveContexts:
 
 
 def _entries(array: list[Any]) -> Iterator[tuple[Any, Span | None]]:
-    """The contexts in an array and in arrays within it, each with its place."""
+    """Yield the contexts in an array and in arrays within it, each with its place."""
     for index, entry in enumerate(array):
         if isinstance(entry, list):
             yield from _entries(entry)

@@ -28,7 +28,7 @@ class ContextCache:
 
     @classmethod
     def from_options(cls, options: ReadOptions, release: str) -> ContextCache:
-        """The memory that all files read with *options* share, one for each release."""
+        """Return the memory that all files read with *options* share, one for each release."""
         about = (cls, release, options.base)
         if about not in options.memory:
             library = options.contexts
@@ -38,7 +38,7 @@ class ContextCache:
         return memory
 
     def begin(self, initial: Context) -> None:
-        """*initial* is where every file begins."""
+        """Cache *initial*, the context in which every file begins."""
         self._ids.add(id(initial))
         self._known[id(initial)] = (initial, None)
 
@@ -56,7 +56,7 @@ class ContextCache:
         return id(active), tuple((str(term), str(value)) for term, value in said)
 
     def get(self, key: Hashable) -> Context | None:
-        """The context remembered by *key*."""
+        """Return the context remembered by *key*."""
         found = self._known.get(key)
         return found[0] if found else None
 
@@ -67,7 +67,7 @@ class ContextCache:
 
 
 def unplaced(entry: Any) -> Any:
-    """A context of mere strings without their places; any other as it is."""
+    """Return a context of mere strings without their places; any other as it is."""
     if isinstance(entry, Object):
         return {str(term): str(value) for term, value in entry.items()}
     return entry

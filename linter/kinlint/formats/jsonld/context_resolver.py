@@ -21,10 +21,10 @@ class Resolved:
         self.missing = missing
 
     def get_processed(self, _active: Any) -> None:
-        """PyLD's cache, unused: it is keyed by an identifier that every scoped context renews."""
+        """Return None: PyLD's cache is keyed by an identifier that every scoped context renews."""
 
     def set_processed(self, _active: Any, _processed: Any) -> None:
-        """See `get_processed`."""
+        """Do nothing; see `get_processed`."""
 
 
 class Resolver:
@@ -43,7 +43,7 @@ class Resolver:
     def resolve(
         self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
     ) -> list[Resolved]:
-        """The contexts that *context* (an IRI, a context, null or an array) stands for."""
+        """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
         if isinstance(context, Mapping) and "@context" in context:
             context = context["@context"]
         entries = context if isinstance(context, list) else [context]
@@ -94,7 +94,10 @@ class Resolver:
         return self._remote[iri]
 
     def _fetched(self, iri: str, written: str) -> Any:
-        """The context in the document at *iri*, its references made absolute; always the same."""
+        """Return the context in the document at *iri*, its references made absolute.
+
+        Always the same.
+        """
         if (iri, written) not in self._documents:
             self._documents[iri, written] = self._read(iri, written)
         return self._documents[iri, written]
@@ -131,7 +134,10 @@ def _absolute(iri: str, base: str) -> str:
 
 
 def _located(context: Any, iri: str) -> Any:
-    """A copy of *context* whose references are absolute: relative ones are relative to *iri*."""
+    """Return a copy of *context* whose references are absolute.
+
+    Relative ones are relative to *iri*.
+    """
     if isinstance(context, str):
         return _absolute(context, iri)
     if isinstance(context, list):

@@ -61,7 +61,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         memory.begin(self._get_initial_context(self.options))
 
     def expand_document(self, parsed: Parsed, context: Any = None) -> list[Any]:
-        """The expanded form of a JSON text; *context* is in force from the start.
+        """Return the expanded form of a JSON text; *context* is in force from the start.
 
         Raises JsonLdError where the text breaks the rules of JSON-LD outside of contexts.
         """
@@ -76,7 +76,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         return expanded if isinstance(expanded, list) else [expanded]
 
     def entering(self, outer: Context, key: str | None) -> Context:
-        """The context of an object that is a value of *key*, before its own and those of its types.
+        """Return the context of a value of *key*, before its own contexts and those of its types.
 
         Steps 3 and 7 to 8 of the expansion algorithm (JSON-LD 1.1 API, 5.1).
         """
@@ -133,7 +133,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     def _expand_index_map(
         self, active_ctx: Context, active_property: Any, value: dict[str, Any], *rest: Any
     ) -> Any:
-        """Literals carry no place, but arrays know those of their elements."""
+        """Expand an index map: literals carry no place, but arrays know those of their elements."""
         placed = dict(value)
         for key, item in value.items():
             if isinstance(item, bool) and isinstance(key, Key):
@@ -146,7 +146,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         self, active_ctx: Context, active_property: Any, element: list[Any], options: Any,
         *, inside_list: bool, inside_index: bool, type_scoped_ctx: Any,
     ) -> ExpandedArray:  # fmt: skip
-        """PyLD's own loop, save that it knows which element it is at."""
+        """Expand an array as PyLD does, but keep track of the current element."""
         place = element.span if isinstance(element, Array) else self._around(active_property)
         result = ExpandedArray(place)
         container = self.get_context_value(active_ctx, active_property, "@container")
@@ -228,7 +228,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         return result
 
     def _reserved(self, token: Text, keyword: str | None, origin: Origin) -> None:
-        """Notes what the keyword *token* does to its object, or that it is none."""
+        """Note what the keyword *token* does to its object, or that it is none."""
         if not isinstance(token, Key):
             if keyword != "@json" and (keyword or _LIKE_KEYWORD.match(token)):
                 self.record.reserve(token, origin)

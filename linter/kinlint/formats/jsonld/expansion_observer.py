@@ -21,25 +21,25 @@ class ExpansionObserver(Protocol):
     """Observer of IRIs, and of how nodes and values are written, on the way into the graph."""
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
-        """*written* names a node, a property, a datatype or a value."""
+        """Observe that *written* names a node, a property, a datatype or a value."""
         ...
 
     def note_repeated(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
-        """The *value* at *span* of a property without order was among its values already."""
+        """Note that the *value* at *span* of a property without order repeats another."""
         ...
 
     def nested(self, node: Term, slot: Slot, span: Span, depth: int, outermost: Term) -> None:
-        """A node is described within *depth* others, the first of which is *outermost*."""
+        """Note that a node is described within *depth* others, first of all in *outermost*."""
         ...
 
     def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
-        """*written* names the type of a node."""
+        """Observe that *written* names the type of a node."""
         ...
 
     def graph(self, written: Iri) -> None:
-        """*written* names a graph."""
+        """Observe that *written* names a graph."""
         ...
 
     def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
-        """The expanded value *item* at *span* cannot be a value in RDF."""
+        """Note that the expanded value *item* at *span* cannot be a value in RDF."""
         ...

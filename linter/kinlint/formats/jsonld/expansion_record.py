@@ -67,43 +67,43 @@ class Record:
         self.drops.setdefault(key.start, Drop(key, origin, resolution))
 
     def reserve(self, value: Text, origin: Origin) -> None:
-        """*value* should be an IRI, but JSON-LD reserves such words and ignores them."""
+        """Record *value*, which should be an IRI, but is a word that JSON-LD reserves."""
         reason = "JSON-LD reserves words that begin with an at sign"
         stray = Stray("MalformedIri", value.span, origin, value, reason, _key(origin, value))
         self.strays.setdefault(value.span, stray)
 
     def float(self, value: Any, span: Span) -> None:
-        """*value* stands where nodes do, and so is the value of no property."""
+        """Record *value*, which stands in the place of nodes and so is the value of no property."""
         reason = "it is the value of no property"
         plain = isinstance(value, (str, int, float))
         written = f"{value}" if plain and not isinstance(value, bool) else "value"
         self.strays.setdefault(span, Stray("LostValue", span, None, written, reason))
 
     def undefine(self, datatype: Text) -> None:
-        """A context in the file gives a term a *datatype* with an unknown prefix."""
+        """Record a *datatype* with an unknown prefix, which a context in the file gives a term."""
         self.unprefixed.setdefault(datatype.start, datatype)
 
     def use(self, entry: Any) -> None:
-        """The file names a context, if *entry* is an IRI written in it."""
+        """Record the use of a context, if *entry* is an IRI written in the file."""
         if isinstance(entry, Text):
             self.uses[entry.start] = entry
 
     def problem(self, problem: Problem) -> None:
-        """A context cannot take part."""
+        """Record that a context cannot be used."""
         self.problems.setdefault(problem.span, problem)
 
     def declare(self, mappings: Mapping[str, Any]) -> None:
-        """The prefixes among the terms of a context in force."""
+        """Record the prefixes among the terms of a context in force."""
         for term, mapping in mappings.items():
             if mapping and mapping.get("_prefix"):
                 self.prefixes.setdefault(term, str(mapping["@id"]))
 
     def redefine(self, shadow: Shadow) -> None:
-        """A term changes its meaning within one array of contexts."""
+        """Record that a term changes its meaning within one array of contexts."""
         self.shadows[shadow.term] = shadow
 
     def resolved(self, token: Text, resolution: Resolution) -> None:
-        """A token was expanded: if by a term that shadows another, that is a use of it."""
+        """Record that a token was expanded: a use of a term if it shadows another."""
         if resolution.reach is Reach.TERM:
             shadow = self.shadows.get(token)
             used = shadow is not None and shadow.iri == resolution.iri
@@ -120,7 +120,7 @@ class Record:
 
 
 def _key(origin: Origin, value: Text) -> str | None:
-    """The key of the member in which *value* stands."""
+    """Return the key of the member in which *value* stands."""
     for key, member in origin.element.items():
         if member is value or (isinstance(member, list) and any(e is value for e in member)):
             return str(key)

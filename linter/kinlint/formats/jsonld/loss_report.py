@@ -44,7 +44,7 @@ class OtherRelease:
         return isinstance(found, str) and _MAPPED.match(found) is not None
 
     def _contexts(self, origin: Origin) -> tuple[Context, Context]:
-        """The active context for the keys of *origin*, and the one for its types."""
+        """Return the active context for the keys of *origin*, and the one for its types."""
         if origin not in self._at:
             processor = self._processor
             if origin.parent is None:
@@ -55,7 +55,10 @@ class OtherRelease:
         return self._at[origin]
 
     def _inner(self, outer: Context, origin: Origin) -> tuple[Context, Context]:
-        """Steps 3 and 7 to 11 of the expansion algorithm: what an object adds to its contexts."""
+        """Return the contexts after those of an object.
+
+        Steps 3 and 7 to 11 of the expansion algorithm.
+        """
         processor: Any = self._processor
         try:
             outer = processor.entering(outer, origin.prop)
@@ -87,7 +90,7 @@ class Comparison:
         return len(self._near)
 
     def others(self, *, named: bool) -> list[OtherRelease]:
-        """The other releases, if a context is *named* that they might have."""
+        """Return the other releases, if a context is *named* that they might have."""
         if self._releases is None:
             current = self._options.contexts.release
             names = self._options.releases if named else ()
@@ -95,7 +98,7 @@ class Comparison:
         return self._releases
 
     def resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
-        """The term that *written* resembles, as long as few words have been looked up."""
+        """Yield the term that *written* resembles, as long as few words have been looked up."""
         key = id(resolution.terms), str(written)
         if key not in self._near and len(self._near) < LOOKED_UP:
             self._near[key] = resolution.nearest(written)
@@ -115,7 +118,10 @@ class LossReport:
         self._compared = compared
 
     def losses(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
-        """The losses in the order of the text; *origins* are of the objects that are *repeats*."""
+        """Return the losses in the order of the text.
+
+        *origins* are of the objects that are *repeats*.
+        """
         found = [*self._watch.losses, *self._watch.references(), *self._watch.nests()]
         found += [
             *self.types(),
@@ -131,7 +137,7 @@ class LossReport:
         return self._compared.others(named=bool(self._record.uses))
 
     def dropped(self) -> list[Loss]:
-        """The keys without a meaning."""
+        """Return the keys without a meaning."""
         losses = []
         for drop in self._record.drops.values():
             blind = drop.resolution.blind
@@ -154,7 +160,7 @@ class LossReport:
             yield Detail("resembles", iri(meaning["@id"]))
 
     def strays(self) -> list[Loss]:
-        """The values without effect, and the datatypes without a prefix."""
+        """Return the values without effect, and the datatypes without a prefix."""
         losses = [
             Loss(
                 stray.kind,
@@ -170,7 +176,7 @@ class LossReport:
         return losses
 
     def types(self) -> list[Loss]:
-        """The types that are relative IRIs."""
+        """Return the types that are relative IRIs."""
         return [
             lost.loss.with_details(
                 Detail("mappedInRelease", literal(other.release))
@@ -181,7 +187,7 @@ class LossReport:
         ]
 
     def contexts(self) -> list[Loss]:
-        """The contexts that are missing or broken."""
+        """Return the contexts that are missing or broken."""
         losses = []
         for problem in self._record.problems.values():
             details = text_details(reason=problem.reason)
@@ -191,7 +197,7 @@ class LossReport:
         return losses
 
     def duplicates(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
-        """The keys that stand in an object before."""
+        """Return the keys that stand in an object before."""
         losses: list[Loss] = []
         for repeated in repeats:
             origin = origins.get(id(repeated))
@@ -200,7 +206,7 @@ class LossReport:
 
 
 def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
-    """The terms that mean something else than in an earlier context, each where it comes first."""
+    """Return the terms whose meaning differs from an earlier context, at their first places."""
     losses = []
     for shadow, span in uses:
         names = text_details(term=shadow.term, context=shadow.context, shadowed=shadow.shadowed)
@@ -231,7 +237,7 @@ def sort_key(loss: Loss) -> tuple[int, int, str]:
 
 
 def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
-    """Every occurrence of a key but the first."""
+    """Return the losses of repeated keys: every occurrence but the first."""
     seen: set[str] = set()
     losses = []
     tokens = [member.key for member in repeated.overwritten or ()]

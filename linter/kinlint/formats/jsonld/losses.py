@@ -43,12 +43,12 @@ class Loss:
         return "subject" if self.kind in _MANNERS else "node"
 
     def with_details(self, details: Iterable[Detail]) -> Loss:
-        """The same loss with more said about it."""
+        """Return a copy with further details."""
         return replace(self, details=(*self.details, *details))
 
 
 def text_details(**texts: str) -> tuple[Detail, ...]:
-    """Details that are plain strings."""
+    """Return details that are plain strings."""
     return tuple(Detail(name, literal(text)) for name, text in texts.items())
 
 
@@ -86,7 +86,7 @@ class LossWatch:
         self._sound: dict[int, Resolution] = {}
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
-        """*written* stands for a node, a property, a datatype or a value."""
+        """Check *written*, which stands for a node, a property, a datatype or a value."""
         if written.resolution.reach in _FALLEN and not written.resolution.blind:
             self._reference(written, role, node, slot)
         elif role == "property" and written.startswith("_:"):
@@ -95,17 +95,20 @@ class LossWatch:
         self._absolute(written, node, slot)
 
     def note_repeated(self, node: Term, slot: Slot, value: Term, span: Span) -> None:
-        """A *value* of an unordered property of *node* is written once more at *span*."""
+        """Note that a *value* of an unordered property of *node* is repeated at *span*."""
         details = (*_where(slot), Detail("value", value))
         self.losses.append(Loss("RepeatedValue", span, node, details))
 
     def nested(self, node: Term, slot: Slot, span: Span, depth: int, outermost: Term) -> None:
-        """*node* is described within *depth* other nodes; remarks to kinlint are no nodes."""
+        """Note that *node* is described within *depth* other nodes.
+
+        Remarks to kinlint do not count.
+        """
         if slot.prop is None or not slot.prop.startswith(f"<{KL}"):
             self.within.setdefault(outermost, []).append(Nested(span, node, depth, slot))
 
     def nests(self) -> list[Loss]:
-        """The first of the nodes within others in each outermost node, and how many there are."""
+        """Return the first nested node in each outermost node, with the number of all in it."""
         losses = []
         for outermost, all_nested in self.within.items():
             first = min(all_nested)
@@ -120,7 +123,7 @@ class LossWatch:
         return losses
 
     def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
-        """*written* stands for the type of a node."""
+        """Check *written*, which stands for the type of a node."""
         if written.resolution.reach in RELATIVE:
             if not written.resolution.blind:
                 details = (*text_details(written=written.token), *_target(written))
@@ -147,14 +150,17 @@ class LossWatch:
             self._sound[id(resolution)] = resolution
 
     def graph(self, written: Iri) -> None:
-        """*written* names a graph."""
+        """Check *written*, which names a graph."""
         if not malformed(written):
             name = Detail("name", iri(written))
             if not written.startswith("_:"):
                 self.losses.append(Loss("NamedGraph", written.span, None, (name,)))
 
     def value(self, item: dict[str, Any], node: Term | None, span: Span) -> None:
-        """The literal at *span* is none; of impossible datatypes is spoken elsewhere."""
+        """Note that the literal at *span* is invalid.
+
+        Impossible datatypes are reported elsewhere.
+        """
         if "@language" in item and item.get("@type") is None:
             reason = f"'{item['@language']}' is not a language tag"
             details = text_details(written=str(item["@value"]), reason=reason)
@@ -180,7 +186,7 @@ class LossWatch:
             self.losses.append(loss)
 
     def references(self) -> list[Loss]:
-        """Relative values, save those that name a node described by a relative `@id`."""
+        """Return relative values, save those that name a node described by a relative `@id`."""
         return [loss for written, loss in self.values if written not in self.identifiers]
 
 

@@ -24,7 +24,7 @@ class Postponed(ModuleType):
 
 @contextmanager
 def _postponed() -> Iterator[None]:
-    """Imports of what is `UNUSED` take no time here; elsewhere they do what they always do."""
+    """Replace `UNUSED` modules by stand-ins, so that importing them takes no time."""
     waiting = {name: Postponed(name) for name in UNUSED if name not in sys.modules}
     sys.modules.update(waiting)
     try:

@@ -21,10 +21,9 @@ _MALFORMED = re.compile(r'[\x00-\x20<>"{}|^`\\]|#[^#]*#')
 
 
 def value_literal(item: dict[str, Any], *, directed: bool = False) -> Term | None:
-    """The literal of an expanded value object; None if it has an impossible language or datatype.
+    """Return the literal of an expanded value object.
 
-    So it is, too, for a number that is too large for one.
-
+    None if it has an impossible language or datatype, or is a number too large for a double.
     *directed* writes a base direction into the datatype (`rdfDirection` "i18n-datatype").
     """
     value = item["@value"]
@@ -71,7 +70,7 @@ def _number(value: float, datatype: str | None) -> Term:
 
 
 def canonical_double(value: float) -> str:
-    """The canonical lexical form of *value* as an `xsd:double`, with every digit it needs."""
+    """Return the canonical lexical form of *value* as an `xsd:double`, with all digits it needs."""
     return _canonical(float.__repr__(value))
 
 

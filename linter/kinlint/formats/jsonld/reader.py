@@ -71,7 +71,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
 
 
 def _check_contexts(parsed: Parsed, source: SourceText) -> None:
-    """Refuses a file whose outermost `@context` is a number, or true, or false."""
+    """Refuse a file whose outermost `@context` is a number, or true, or false."""
     outermost = parsed.value if isinstance(parsed.value, list) else [parsed.value]
     for node in outermost:
         if not isinstance(node, Object) or not isinstance(node.get("@context"), (int, float)):
@@ -83,7 +83,7 @@ def _check_contexts(parsed: Parsed, source: SourceText) -> None:
 
 
 def _state(triples: Triples, processor: Processor, parsed: Parsed, source: SourceText) -> None:
-    """States what the file says; some of what PyLD lets pass cannot be stated."""
+    """State what the file says; some of what PyLD lets pass cannot be stated."""
     try:
         triples.add(processor.expand_document(parsed), parsed.span)
     except FAULTS as fault:
@@ -110,7 +110,7 @@ def _cause(fault: BaseException) -> str:
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Deep recursion allowed, PyLD's warnings silent, no search for garbage that is none."""
+    """Allow deep recursion, silence PyLD's warnings and suspend garbage collection."""
     limit, collecting = sys.getrecursionlimit(), gc.isenabled()
     sys.setrecursionlimit(max(limit, _RECURSION))
     gc.disable()

@@ -49,7 +49,7 @@ class Resolution(NamedTuple):
     terms: Mapping[str, Any] = {}
 
     def nearest(self, written: str) -> str | None:
-        """The term that *written* was perhaps meant to be."""
+        """Return the term that *written* was perhaps meant to be."""
         return nearest(written, (term for term, meaning in self.terms.items() if meaning))
 
 
@@ -87,7 +87,7 @@ class Origin:
         """Its key that means `@value`, `@list` or `@set`."""
 
     def identify(self, written: Text, iri: str) -> None:
-        """*written* means *iri*: if it is the `@id`, that names the node."""
+        """Record that *written* means *iri*: if it is the `@id`, that names the node."""
         if self.naming is not None and self.element.get(self.naming) is written:
             self.identifier = iri
 

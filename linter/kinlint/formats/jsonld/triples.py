@@ -56,7 +56,7 @@ class Triples:
         self._round: list[Term | None] = []
 
     def add(self, nodes: list[Any], around: Span) -> None:
-        """States all that the expanded *nodes*, written within *around*, say."""
+        """State all that the expanded *nodes*, written within *around*, say."""
         outer, self._round = self._round, []
         for node in nodes:
             if "@value" not in node:
@@ -64,7 +64,7 @@ class Triples:
         self._round = outer
 
     def named(self, origin: Origin) -> Term:
-        """The node that an object describes or belongs to, be it only in name."""
+        """Return the node that an object describes or belongs to, be it only in name."""
         owner = origin.owner
         if owner.subject is None:
             owner.subject = self._term(owner.identifier) or self._blanks.fresh()
@@ -81,7 +81,7 @@ class Triples:
             self._quads.append((subject, prop, value, self._graph))
 
     def _term(self, name: Any) -> Term | None:
-        """The token of an expanded IRI or blank node; None if it is neither."""
+        """Return the token of an expanded IRI or blank node; None if it is neither."""
         if not isinstance(name, str):
             return None
         if name not in self._tokens:
@@ -111,7 +111,7 @@ class Triples:
         seen.add(value)
 
     def _node(self, node: dict[str, Any], whole: Span) -> Term | None:
-        """States a node; answers its term."""
+        """State a node and return its term."""
         name = node.get("@id")
         subject = self._term(name) if "@id" in node else self._blanks.fresh()
         identifier = name.span if isinstance(name, Iri) else None
@@ -191,7 +191,7 @@ class Triples:
                 self.nodes.setdefault(other, NodeSpans(whole, span if span != whole else None))
 
     def _value(self, subject: Term | None, slot: Slot, item: Any) -> tuple[Term | None, Span]:
-        """The term of a property's value and its place, having stated what it says itself."""
+        """State the value of a property; return its term and its place."""
         if "@list" in item:
             return self._list(subject, slot, item)
         if "@value" in item:
@@ -246,7 +246,7 @@ class Triples:
 
 
 def _in_order(node: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """The entries of a node as they stand in the text: expansion sorts them by name."""
+    """Yield the entries of a node as they stand in the text: expansion sorts them by name."""
     entries = [
         (prop.token.start if isinstance(prop, Iri) else -1, prop, values)
         for prop, values in node.items()

@@ -18,7 +18,7 @@ FLAT: Mapping[str, Any] = {"@embed": "@never", "@type": {}}
 def framed(
     nodes: Sequence[Node], context: Sequence[str | Mapping[str, str]], library: ContextLibrary
 ) -> list[Node]:
-    """*nodes*, given as expanded JSON-LD, under *context*, ordered by identifier.
+    """Return *nodes*, given as expanded JSON-LD, under *context*, ordered by identifier.
 
     Raises JsonLdError where *library* has no such context.
     """

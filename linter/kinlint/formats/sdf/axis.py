@@ -17,7 +17,10 @@ UPWARD: Vector = (0.0, 0.0, 1.0)
 
 
 def direction(frames: Frames, joint: SdfElement, axis: SdfElement) -> Vector | None:
-    """The unit vector that *axis* says, as the frame of *joint* sees it; None if it says none."""
+    """Return the unit vector that *axis* says, as the frame of *joint* sees it.
+
+    None if it says none.
+    """
     xyz = axis.first("xyz")
     if xyz is None or len(xyz.numbers) != len("xyz"):
         return None

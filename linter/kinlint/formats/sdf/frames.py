@@ -69,12 +69,12 @@ class Frames:
     # Poses
 
     def pose(self, element: SdfElement) -> SdfElement | None:
-        """The `pose` of *element*; that of an include counts instead of the model's own."""
+        """Return the `pose` of *element*; that of an include counts instead of the model's own."""
         include = self.scopes.included.get(element)
         return (include.first("pose") if include else None) or element.first("pose")
 
     def base(self, element: SdfElement) -> Found:
-        """The frame that sees the pose of *element*: one in its scope, or a world."""
+        """Return the frame that sees the pose of *element*: one in its scope, or a world."""
         if element not in self._bases:
             pose = self.pose(element)
             told = pose.attributes if pose else {}
@@ -90,7 +90,7 @@ class Frames:
         return self._bases[element]
 
     def end(self, joint: SdfElement, tag: str) -> Found:
-        """The frame that *joint* names as its parent or child."""
+        """Return the frame that *joint* names as its parent or child."""
         said = joint.first(tag)
         name = said.text.strip() if said else ""
         if said is None or not name:
@@ -122,7 +122,7 @@ class Frames:
         return self._places[element]
 
     def _own(self, element: SdfElement) -> Transform | None:
-        """The pose of *element* as its base sees it."""
+        """Return the pose of *element* as its base sees it."""
         own = transform_of(self.pose(element))
         if own is None or element.tag != "model":
             return own
@@ -137,7 +137,7 @@ class Frames:
         return model.attributes.get("placement_frame", ""), model
 
     def _placed_by(self, model: SdfElement) -> Transform | None:
-        """The pose, in *model*, of the frame that the pose of *model* is meant to place."""
+        """Return the pose, in *model*, of the frame that the pose of *model* is meant to place."""
         name, carrier = self._placement_frame(model)
         if not name:
             return None
@@ -156,7 +156,7 @@ class Frames:
     # Bodies
 
     def body(self, element: SdfElement) -> Found:
-        """The link that *element* is attached to, or a world."""
+        """Return the link that *element* is attached to, or a world."""
         path: dict[SdfElement, None] = {}
         at: Found = element
         while at is not None and at not in self._bodies:
@@ -186,7 +186,7 @@ class Frames:
         return self.find(frame.attributes["attached_to"], frame, frame, "attached_to")
 
     def canonical(self, model: SdfElement) -> Found:
-        """The link, or the model, that the frame of *model* is attached to."""
+        """Return the link, or the model, that the frame of *model* is attached to."""
         name = model.attributes.get("canonical_link", "")
         if name:
             inside = self.scopes.find_inside(name, model)
@@ -235,7 +235,7 @@ class Frames:
 
 
 def _from(first: SdfElement, path: Iterable[SdfElement]) -> list[SdfElement]:
-    """The end of *path* that begins with *first*."""
+    """Return the end of *path* that begins with *first*."""
     return list(dropwhile(lambda each: each is not first, path))
 
 

@@ -68,7 +68,7 @@ def _ends(frames: Frames, joint: SdfElement) -> Ends:
 def _sense(
     frames: Frames, box: SdfElement, tag: str, hinge: SdfElement, reference: SdfElement
 ) -> float:
-    """1 if *hinge* turns as the axis *tag* of *box* counts, -1 if the other way, else 0."""
+    """Return 1 if *hinge* turns as the axis *tag* of *box* counts, -1 if the other way, else 0."""
     own, other = in_world(frames, box, tag), in_world(frames, hinge, "axis")
     if own is None or other is None:
         return 0.0

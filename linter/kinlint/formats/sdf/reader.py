@@ -107,14 +107,14 @@ class _Inclusion:
             return unread, Missing(str(error))
 
     def _excess(self, depth: int) -> str:
-        """Why nothing more is included, or nothing."""
+        """Return the reason why nothing more is included; empty if there is none."""
         if self.stated > MOST_STATED:
             return "what is included is too large"
         too_many = depth > MOST_DEEP or self.count > MOST_INCLUDED
         return "too many files include each other" if too_many else ""
 
     def _text(self, path: Path) -> SourceText:
-        """The SDF text of the file at *path*."""
+        """Return the SDF text of the file at *path*."""
         text = included_text(path, path, shown(path), self.options, LARGEST)
         if text.format != SDF:
             raise Unreadable(f"{text.name} is not SDF")
@@ -122,7 +122,7 @@ class _Inclusion:
 
 
 def _includes(root: SdfElement) -> Iterator[SdfElement]:
-    """The includes of all worlds and models below *root*."""
+    """Yield the includes of all worlds and models below *root*."""
     pending = [root]
     while pending:
         at = pending.pop()

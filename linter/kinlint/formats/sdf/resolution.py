@@ -128,7 +128,7 @@ class _Resolution:
         return at
 
     def _parts(self, element: SdfElement, body: SdfElement | None) -> Iterator[Triple]:
-        """The poses of what is in a link or a joint."""
+        """Yield the poses of what is in a link or a joint."""
         for part in element.children:
             pose = part.first("pose") if part.tag not in (*FRAMES, "inertial") else None
             if pose is None:

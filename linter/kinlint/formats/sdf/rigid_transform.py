@@ -18,7 +18,10 @@ DIGITS = 14
 
 
 def transform(numbers: Sequence[float], *, degrees: bool = False) -> Transform | None:
-    """The pose of *numbers*: a position, and roll, pitch and yaw or a quaternion; else None."""
+    """Return the pose of *numbers*.
+
+    A position, and roll, pitch and yaw or a quaternion; else None.
+    """
     position = (*numbers[:3], 0.0, 0.0, 0.0)[:3]
     if len(numbers) == EULER:
         roll, pitch, yaw = (radians(each) if degrees else each for each in numbers[3:])
@@ -30,7 +33,7 @@ def transform(numbers: Sequence[float], *, degrees: bool = False) -> Transform |
 
 
 def _rotation(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """First about x, then y, then z, all of the fixed frame."""
+    """Return the rotation about x, then y, then z, all of the fixed frame."""
     (sr, cr), (sp, cp), (sy, cy) = ((sin(a / 2), cos(a / 2)) for a in (roll, pitch, yaw))
     return (
         sr * cp * cy - cr * sp * sy,
@@ -41,7 +44,7 @@ def _rotation(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 
 def rotated(q: Quaternion, v: Vector) -> Vector:
-    """The vector *v* of a frame turned by *q*, as the frame that it is turned from sees it."""
+    """Return the vector *v* of a frame rotated by *q*, in the frame before the rotation."""
     x, y, z, w = q
     tx, ty, tz = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
     return (
@@ -52,14 +55,14 @@ def rotated(q: Quaternion, v: Vector) -> Vector:
 
 
 def inverse(a: Transform) -> Transform:
-    """The pose of the second frame as the first sees it."""
+    """Return the pose of the second frame as the first sees it."""
     (px, py, pz), (x, y, z, w) = a
     back = (-x, -y, -z, w)
     return rotated(back, (-px, -py, -pz)), back
 
 
 def composed(a: Transform, b: Transform) -> Transform:
-    """The pose *b*, seen by a frame of the pose *a*, as seen by what sees *a*."""
+    """Return the pose *b*, seen by a frame of the pose *a*, as seen by what sees *a*."""
     (px, py, pz), (ax, ay, az, aw) = a
     (x, y, z), (bx, by, bz, bw) = rotated(a[1], b[0]), b[1]
     return (px + x, py + y, pz + z), (
@@ -71,7 +74,7 @@ def composed(a: Transform, b: Transform) -> Transform:
 
 
 def between(a: Transform, b: Transform) -> Transform:
-    """The pose *b* as seen by a frame of the pose *a*, where the same frame sees both."""
+    """Return the pose *b* as seen by a frame of the pose *a*, where the same frame sees both."""
     return composed(inverse(a), b)
 
 

@@ -51,7 +51,7 @@ class Scopes:
 
     @classmethod
     def below(cls, root: SdfElement) -> Scopes:
-        """The scopes of a whole file; *root* stands for the world if it has none."""
+        """Return the scopes of a whole file; *root* stands for the world if it has none."""
         scopes = cls(root)
         scopes._enter(root, SdfScope(root))
         for world in root.all("world"):
@@ -73,7 +73,7 @@ class Scopes:
                     inside.names.setdefault(name, child)
 
     def _members(self, at: SdfElement, scope: SdfScope) -> Iterator[tuple[SdfElement, str, bool]]:
-        """The frames of *at*, what they are called, and whether they are merged into it."""
+        """Yield the frames of *at*, what they are called, and whether they are merged into it."""
         for child in at.children:
             if child.tag in FRAMES:
                 yield child, child.name, False
@@ -96,7 +96,7 @@ class Scopes:
         return self._found(name, scope, user.holder or scope.element)
 
     def outermost(self, user: SdfElement) -> SdfElement:
-        """The world that *user* is in."""
+        """Return the world that *user* is in."""
         scope = self.enclosing[user]
         while scope.outer is not None:
             scope = scope.outer

@@ -34,15 +34,15 @@ class SdfElement:
         return self.attributes.get("name", "")
 
     def all(self, tag: str) -> Iterator[SdfElement]:
-        """The children with *tag*."""
+        """Yield the children with *tag*."""
         return (each for each in self.children if each.tag == tag)
 
     def first(self, tag: str) -> SdfElement | None:
-        """The first child with *tag*."""
+        """Return the first child with *tag*."""
         return next(self.all(tag), None)
 
     def child_text(self, tag: str) -> str:
-        """The text of the first child with *tag*, or nothing."""
+        """Return the text of the first child with *tag*, or nothing."""
         found = self.first(tag)
         return found.text.strip() if found else ""
 
@@ -70,7 +70,7 @@ class SdfElement:
 
 
 def tree(document: Term, statements: Iterable[Triple]) -> SdfElement | None:
-    """The root element of what *statements* say of *document*, with all below it."""
+    """Return the root element of what *statements* say of *document*, with all below it."""
     top = SdfElement(document, "", None)
     known = {document: top}
     for subject, predicate, value in statements:

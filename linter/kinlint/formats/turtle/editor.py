@@ -44,9 +44,9 @@ class Editor:
         self._base = options.base
 
     def edits(self, delta: Delta) -> list[Edit]:
-        """The edits after which the text says what *delta* makes of it, ascending and apart.
+        """Return the edits that apply *delta* to the text, ascending and apart.
 
-        Raises NotExpressible where it is more than the replacement of objects written once.
+        Raises Unsayable where it is more than the replacement of objects that are written once.
         """
         coming: dict[tuple[Term, Term], list[Triple]] = {}
         for triple in delta.added:

@@ -66,14 +66,14 @@ def _document(
 
 
 def _shape(found: Iterable[tuple[Term, Term, Term]]) -> Counter[tuple[Term, ...]]:
-    """Triples without the names of blank nodes, which two readers choose differently."""
+    """Return triples without the names of blank nodes, which two readers choose differently."""
     return Counter(
         tuple("_:" if is_blank(term) else term for term in triple) for triple in set(found)
     )
 
 
 def _placed_by_line(truth: Sequence[Triple], source: SourceText) -> list[Statement]:
-    """The triples, each at a line in which the end of its value is written, or at the first."""
+    """Return the triples, placed at a line with the end of their value, or at the first."""
     first = Span(0, len(source.line(1)))
     statements = []
     for triple in truth:

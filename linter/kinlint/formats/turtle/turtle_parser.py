@@ -45,7 +45,7 @@ class Grammar:
     prefixes: dict[str, str] = field(default_factory=dict)
 
     def read(self) -> None:
-        """Reads everything.
+        """Read everything.
 
         Raises Unread where the text is something else than Turtle 1.1.
         """

@@ -53,7 +53,7 @@ class Unread(Exception):
 
 
 def tokens(text: str) -> Iterator[Token]:
-    """The tokens of *text* without spaces and comments, and an empty one of kind "end".
+    """Yield the tokens of *text* without spaces and comments, and an empty one of kind "end".
 
     Raises Unread where there is none.
     """

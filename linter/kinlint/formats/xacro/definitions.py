@@ -130,7 +130,7 @@ def _macros(root: Element) -> Iterator[Macro]:
 
 
 def _parameters(macro: Element) -> tuple[dict[str, Span], str]:
-    """The parameters of a macro, with their places, and the text of their defaults."""
+    """Return the parameters of a macro, with their places, and the text of their defaults."""
     text = macro.getAttribute("params")
     spans = macro.origin.attributes.get("params")
     found: dict[str, Span] = {}
@@ -154,7 +154,7 @@ def _parameters(macro: Element) -> tuple[dict[str, Span], str]:
 
 
 def _properties(root: Element, *, within: bool) -> Iterator[Element]:
-    """The properties that are defined inside macros, or outside, for that scope alone."""
+    """Yield the properties that are defined inside macros, or outside, for that scope alone."""
     waiting = [(root, False)]
     while waiting:
         element, inside = waiting.pop()
@@ -183,7 +183,7 @@ def _names_in(elements: list[Element]) -> Iterator[str]:
 
 
 def _names(text: str) -> Iterator[str]:
-    """The names in what of *text* is evaluated."""
+    """Yield the names in what of *text* is evaluated."""
     if "$" in text:
         for match in _EVALUATED.finditer(text):
             yield from _NAME.findall(match[1] or match[2] or "")

@@ -26,7 +26,7 @@ class Watch:
         self.made = bounds.node
 
     def looked(self, element: Element, attribute: str | None = None) -> None:
-        """Xacro works on *element*, and there on *attribute*."""
+        """Record that xacro works on *element*, and there on *attribute*."""
         self.element, self.attribute, self.text = element, attribute, None
 
 
@@ -43,7 +43,7 @@ class Node:
         self.nextSibling: Node | None = None
 
     def cloneNode(self, deep: bool = True) -> Node:  # noqa: FBT001, FBT002, N802
-        """A copy without parent, of the same origin."""
+        """Return a copy without parent, of the same origin."""
         raise NotImplementedError
 
 
@@ -68,7 +68,7 @@ class Character(Node):
         self._data = value
 
     def cloneNode(self, deep: bool = True) -> Node:  # noqa: FBT001, FBT002, N802
-        """A copy without parent, of the same origin."""
+        """Return a copy without parent, of the same origin."""
         del deep
         copy = type(self)(self._data, self.origin, self.watch)
         copy.written = self.written
@@ -124,11 +124,11 @@ class Attributes:
         self._element = element
 
     def keys(self) -> list[str]:
-        """Their names."""
+        """Return their names."""
         return list(self._element.values)
 
     def items(self) -> Iterator[tuple[str, str]]:
-        """Their names and values."""
+        """Yield their names and values."""
         watch = self._element.watch
         watch.looked(self._element)
         for name, value in list(self._element.values.items()):
@@ -209,11 +209,11 @@ class Element(Node):
         return False
 
     def getAttribute(self, name: str) -> str:  # noqa: N802
-        """The value of the attribute *name*; empty if it has none."""
+        """Return the value of the attribute *name*; empty if it has none."""
         return self.values.get(name, "")
 
     def getAttributeNode(self, name: str) -> Attribute | None:  # noqa: N802
-        """The attribute *name*."""
+        """Return the attribute *name*."""
         return Attribute(self.values[name]) if name in self.values else None
 
     def setAttribute(self, name: str, value: str) -> None:  # noqa: N802
@@ -253,7 +253,7 @@ class Element(Node):
             right.previousSibling = left
 
     def cloneNode(self, deep: bool = True) -> Element:  # noqa: FBT001, FBT002, N802
-        """A copy without parent, of the same origin; *deep*, with all that is inside."""
+        """Return a copy without parent, of the same origin; *deep*, with all that is inside."""
         copy = Element(self.tagName, self.written, self.origin, self.watch)
         copy.values = dict(self.values)
         copy.givers = dict(self.givers)

@@ -15,7 +15,7 @@ from kinlint.text import Span
 
 
 def write(parsed: Parsed, pieces: Pieces) -> Mapped:
-    """The text of the document *parsed*, whose nodes are from *pieces*."""
+    """Return the text of the document *parsed*, whose nodes are from *pieces*."""
     writer = _Writer(pieces)
     for node in parsed.before:
         writer.node(node)
@@ -47,7 +47,10 @@ class _Writer:
         self._at = 0
 
     def _put(self, text: str, origin: Origin, span: Span, *, exact: bool = False) -> None:
-        """*text*, written at *span* of the text of *origin*; *exact*: character by character."""
+        """Write *text*, which comes from *span* of the text of *origin*.
+
+        *exact*: character by character.
+        """
         if not text:
             return
         begin = self._pieces.begin(origin.source)
@@ -59,7 +62,7 @@ class _Writer:
         self._put(origin.source[span], origin, span, exact=True)
 
     def tree(self, root: Element) -> None:
-        """An element with all that is inside, without recursion."""
+        """Write an element with all that is inside, without recursion."""
         waiting: list[tuple[Node, bool]] = [(root, False)]
         while waiting:
             node, closing = waiting.pop()
@@ -86,7 +89,7 @@ class _Writer:
             self._text(data, origin)
 
     def _text(self, data: str, origin: Origin) -> None:
-        """A text that was evaluated: the blanks around it are not what it says."""
+        """Write a text that was evaluated: the blanks around it are not part of its value."""
         inside = data.strip()
         before = data[: len(data) - len(data.lstrip())] if inside else data
         place = origin.stripped
@@ -142,7 +145,7 @@ class _Writer:
         self._put(quote, origin, Span(spans.value.end, spans.value.end + 1))
 
     def _evaluated(self, text: str, said: _Said) -> None:
-        """*text*, which writes the value of *said*, part by part."""
+        """Write *text*, the value of *said*, part by part."""
         value, skipped, origin, place = said.value, said.skipped, said.origin, said.place
         raw = origin.source[place]
         whole = "&" not in raw and "\r" not in raw and text == value[skipped : skipped + len(text)]

@@ -120,13 +120,13 @@ def _frames(traceback: TracebackType | None) -> Iterator[FrameType]:
 
 
 def _calls(frames: list[FrameType]) -> list[Element]:
-    """The calls of macros that are under way, the outermost first."""
+    """Return the calls of macros that are under way, the outermost first."""
     found = [f.f_locals.get("node") for f in frames if f.f_code.co_name == "handle_macro_call"]
     return [node for node in found if isinstance(node, Element)]
 
 
 def _blamed(frames: list[FrameType], watch: Watch) -> Element | None:
-    """The element that the function that gave up was about, or else what was looked at last."""
+    """Return the element that the failing function worked on, or else the last one looked at."""
     if frames and frames[-1].f_code.co_name in CALLING:
         node = frames[-1].f_locals["node"]
         return node if isinstance(node, Element) else None

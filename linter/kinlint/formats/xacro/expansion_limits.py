@@ -54,7 +54,7 @@ class Bounds:
             raise TooMuch(f"expanding it takes longer than {self.seconds:g} seconds")
 
     def text(self, text: str) -> str:
-        """*text*, which is counted."""
+        """Return *text*, which is counted."""
         if len(text) > CHARACTERS:
             raise TooMuch(f"a text of more than {CHARACTERS} characters")
         self.characters -= len(text)
@@ -104,7 +104,7 @@ class Bounds:
             raise Refused("a format of more than 99 characters")
 
     def items(self, values: Any) -> Iterator[Any]:
-        """The items of *values*, each a step."""
+        """Yield the items of *values*, each a step."""
         for value in values:
             self.step()
             yield value
@@ -116,7 +116,7 @@ class Bounds:
         return list(self.items(values))
 
     def result(self, value: Any) -> Any:
-        """*value*, if it is not huge."""
+        """Return *value*, if it is not huge."""
         if isinstance(value, str):
             return self.text(value)
         if isinstance(value, int) and value.bit_length() > 2 * NUMBER.bit_length():

@@ -71,7 +71,7 @@ class Session:
         self._known = symbols(self.bounds, self._own())
 
     def expand(self) -> Expansion:
-        """The robot that the file stands for."""
+        """Return the robot that the file stands for."""
         result = Expansion(Parsed(), self._files, self._includes, self._remarks)
         with _ONE_AT_A_TIME, _replaced(self._xacro, self._replacements()):
             try:
@@ -154,7 +154,7 @@ class Session:
         return absolute(self._directory() / name)
 
     def _included(self, name: str, scope: Any) -> Iterator[str]:
-        """The paths of the files that an include names."""
+        """Yield the paths of the files that an include names."""
         element = self._watch.element
         for path in self._named(name, scope):
             self._including = element
@@ -174,7 +174,7 @@ class Session:
         yield from (path.parent / each for each in names)
 
     def _parse(self, _: None, name: str) -> Any:
-        """The tree of an included file, as what xacro takes for a document."""
+        """Return the tree of an included file, as what xacro takes for a document."""
         path = Path(name)
         if len(self._xacro.filestack) > INCLUDES:
             ring = name in self._xacro.filestack[:-1]
@@ -248,7 +248,7 @@ class _Included:
 
 
 def reqd_attrs(tag: Element, names: list[str]) -> list[str]:
-    """The values of the attributes *names*, all of which *tag* must have."""
+    """Return the values of the attributes *names*, all of which *tag* must have."""
     for name in names:
         if not tag.hasAttribute(name):
             raise Failure(f"element '{tag.nodeName}' lacks the attribute '{name}'")
@@ -256,7 +256,7 @@ def reqd_attrs(tag: Element, names: list[str]) -> list[str]:
 
 
 def _package() -> ModuleType:
-    """The package, which is kept from changing how others write XML."""
+    """Return the package, which is kept from changing how others write XML."""
     before = minidom.Element.writexml
     try:
         import xacro  # noqa: PLC0415  few files are xacro
@@ -269,7 +269,7 @@ def _package() -> ModuleType:
 
 @contextmanager
 def _replaced(module: ModuleType, values: Mapping[str, Any]) -> Iterator[None]:
-    """Meanwhile, the names in *module* stand for *values*."""
+    """Replace the values of names in *module* by *values* within the block."""
     before = {name: getattr(module, name) for name in values}
     vars(module).update(values)
     try:

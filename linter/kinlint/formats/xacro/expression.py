@@ -79,7 +79,7 @@ class Entries(dict[Any, Any]):
     """A table of YAML, whose entries may be named with a dot."""
 
     def entry(self, name: str) -> Any:
-        """The value of the key *name*."""
+        """Return the value of the key *name*."""
         if name not in self:
             raise AttributeError(f"the YAML table has no key '{name}'")
         return self[name]
@@ -97,7 +97,7 @@ class Scope(dict[str, Any]):
 
 
 def evaluate(expression: str, names: Mapping[str, Any], bounds: Bounds) -> Any:
-    """The value of *expression*, in which *names* are known.
+    """Return the value of *expression*, in which *names* are known.
 
     Raises what Python would, and Refused for what no robot description needs.
     """

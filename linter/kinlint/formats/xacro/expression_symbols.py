@@ -141,7 +141,7 @@ def _small(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def tokenize(text: str, separators: str = ",; ", skip_empty: bool = True) -> list[str]:  # noqa: FBT001, FBT002
-    """The parts of *text* between *separators*, which are single characters."""
+    """Return the parts of *text* between *separators*, which are single characters."""
     parts = re.split(f"[{re.escape(separators)}]", text) if separators else [text]
     return [part for part in parts if part] if skip_empty else parts
 

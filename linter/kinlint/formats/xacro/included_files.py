@@ -41,11 +41,14 @@ class Pieces:
         return tuple(self._listed)
 
     def begin(self, source: SourceText) -> int:
-        """The offset of *source*."""
+        """Return the offset of *source*."""
         return self._begins[id(source)]
 
     def text(self, path: Path) -> SourceText:
-        """The XML text of the file at *path*; raises Unreadable, or what decoding it does."""
+        """Return the XML text of the file at *path*.
+
+        Raises Unreadable, or what decoding it does.
+        """
         if path == self.path:
             return self.main
         source = included_text(path, self.path, self._name(path), self.options, SIZE)
@@ -56,7 +59,7 @@ class Pieces:
         return source
 
     def append(self, source: SourceText) -> int:
-        """The offset of *source*, which others read and is put at the end."""
+        """Append *source*, which others read, and return its offset."""
         if id(source) not in self._begins:
             self._add(source)
         return self._begins[id(source)]
@@ -83,7 +86,7 @@ def _from(directory: Path, path: Path) -> str:
 
 
 def table(path: Path, near: Path) -> bytes:
-    """The bytes of the YAML file at *path*, which has to be called one, as in `contents`."""
+    """Return the bytes of the YAML file at *path*, which has to be called one, as in `contents`."""
     if path.suffix.lower() not in TABLES:
         raise Unreadable(f"'{shown(path)}' is not called a YAML file")
     return contents(path, near, TABLE_SIZE)

@@ -20,7 +20,10 @@ class AttributeSpans(NamedTuple):
 
 
 def attributes(text: str, start: int, end: int) -> dict[str, AttributeSpans]:
-    """The attributes of the start tag of a well-formed *text* from *start* to *end*, by name."""
+    """Return the attributes of the start tag of *text* from *start* to *end*, by name.
+
+    The text is well-formed.
+    """
     return {
         match[1]: AttributeSpans(Span(*match.span(1)), Span(match.start(2) + 1, match.end(2) - 1))
         for match in _ATTRIBUTE.finditer(text, start, end)

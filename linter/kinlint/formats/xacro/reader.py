@@ -157,7 +157,7 @@ def _moved(
 
 
 def _told(error: SourceError, text: SourceText) -> Span:
-    """The place in *text* that *error* names."""
+    """Return the place in *text* that *error* names."""
     start = text.line_starts[(error.line or 1) - 1] + (error.column or 1) - 1
     return Span(start, start + 1)
 

@@ -34,7 +34,10 @@ class Substitution:
     evaluate: Callable[[str, Mapping[str, Any]], Any]
 
     def value(self, inside: str) -> str:
-        """The text for `$(inside)`. Raises Unknown, or ValueError for what is no substitution."""
+        """Return the text for `$(inside)`.
+
+        Raises Unknown, or ValueError for what is no substitution.
+        """
         command, _, rest = inside.strip().partition(" ")
         rest = rest.strip()
         words = rest.split()
@@ -59,7 +62,7 @@ class Substitution:
         return simple[command](*words)
 
     def argument(self, name: str) -> str:
-        """The value of the argument *name*."""
+        """Return the value of the argument *name*."""
         try:
             return self.arguments[name]
         except KeyError:
@@ -94,7 +97,7 @@ def _variable(name: str, default: str = "") -> str:
 
 
 def _typed(value: str) -> bool | float | str:
-    """An argument as `$(eval …)` sees it: a number or a truth value if it looks like one."""
+    """Return an argument as `$(eval …)` sees it: a number or a truth value if it looks like one."""
     try:
         return float(value) if "." in value else int(value)
     except ValueError:

@@ -25,10 +25,10 @@ class Parsed:
 
 
 def parse(source: SourceText, watch: Watch) -> Parsed:
-    """The tree of *source*.
+    """Return the tree of *source*.
 
-    Raises Malformed where it is not well-formed XML with namespaces declared, has a document
-    type, or is nested too deeply.
+    Raises Malformed where it is not well-formed XML with namespaces declared, has a document type,
+    or is nested too deeply.
     """
     return _Parser(source, watch).parsed()
 
@@ -74,7 +74,7 @@ class _Parser:
         return self._code_points(self._parser.CurrentByteIndex)
 
     def _code_points(self, byte: int) -> int:
-        """The offset in the text of *byte*; cheap where they are asked for in order."""
+        """Return the offset in the text of *byte*; cheap where they are asked for in order."""
         if self._ascii:
             return byte
         if byte < self._byte:
@@ -162,7 +162,7 @@ class _Parser:
 
 
 def _qualified(name: str) -> str:
-    """The name as it is written, of one that expat put together with its namespace."""
+    """Return the name as it is written, of one that expat put together with its namespace."""
     parts = name.split(SEPARATOR)
     return f"{parts[2]}:{parts[1]}" if len(parts) == PARTS else parts[-1]
 
@@ -184,7 +184,7 @@ def _tag_end(text: str, start: int) -> int:
 
 
 def _open_quote(text: str, start: int, end: int) -> str:
-    """The quote that is open at *end*, if any, when none is at *start*."""
+    """Return the quote that is open at *end*, if any, when none is at *start*."""
     at = start
     while True:
         found = [i for i in (text.find('"', at, end), text.find("'", at, end)) if i >= 0]

@@ -24,7 +24,7 @@ def describe(
     root: Term,
     places: ElementPlaces,
 ) -> None:
-    """States the root and the namespaces of what is named in *scopes*, the first ones at least."""
+    """State the root and the namespaces of what is named in *scopes*, the first ones at least."""
     place = places.tag(0).name
     layer.triples[root, src("describedIn"), layer.document] = place
     for scope, tags in islice(scopes, MOST_SCOPES):
@@ -35,7 +35,7 @@ def describe(
 def state_flaws(
     layer: SourceLayer, source: SourceText, parsed: ExpatResult, nodes: Sequence[Term]
 ) -> None:
-    """States where *source* is not well-formed; of one that nobody can read, only what stops."""
+    """State where *source* is not well-formed; if it cannot be read, only the fatal error."""
     whole = ("node", layer.document)
     if parsed.fatal is not None:
         span, reason, _ = parsed.fatal
@@ -74,7 +74,7 @@ DOUBLE = f"^^<{XSD}double>"
 def state_spacing(
     layer: SourceLayer, places: ElementPlaces, nodes: Sequence[Term], statements: Sequence[Triple]
 ) -> None:
-    """States each such value of an attribute that is a number, or several, by *statements*."""
+    """State each value of an attribute with such space that is a number, or several."""
     spaced = list(_spaced(places))
     if not spaced:
         return
@@ -93,7 +93,7 @@ def state_spacing(
 
 
 def _spaced(places: ElementPlaces) -> Iterator[tuple[int, str, Span]]:
-    """The attributes with such values: the number of the element, the name, and the value."""
+    """Yield the attributes with such values: the number of the element, the name, and the value."""
     starts: list[int] = []
     for match in SPACED.finditer(places.text):
         starts = starts or [places.offset(start) for start in places.starts]
@@ -105,7 +105,7 @@ def _spaced(places: ElementPlaces) -> Iterator[tuple[int, str, Span]]:
 
 
 def _reasons(written: str, *, vector: bool) -> Iterator[str]:
-    """Why urdfdom does not take the space in *written*, if it does not."""
+    """Yield the reason why urdfdom does not take the space in *written*, if it does not."""
     if not written.strip():
         return
     if vector:

@@ -177,7 +177,7 @@ class Elements:
     def _unlisted(
         self, number: int, node: Term, type_: ElementType, key: str, attributes: Mapping[str, str]
     ) -> None:
-        """States the one of *attributes* that is called *key*, which its element does not list."""
+        """State the one of *attributes* that is called *key*, which its element does not list."""
         if not self.remarks.check_unlisted(number, type_, key, attributes):
             return
         written = attributes[key]
@@ -188,7 +188,7 @@ class Elements:
             self.remarks.note_unexpanded(number, key, written)
 
     def _text(self, number: int, node: Term, type_: ElementType, tag: str, written: str) -> None:
-        """States the text of an element."""
+        """State the text of an element."""
         add, slot = self.statements.append, type_.content
         if slot is None:
             value = _STRINGS[written]

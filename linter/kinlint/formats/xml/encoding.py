@@ -41,7 +41,10 @@ REPLACED = re.compile("\ufffd+")
 
 
 def decode(name: str, data: bytes) -> SourceText:
-    """The text of the XML file *name*; bytes that are none of its encoding are read as Latin-1."""
+    """Return the text of the XML file *name*.
+
+    Bytes that are none of its encoding are read as Latin-1.
+    """
     source = _decoded(name, data)
     return source if source.encoding else replace(source, original=data)
 

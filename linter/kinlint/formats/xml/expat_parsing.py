@@ -93,7 +93,7 @@ def _parsed(source: SourceText, text: RecoveredText, elements: Elements) -> Expa
 
 
 def _refuse_definitions(source: SourceText) -> None:
-    """Raises SourceError for a document type definition, before anything can act on it."""
+    """Raise SourceError for a document type definition, before anything can act on it."""
     at = first_tag(source.text, DEFINITION)
     if at >= 0 and not UNDEFINED.match(source.text, at):
         place = source.position(at)
@@ -122,7 +122,7 @@ def _fatal(source: SourceText, parsed: ExpatResult, code: int, at: int) -> Synta
 
 
 def _tag(source: SourceText, parsed: ExpatResult, number: int) -> Span:
-    """The name of an element."""
+    """Return the name of an element."""
     start = parsed.offset(parsed.elements.starts[number]) + 1
     match = NAME.match(source.text, start)
     return Span(start, match.end() if match else start)

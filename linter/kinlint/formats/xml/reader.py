@@ -67,7 +67,7 @@ def _read(source: SourceText, form: Format) -> Document:
 
 @contextmanager
 def _undisturbed() -> Iterator[None]:
-    """No search for garbage while many small things are made and none is thrown away."""
+    """Suspend garbage collection while many small objects are made and none is freed."""
     collecting = gc.isenabled()
     gc.disable()
     try:

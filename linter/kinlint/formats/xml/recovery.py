@@ -61,7 +61,7 @@ class RecoveredText:
     stands_for: Mapping[int, str] | None = None
 
     def cut(self, at: int, flaw: SyntaxFlaw) -> RecoveredText:
-        """The same with nothing but space from the character *at* of the original on."""
+        """Return a copy with only space from the character *at* of the original on."""
         inserted = [each for count, each in enumerate(self.inserted) if each - count < at]
         at += len(inserted)
         text = self.text[:at] + " " * (len(self.text) - at)
@@ -112,7 +112,7 @@ def recovered(text: str) -> RecoveredText:
 
 
 def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
-    """The changes to *text*, in order, up to where its tags make no sense."""
+    """Yield the changes to *text*, in order, up to where its tags make no sense."""
     at = 0
     while (start := text.find("<", at)) >= 0:
         yield from _data(text, Span(at, start), spare)
@@ -138,7 +138,7 @@ def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
 
 
 def _data(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Edit]:
-    """Changes to text between tags."""
+    """Change to text between tags."""
     edits = list(_ampersands(text, span, spare))
     at = text.find("]]>", *span)
     while at >= 0:
@@ -166,7 +166,7 @@ def _is_character(digits: str | None, base: int) -> bool:
 
 
 def _comment(text: str, span: Span) -> Iterator[_Edit]:
-    """Changes to what a comment says; only the first is told."""
+    """Change to what a comment says; only the first is told."""
     reason = "-- inside a comment"
     for match in HYPHENS.finditer(text, *span) if span.end > span.start else ():
         place = Span(*match.span())
@@ -196,7 +196,7 @@ def _declaration(text: str, span: Span) -> Iterator[_Edit]:
 
 
 def _attributes(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Edit]:
-    """Changes to the attributes of a tag."""
+    """Change to the attributes of a tag."""
     seen: set[str] = set()
     for match in ATTRIBUTE.finditer(text, *span):
         name, own = match[2], Span(*match.span(2))

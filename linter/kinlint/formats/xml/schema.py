@@ -32,11 +32,11 @@ class Slot:
 
     @classmethod
     def from_iri(cls, iri_: str, form: Form) -> Slot:
-        """The slot whose property is *iri_*."""
+        """Return the slot whose property is *iri_*."""
         return cls(iri(iri_), reading(form), iri_)
 
     def components(self, count: int) -> list[Term]:
-        """The properties of *count* components."""
+        """Return the properties of *count* components."""
         known = self._components
         while len(known) < count:
             known.append(f"<{self._stem}-{len(known) + 1}>")
@@ -139,14 +139,14 @@ ANY = ElementType("", "", open=True)
 
 
 def version(text: str) -> Version | None:
-    """The parts of a version number; None if *text* is none."""
+    """Return the parts of a version number; None if *text* is none."""
     parts = text.strip().split(".")
     return tuple(int(part) for part in parts) if all(p.isdecimal() for p in parts) else None
 
 
 @cache
 def schema(form: str) -> Schema:
-    """The schema of the format called *form*."""
+    """Return the schema of the format called *form*."""
     return _Tables(form).schema()
 
 
@@ -172,7 +172,7 @@ class _Tables:
         self.infinite = any("true" in said.get("infinite", ()) for said in self.nodes.values())
 
     def schema(self) -> Schema:
-        """The schema, its types linked with each other."""
+        """Return the schema, its types linked with each other."""
         found = {node: self._type(said) for node, said in self.nodes.items() if "tag" in said}
         roots: dict[str, ElementType] = {}
         types: dict[str, list[ElementType]] = {}

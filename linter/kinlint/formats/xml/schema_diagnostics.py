@@ -80,21 +80,21 @@ class Diagnostics:
         return True
 
     def check_prefix(self, number: int, place: str | None, prefix: str) -> None:
-        """A name with *prefix* is used; the first of each that nobody declares is noted."""
+        """Note the first use of each *prefix* that is not declared."""
         if prefix == "xml" or prefix in self._undeclared or self._declared.get(prefix):
             return
         self._undeclared.add(prefix)
         self.note("UndeclaredPrefix", number, place, prefix=prefix)
 
     def leave_element(self, number: int) -> None:
-        """The element *number* ends, and with it what its prefixes stand for."""
+        """Forget the prefixes that the element *number* declares, at its end."""
         for prefix in self.scopes.pop(number, ()):
             self._declared[prefix] -= 1
 
     def note_unlisted_element(
         self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]
     ) -> None:
-        """An element that *outer* does not list; *first* are the tags that were there."""
+        """Note an element that *outer* does not list; *first* are the tags that were there."""
         prefix, colon, _ = tag.partition(":")
         if colon:
             self.check_prefix(number, None, prefix)
@@ -116,7 +116,7 @@ class Diagnostics:
                 )  # fmt: skip
 
     def check_element(self, number: int, type_: ElementType, attributes: Mapping[str, str]) -> None:
-        """An element of the format: what it lacks, and what its version does not have."""
+        """Note missing attributes of an element, and features of other versions of the format."""
         if not number:
             self._version = attributes.get("version", self.schema.version)
         for name in type_.required:
@@ -134,7 +134,7 @@ class Diagnostics:
                 self._dated(number, name, type_, name, lifetime)
 
     def check_choice(self, number: int, type_: ElementType, key: str, written: str) -> None:
-        """A value of what has only a few; *key* is empty for text."""
+        """Check a value of an attribute with a list of choices; *key* is empty for text."""
         known = type_.choices[key]
         if written not in known and "$" not in written:
             folded = {each.casefold(): each for each in known}
@@ -160,7 +160,7 @@ class Diagnostics:
     def note_malformed_value(
         self, number: int, tag: str, key: str, written: str, slot: Slot
     ) -> None:
-        """A value that is not what *slot* takes; *key* is empty for text."""
+        """Note a value that is not what *slot* takes; *key* is empty for text."""
         if UNEXPANDED.search(written):
             self.note_unexpanded(number, key, written)
             return
@@ -172,7 +172,7 @@ class Diagnostics:
         )  # fmt: skip
 
     def note_unexpanded(self, number: int, key: str, written: str) -> None:
-        """An expression of xacro in a value; *key* is empty for text."""
+        """Note an expression of xacro in a value; *key* is empty for text."""
         self.note("Unexpanded", number, key, written=written)
 
     def note_repeated(self, number: int, holder: int, tag: str, before: int) -> None:
@@ -217,13 +217,13 @@ def _span(places: ElementPlaces, kind: str, number: int, place: str | None) -> S
 
 
 def _listed(tags: Sequence[str]) -> str:
-    """The first of *tags* in a phrase."""
+    """Return the first of *tags* in a phrase."""
     *most, last = list(dict.fromkeys(tags))[:MOST_PLACES]
     return f"{', '.join(most)} or {last}" if most else last
 
 
 def _content(places: ElementPlaces, number: int) -> list[str]:
-    """An element as it is written, but for space."""
+    """Return an element as it is written, but for space."""
     return places.text[slice(*places.whole(number))].split()
 
 

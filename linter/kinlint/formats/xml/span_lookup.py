@@ -45,7 +45,7 @@ class Offsets:
             self._extra.append(extra)
 
     def __call__(self, byte: int) -> int:
-        """The offset of the character that begins at *byte*."""
+        """Return the offset of the character that begins at *byte*."""
         if not self._bytes:
             return byte
         return byte - self._extra[bisect_right(self._bytes, byte - 1)]
@@ -89,7 +89,7 @@ class ElementPlaces:
         self._tags: dict[int, Tag] = {}
 
     def tag(self, number: int) -> Tag:
-        """The start tag of an element."""
+        """Return the start tag of an element."""
         if number not in self._tags:
             self._tags[number] = self._tag(self.offset(self.starts[number]))
         return self._tags[number]
@@ -108,7 +108,7 @@ class ElementPlaces:
         return Tag(own, keys, attributes, close.end() if close else at)
 
     def whole(self, number: int) -> Span:
-        """An element from the first character of its first tag to the last of its last."""
+        """Return an element from the first character of its first tag to the last of its last."""
         start, end = self.offset(self.starts[number]), self.tag(number).end
         if self.text[end - 2] != "/":
             end = self.text.find(">", self.offset(self.ends[number])) + 1
@@ -120,7 +120,7 @@ class ElementPlaces:
         return Span(start, max(start, end))
 
     def runs(self, number: int) -> list[Span]:
-        """The pieces of text of an element itself, without the space around them."""
+        """Return the pieces of text of an element itself, without the space around them."""
         start, end = self.content(number)
         found, depth, at = [], 0, start
         for markup in MARKUP.finditer(self.text, start, end):
@@ -166,7 +166,7 @@ class ElementPlaces:
         return self.tag(number).name
 
     def _component(self, spans: list[Span], wanted: int) -> Span:
-        """The word of the number *wanted* in *spans*, or all of them."""
+        """Return the word of the number *wanted* in *spans*, or all of them."""
         left = wanted
         for start, end in spans:
             for word in WORD.finditer(self.text, start, end):
@@ -176,7 +176,7 @@ class ElementPlaces:
         return Span(spans[0].start, spans[-1].end)
 
     def node(self, number: int) -> NodeSpans:
-        """An element, identified by the value of its `name` or else by its tag."""
+        """Return an element, identified by the value of its `name` or else by its tag."""
         tag = self.tag(number)
         named = tag.attributes.get("name")
         return NodeSpans(

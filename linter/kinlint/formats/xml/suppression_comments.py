@@ -79,14 +79,14 @@ class Comments:
             _state(match, layer, nodes[covered] if 0 <= covered < len(nodes) else None)
 
     def _before(self, at: int) -> int:
-        """The end of what is written before *at*, or of its line."""
+        """Return the end of what is written before *at*, or of its line."""
         while at and self._text[at - 1] in " \t":
             at -= 1
         return at
 
 
 def _state(match: re.Match[str], layer: SourceLayer, covered: Term | None) -> None:
-    """States the directive *match* of the node *covered*; of a file it needs none."""
+    """State the directive *match* of the node *covered*; of a file it needs none."""
     note = layer.add_node("Comment", Span(*match.span()), ("node", covered))
     place = Span(*match.span())
     target = layer.document if match[1] else covered or note

@@ -26,7 +26,7 @@ def first_tag(text: str, wanted: str = "", at: int = 0) -> int:
 
 
 def tags(text: str, at: int, most: int) -> Iterator[re.Match[str]]:
-    """At most *most* tags of *text* from *at* on, as far as they make sense."""
+    """Yield at most *most* tags of *text* from *at* on, as far as they make sense."""
     for _ in range(most):
         at = first_tag(text, at=at)
         match = TAG.match(text, at) if at >= 0 else None

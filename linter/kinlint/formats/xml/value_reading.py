@@ -43,11 +43,11 @@ class Reading(dict[str, Value]):
         return value
 
     def read(self, written: str) -> Value:
-        """The value that *written* stands for; None if it stands for none."""
+        """Return the value that *written* stands for; None if it stands for none."""
         return None if "$" in written and UNEXPANDED.search(written) else literal(written)
 
     def reason(self, written: str) -> str:
-        """Why *written* stands for no value."""
+        """Say why *written* stands for no value."""
         return f"not {self.expected}" if written.strip(SPACE) else "empty"
 
 
@@ -64,7 +64,7 @@ class Numbers(Reading):
             self.expected = f"{many} numbers" if many else "numbers"
 
     def read(self, written: str) -> Value:
-        """The numbers in *written*, spelled as there."""
+        """Return the numbers in *written*, spelled as there."""
         parts = written.split()
         if (len(parts) not in self.counts) if self.counts else not parts:
             return None
@@ -74,7 +74,7 @@ class Numbers(Reading):
         return tokens if self.vector else tokens[0]
 
     def reason(self, written: str) -> str:
-        """The first part of *written* that is no number, or how many there are."""
+        """Return the first part of *written* that is no number, or how many there are."""
         parts = written.split()
         wrong = next((part for part in parts if self._number(part) is None), None)
         if not parts:
@@ -101,7 +101,7 @@ class Integers(Reading):
     expected = "a whole number"
 
     def read(self, written: str) -> Value:
-        """The number in *written*, spelled as there."""
+        """Return the number in *written*, spelled as there."""
         part = written.strip(SPACE)
         if HEXADECIMAL.fullmatch(part):
             part = str(int(part, 16))

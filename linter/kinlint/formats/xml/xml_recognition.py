@@ -28,7 +28,7 @@ MOST_TAGS = 10_000
 
 
 def root(text: str) -> tuple[str, int] | None:
-    """The name of the root element and where its tag begins; None if this is no XML."""
+    """Return the name of the root element and where its tag begins; None if this is no XML."""
     at = first_tag(text)
     match = ROOT.match(text, at) if at >= 0 else None
     return (match[1], at) if match and _may_be_xml(text[:at] or "<") else None

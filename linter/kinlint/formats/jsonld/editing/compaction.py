@@ -32,11 +32,11 @@ class Compaction:
         self.needed: dict[str, str] = {}
 
     def within(self, outer: Context, key: str | None, skeleton: Mapping[str, Any]) -> Scope:
-        """The contexts at a new object with the types of *skeleton*, the value of *key*."""
+        """Return the contexts at a new object with the types of *skeleton*, the value of *key*."""
         return self.scope(self._processor.entering(outer, key), skeleton)
 
     def scope(self, outer: Context, skeleton: Mapping[str, Any]) -> Scope:
-        """The contexts at an object with the contexts and types of *skeleton*."""
+        """Return the contexts at an object with the contexts and types of *skeleton*."""
         processor = self._processor
         processor.trail.append(Origin(Object(0), None, None))
         try:
@@ -50,11 +50,11 @@ class Compaction:
         return Scope(outer, keys, types)
 
     def keyword(self, context: Context, name: str) -> str:
-        """The keyword *name*, or the alias that the file has for it."""
+        """Return the keyword *name*, or the alias that the file has for it."""
         return str(self._processor._compact_iri(context, name))  # noqa: SLF001
 
     def type(self, scope: Scope, iri: str) -> str:
-        """The class *iri* as a type."""
+        """Return the class *iri* as a type."""
         name = self._iri(scope.types, iri, vocab=True)
         base = self._processor.options["base"]
         found = self._processor._expand_iri(scope.types, name, base, vocab=True)  # noqa: SLF001
@@ -63,7 +63,7 @@ class Compaction:
         return self._prefixed(scope, iri) if name == iri else name
 
     def identifier(self, context: Context, iri: str) -> str:
-        """The IRI or blank node *iri* as the value of an `@id`."""
+        """Return the IRI or blank node *iri* as the value of an `@id`."""
         if iri.startswith("_:"):
             return iri
         base = self._processor.options["base"]
@@ -82,7 +82,7 @@ class Compaction:
     def member(
         self, scope: Scope, prop: str, items: list[Item], agrees: Callable[[Item], bool]
     ) -> Member:
-        """A member that says that *prop* has the value of which *items* are the forms.
+        """Return a member that states that *prop* has the value of which *items* are the forms.
 
         *agrees* tells whether an item means that value. Plain values are preferred to objects, and
         terms to compact IRIs.
@@ -103,9 +103,9 @@ class Compaction:
         self, scope: Scope, key: str, prop: str, items: list[Item],
         agrees: Callable[[Item], bool], *, listed: bool = False,
     ) -> Member | None:  # fmt: skip
-        """The same under a given *key*, as an element of its list if *listed*.
+        """Return such a member for a given *key*, as an element of its list if *listed*.
 
-        None if that cannot say it.
+        None if the key cannot have the value.
         """
         for item in items:
             try:
@@ -169,7 +169,7 @@ class Compaction:
         return found
 
     def key_for_node(self, scope: Scope, prop: str, identifier: str | None) -> str:
-        """The key for a value of *prop* that is an object."""
+        """Return the key for a value of *prop* that is an object."""
         item = {"@id": identifier or "_:b"}
         key = self._iri(scope.keys, prop, value=item, vocab=True)
         if not self.holds_nodes(scope, key):
@@ -184,7 +184,7 @@ class Compaction:
         return "@list" not in (mapping.get("@container") or ()) and not self._is_map(scope, key)
 
     def _prefixed(self, scope: Scope, iri: str) -> str:
-        """An IRI that no context abbreviates, with a prefix that is to be added."""
+        """Return an IRI that no context abbreviates, with a prefix that is to be added."""
         for prefix, namespace in self._known(scope).items():
             local = iri[len(namespace) :] if iri.startswith(namespace) else ""
             if local and "/" not in local and "#" not in local:
@@ -196,7 +196,7 @@ class Compaction:
 
 
 def _value_first(value: Any, keyword: str) -> Any:
-    """A value object in the order in which people write it."""
+    """Return a value object in the order in which people write it."""
     if isinstance(value, dict) and keyword in value:
         return {keyword: value[keyword], **value}
     return value

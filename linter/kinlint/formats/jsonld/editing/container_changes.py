@@ -24,7 +24,7 @@ class DeletedRanges:
         self._ends: list[int] = []
 
     def add(self, span: Span) -> None:
-        """*span* is no more."""
+        """Add *span* to the ranges."""
         if span in self:
             return
         first = bisect_right(self._starts, span.start - 1)
@@ -65,41 +65,41 @@ class Changes:
     _touched: dict[int, _Touched] = field(default_factory=dict)
 
     def replace(self, span: Span, value: Any) -> None:
-        """The token at *span* becomes *value*."""
+        """Replace the token at *span* by *value*."""
         self._tokens[span] = value
         self.cut.add(span)
 
     def rename(self, span: Span, name: str) -> None:
-        """The key, or the value that is a name, at *span* becomes *name*."""
+        """Rename the key, or the value that is a name, at *span* to *name*."""
         self._tokens[span] = name
 
     def remove(self, seat: Seat) -> None:
-        """The member or element at *seat* goes."""
+        """Remove the member or element at *seat*."""
         touched = self._of(seat.holder)
         touched.gone.add(seat.number)
         whole = seat.span if isinstance(seat.at, int) else Span(seat.at.start, seat.at.value_end)
         self.cut.add(whole)
 
     def insert(self, container: Object | Array, piece: Piece) -> None:
-        """*piece* comes into *container*, in the place of a child that goes if there is one."""
+        """Insert *piece* into *container*, in the place of a removed child if there is one."""
         self._of(container).new.append(piece)
 
     def wrap(self, span: Span, value: Any, *, first: bool = False) -> None:
-        """The value at *span* becomes an array of itself and *value*, which may come *first*."""
+        """Replace the value at *span* by an array of itself and *value*, which may come *first*."""
         before, after = self._wraps.setdefault(span, ([], []))
         (before if first else after).append(value)
 
     def gone(self, container: Object | Array) -> set[int]:
-        """The numbers of the children of *container* that go."""
+        """Return the numbers of the children of *container* that go."""
         return self._of(container).gone
 
     def _of(self, container: Object | Array) -> _Touched:
         return self._touched.setdefault(id(container), _Touched(container))
 
     def edits(self) -> list[Edit]:
-        """The edits, ascending and apart.
+        """Return the edits, ascending and apart.
 
-        Raises NotExpressible where one would be within what another takes out.
+        Raises Unsayable where one would be within what another takes out.
         """
         self._empty()
         layout = Layout(self.text, self.tree.root, self.style)
@@ -114,7 +114,7 @@ class Changes:
         return [edit for edit in _joined(edits) if self.text[slice(*edit.span)] != edit.text]
 
     def _empty(self) -> None:
-        """Containers that lose everything go with it."""
+        """Remove containers that lose all their children."""
         waiting = list(self._touched.values())
         while waiting:
             touched = waiting.pop()
@@ -129,7 +129,7 @@ class Changes:
 
 
 def _joined(edits: list[Edit]) -> list[Edit]:
-    """Edits in order; those that touch are one, and deletions within others are left out."""
+    """Return edits in order; those that touch are one, and deletions within others are left out."""
     joined: list[Edit] = []
     for edit in sorted(edits, key=_order):
         last = joined[-1] if joined else None

@@ -35,7 +35,7 @@ class Layout:
     style: Style
 
     def wrapped(self, span: Span, before: Sequence[Any], after: Sequence[Any]) -> list[Edit]:
-        """The value at *span* becomes an array of itself and other values."""
+        """Return the edits that make an array of the value at *span* and other values."""
         style = self.style
         pad, joint, end = style.array_pad, style.comma, style.array_pad
         if not style.flat_arrays:
@@ -49,7 +49,7 @@ class Layout:
     def contained(
         self, container: Object | Array, gone: set[int], new: Sequence[Piece]
     ) -> list[Edit]:
-        """The children numbered *gone* of *container* go, and *new* ones come, some for them."""
+        """Return the edits that remove the children *gone* of *container* and insert *new* ones."""
         held = children(container)
         if not held:
             return [self._filled(container, new)] if new else []
@@ -96,7 +96,7 @@ class Layout:
     def _emptied(
         self, container: Object | Array, held: list[Child], pieces: Sequence[Piece]
     ) -> Edit:
-        """All children go; nothing is left between the brackets, or what comes instead."""
+        """Return the edit that replaces all children by *pieces*, or by nothing at all."""
         if not pieces:
             return Edit(Span(container.start + 1, container.end - 1), "")
         first = held[0].whole.start
@@ -107,7 +107,7 @@ class Layout:
         return Edit(Span(first, held[-1].whole.end), joint.join(texts))
 
     def _filled(self, container: Object | Array, pieces: Sequence[Piece]) -> Edit:
-        """An empty container with its first children."""
+        """Return the edit that gives an empty container its first children."""
         if isinstance(container, Object):
             value: Any = {str(piece.key): piece.value for piece in pieces}
         else:
@@ -180,7 +180,7 @@ class Layout:
         return max(self.text.rfind("\n", 0, offset), self.text.rfind("\r", 0, offset)) + 1
 
     def line(self, offset: int) -> tuple[str, int]:
-        """The indentation of the line of *offset*, and the characters between it and there."""
+        """Return the indentation of the line of *offset*, and the number of characters between."""
         start = self._start_of_line(offset)
         line = self.text[start:offset]
         indent = line[: len(line) - len(line.lstrip(" \t"))]
@@ -188,7 +188,7 @@ class Layout:
 
 
 def _removed(held: list[Child], gone: set[int]) -> list[Edit]:
-    """Edits that take out runs of children with their commas; some child stays."""
+    """Return edits that take out runs of children with their commas; some child stays."""
     edits = []
     for first in sorted(number for number in gone if number - 1 not in gone):
         last = first

@@ -12,7 +12,7 @@ from kinlint.formats.jsonld.editing.edit_plan import Plan
 
 
 def add_context(plan: Plan, iri: str) -> None:
-    """The outermost object names the context *iri*, whose terms yield to the file's own."""
+    """Add the context *iri* to the outermost object; its terms yield to the file's own."""
     root = _root(plan)
     token = root.key("@context")
     if token is None:
@@ -29,7 +29,7 @@ def add_context(plan: Plan, iri: str) -> None:
 
 
 def declare_prefixes(plan: Plan, prefixes: Mapping[str, str]) -> None:
-    """The outermost context of the file has *prefixes*."""
+    """Declare *prefixes* in the outermost context of the file."""
     if not prefixes:
         return
     root = _root(plan)

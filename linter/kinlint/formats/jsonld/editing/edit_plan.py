@@ -59,14 +59,14 @@ class Plan(Goal):
         return all(map(self.is_cut, self.places.spans(triple)))
 
     def scope(self, element: Object) -> Scope:
-        """The contexts at *element* once its types are changed."""
+        """Return the contexts at *element* once its types are changed."""
         scope = self._scopes.get(id(element)) or self.places.scope(element)
         if scope is None:
             raise NotExpressible("it is written in a map")
         return scope
 
     def retype(self, element: Object, types: Mapping[str, Any]) -> None:
-        """*element* has other types, given as its members for `@type`."""
+        """Give *element* other types, which are its new members for `@type`."""
         kept = {key: value for key, value in element.items() if key == "@context"}
         old = self.scope(element)
         self._scopes[id(element)] = new = self.compaction.scope(old.outer, {**kept, **types})
@@ -74,7 +74,7 @@ class Plan(Goal):
             self._check_meaning(element, old, new)
 
     def _check_meaning(self, element: Object, old: Scope, new: Scope) -> None:
-        """Refuses types with which a member that stays would say something else."""
+        """Refuse types with which a member that stays would say something else."""
         node = self.places.subject(element)
         for key, value in element.items():
             meaning = self.places.meaning(element, key)
@@ -91,7 +91,10 @@ class Plan(Goal):
                 raise NotExpressible(f"with these types the key '{key}' means something else")
 
     def owner(self, node: Term, prop: Term) -> Object | None:
-        """The object to say something of *node* in: one that loses a value, or the main one."""
+        """Return the object to say something of *node* in.
+
+        One that loses a value, or the main one.
+        """
         losing = sorted(self.old(node), key=lambda triple: triple[1] != prop)
         for triple in losing:
             for place in self.places.places(triple):
@@ -104,6 +107,6 @@ class Plan(Goal):
         return self.is_cut(element.span)
 
     def add(self, array: Array, values: Iterable[Any]) -> None:
-        """*values* come to the end of *array*."""
+        """Add *values* to the end of *array*."""
         for value in values:
             self.changes.insert(array, Piece(value, None, len(array) - 1))

@@ -40,9 +40,9 @@ class Editor:
         return style(self._document.source.text, self._places.tree.root)
 
     def edits(self, delta: Delta) -> list[Edit]:
-        """The edits after which the text says what *delta* makes of it, ascending and apart.
+        """Return the edits that apply *delta* to the text, ascending and apart.
 
-        Raises NotExpressible where the text has no place for something, or it is not clear which.
+        Raises Unsayable where the text has no place for something, or it is not clear which.
         """
         with undisturbed():
             try:
@@ -64,7 +64,7 @@ class Editor:
         return plan.changes.edits()
 
     def _prefixes(self, scope: Scope) -> Mapping[str, str]:
-        """The prefixes that could be declared for *scope* in the outermost object."""
+        """Return the prefixes that could be declared for *scope* in the outermost object."""
         root = self._places.tree.root
         outermost = self._places.scope(root) if isinstance(root, Object) else None
         if outermost is None:
@@ -74,7 +74,7 @@ class Editor:
 
 
 def _check(plan: Plan) -> None:
-    """Refuses changes that would take away more than the delta, or leave some of it undone."""
+    """Refuse changes that would take away more than the delta, or leave some of it undone."""
     places = plan.places
     for triple in plan.removed:
         if triple not in plan.settled and not (places.spans(triple) and plan.goes(triple)):

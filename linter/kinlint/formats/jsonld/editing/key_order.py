@@ -12,7 +12,7 @@ _SIBLINGS = 500
 
 
 def number_before(places: TriplePlaces, owner: Object, key: str) -> int:
-    """The number of the child of *owner* after which *key* belongs, -1 if it comes first."""
+    """Return the number of the child of *owner* after which *key* belongs, -1 if it comes first."""
     names = [str(child.key) for child in children(owner)]
     meanings = [name if name == "@context" else places.meaning(owner, name) for name in names]
     if places.meaning(owner, key) == "@id":
@@ -35,7 +35,7 @@ def number_before(places: TriplePlaces, owner: Object, key: str) -> int:
 
 
 def _siblings(places: TriplePlaces, owner: Object) -> Iterator[Object]:
-    """Objects in the same array, those with the same types first."""
+    """Yield objects in the same array, those with the same types first."""
     seat = places.tree.seat(owner)
     if seat is None or not isinstance(seat.holder, Array):
         return

@@ -17,7 +17,7 @@ from kinlint.terms import Term, Triple, iri_value
 
 
 def edit_lists(plan: Plan) -> None:
-    """Changes elements of the lists that stay, or that another takes the place of."""
+    """Change elements of the lists that stay, or that another takes the place of."""
     done: set[Triple] = set()
     for triple in plan.removed:
         if triple[1] in LINKS and triple not in plan.settled:
@@ -34,7 +34,7 @@ def edit_lists(plan: Plan) -> None:
 
 
 def _head(plan: Plan, cell: Term) -> Triple | None:
-    """The triple that points to the list of *cell*."""
+    """Return the triple that points to the list of *cell*."""
     seen: set[Term] = set()
     while True:
         pointing = plan.places.by_value.get(cell, [])
@@ -85,7 +85,7 @@ def _successor(plan: Plan, head: Triple) -> Term | None:
 
 
 def _cells(plan: Plan, head: Term) -> list[tuple[Term, Term]]:
-    """The cells of a list of the text and their values."""
+    """Return the cells of a list of the text and their values."""
     found: dict[Term, Term] = {}
     while head != NIL:
         values = {prop: value for _, prop, value in plan.places.by_subject.get(head, ())}
@@ -105,7 +105,7 @@ class _List:
         self.prop = prop
 
     def write(self, before: list[tuple[Term, Term]], after: list[tuple[Term, Term]]) -> None:
-        """The values of *before*, which are written, become those of *after*."""
+        """Replace the values of *before*, which are written, by those of *after*."""
         old, new = [value for _, value in before], [value for _, value in after]
         seats = [self._seat((cell, FIRST, value)) for cell, value in before]
         array = seats[0].holder if seats else self._empty()
@@ -148,7 +148,7 @@ class _List:
         return seat
 
     def _empty(self) -> Any:
-        """The array of a list without elements."""
+        """Return the array of a list without elements."""
         value = self.place.item.value
         if not isinstance(value, Array):
             key = self.plan.places.key_of(value, "@list")
@@ -158,6 +158,6 @@ class _List:
         return value
 
     def _value(self, term: Term, old: Any) -> Any:
-        """The JSON of *term* in this list."""
+        """Return the JSON of *term* in this list."""
         plan, place = self.plan, self.place
         return plan.values.element(plan.scope(place.owner), self.prop, place.key, term, old)

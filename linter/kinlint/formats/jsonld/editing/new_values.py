@@ -31,7 +31,7 @@ class Values:
     def member(
         self, scope: Scope, prop: str, term: Term, *, key: str | None = None, old: Any = None
     ) -> Member | None:
-        """The value *term* of *prop* as a member of an object, of *key* if one is given.
+        """Return the value *term* of *prop* as a member of an object, of *key* if one is given.
 
         *old* is the value that it takes the place of. None if *key* cannot have it.
         """
@@ -48,7 +48,7 @@ class Values:
         return self._compaction.member(scope, prop, items, partial(self._is, term))
 
     def inner_value(self, scope: Scope, prop: str, term: Term, key: str, content: Seat) -> Any:
-        """The JSON to put at *content*, the `@value` or `@id` of an object that *key* has.
+        """Return the JSON to put at *content*, the `@value` or `@id` of an object that *key* has.
 
         None if *term* cannot be written by that alone.
         """
@@ -67,9 +67,9 @@ class Values:
         return None
 
     def element(self, scope: Scope, prop: str, key: str, term: Term, old: Any) -> Any:
-        """The JSON of *term* in the list under *key*, in the place of *old*.
+        """Return the JSON of *term* in the list under *key*, in the place of *old*.
 
-        Raises NotExpressible where *key* cannot have it.
+        Raises Unsayable where *key* cannot have it.
         """
         items = self._items(term, old)
         how = partial(self._is, term)
@@ -94,7 +94,7 @@ class Values:
         return self.described(outer, key, term)
 
     def _moved(self, term: Term) -> Verbatim:
-        """The text of an object that has no name, which may be put elsewhere but not twice."""
+        """Return the text of an object without name, which may be moved but not repeated."""
         objects = self._goal.places.objects(term)
         pointing = self._goal.places.by_value.get(term, [])
         if len(objects) != 1 or any(triple not in self._goal.removed for triple in pointing):
@@ -103,7 +103,7 @@ class Values:
         return Verbatim(self._source[objects[0].span])
 
     def described(self, outer: Context, key: str | None, term: Term) -> dict[str, Any]:
-        """A new node with all that is to be said of it, as the value of *key*."""
+        """Return a new node with all its statements, as the value of *key*."""
         if term in self._within:
             raise NotExpressible("a node without an identifier would contain itself")
         self._within.add(term)
@@ -130,7 +130,7 @@ class Values:
         return written
 
     def _items(self, term: Term, old: Any = None) -> list[Item]:
-        """The forms of *term* as an expanded value."""
+        """Return the forms of *term* as an expanded value."""
         if is_literal(term):
             return literal_items(term, self._kept_spellings(), old)
         if self._goal.is_list(term):
@@ -148,7 +148,7 @@ class Values:
         return [{"@id": self._name(term)}]
 
     def _name(self, term: Term) -> str:
-        """A node as expanded JSON-LD names it."""
+        """Return a node as expanded JSON-LD names it."""
         return iri_value(term) if is_iri(term) else f"_:{self._goal.places.trace.labels[term]}"
 
     def _is(self, term: Term, item: Item) -> bool:

@@ -29,7 +29,7 @@ def rename_nodes(plan: Plan) -> None:
 
 
 def _pairs(plan: Plan) -> list[tuple[Term, Term]]:
-    """Old and new names; of several nodes that might be the same, the likest."""
+    """Return old and new names; of several nodes that might be the same, the likest."""
     places = plan.places
     leaving = dict.fromkeys(triple[0] for triple in plan.removed)
     gone = [
@@ -81,7 +81,7 @@ def _name(plan: Plan, element: Object, old: Term, new: Term) -> None:
 
 
 def _settle(plan: Plan, triple: Triple, heir: Triple) -> None:
-    """A triple of a renamed node is said with it; one that points to it where it is described."""
+    """Settle a triple of a renamed node; it is stated with it, or where the node is described."""
     if triple[0] != heir[0] and triple[1] not in LINKS and None in plan.places.places(triple):
         raise NotExpressible("it is written as a reverse property, or in a map")
     old = plan.renamed.get(heir[2], heir[2])
@@ -136,7 +136,7 @@ def _take_out(plan: Plan, node: Term, element: Object) -> None:
 
 
 def _member(plan: Plan, seat: Seat) -> tuple[Object, Key] | None:
-    """The member among whose values *seat* is; None in the outermost array."""
+    """Return the member among whose values *seat* is; None in the outermost array."""
     holder: Object | Array = seat.holder
     at = seat.at
     while not (isinstance(at, Key) and isinstance(holder, Object)):
@@ -172,7 +172,7 @@ def _add(plan: Plan, node: Term) -> None:
 
 
 def _near(plan: Plan, node: Term) -> Object | None:
-    """An object of the text that points to *node* after the delta, or to which it points."""
+    """Return an object of the text that points to *node* after the delta, or to which it points."""
     neighbours = [subject for subject, _, value in plan.added if value == node]
     neighbours += [value for _, _, value in plan.new(node)]
     for neighbour in neighbours:
@@ -183,7 +183,7 @@ def _near(plan: Plan, node: Term) -> Object | None:
 
 
 def _graph(plan: Plan, near: Object | None) -> Place | None:
-    """The `@graph` round *near*, or the first in the outermost object."""
+    """Return the `@graph` round *near*, or the first in the outermost object."""
     places = plan.places
     for holder, at in places.tree.above(near) if near is not None else ():
         if not isinstance(holder, Object) or not isinstance(at, Key):
@@ -194,7 +194,7 @@ def _graph(plan: Plan, near: Object | None) -> Place | None:
 
 
 def _number(plan: Plan, near: Object, array: Array) -> int:
-    """The number of the element of *array* in which *near* stands."""
+    """Return the number of the element of *array* in which *near* stands."""
     for seat in plan.places.tree.above(near):
         if seat.holder is array and isinstance(seat.at, int):
             return seat.at

@@ -18,7 +18,7 @@ from kinlint.text import Span
 
 
 def edit_properties(plan: Plan) -> None:
-    """Changes types and values of the nodes that the text describes."""
+    """Change types and values of the nodes that the text describes."""
     subjects: dict[Term, tuple[list[Triple], list[Triple]]] = {}
     for triple in plan.removed:
         if triple not in plan.settled and triple[1] not in LINKS and not plan.goes(triple):
@@ -47,7 +47,7 @@ class _Node:
         self.members: dict[tuple[int, str], tuple[Object, list[Any]]] = {}
 
     def write(self, removed: Sequence[Triple], added: Sequence[Triple]) -> None:
-        """*removed* go, *added* come, those of one property in the place of each other."""
+        """Remove *removed* and add *added*; those of one property replace each other."""
         waiting = [triple for triple in added if triple not in self.plan.said]
         for triple in removed:
             places = list(self.plan.places_of(triple))
@@ -85,7 +85,7 @@ class _Node:
         return True
 
     def _content(self, old: Any) -> Seat | None:
-        """The `@value` or `@id` of an object that is a value and says nothing of a node."""
+        """Return the `@value` or `@id` of an object that is a value and says nothing of a node."""
         places = self.plan.places
         if not isinstance(old, Object) or places.scope(old) is None:
             return None
@@ -139,7 +139,7 @@ class _Node:
 
 
 def write_types(plan: Plan, node: Term, removed: Sequence[Triple], added: Sequence[Triple]) -> None:
-    """The types of *node* change; the contexts that they bring along change with them."""
+    """Change the types of *node*, and with them the contexts that they bring along."""
     if any(not is_iri(triple[2]) for triple in (*removed, *added)):
         raise NotExpressible("the type has no IRI")
     owner = plan.owner(node, RDF_TYPE)
@@ -181,7 +181,7 @@ def _insert(plan: Plan, owner: Object, names: list[str]) -> None:
 
 
 def _retype(plan: Plan, element: Object, held: dict[Span, str | None], names: list[str]) -> None:
-    """The contexts at *element* once the types at the seats of *held* are what they are there."""
+    """Set the contexts at *element* to those of the types at the seats of *held*."""
     types: dict[str, list[Any]] = {}
     for key in plan.places.keys_of(element, "@type"):
         value = element[key]

@@ -17,9 +17,9 @@ _WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
 
 
 def edit_source_layer(plan: Plan) -> None:
-    """Replaces and takes out what the source layer tells the place of.
+    """Replace and remove the tokens that the source layer gives the places of.
 
-    Raises NotExpressible where the delta changes a statement about the file that no token makes.
+    Raises Unsayable where the delta changes a statement about the file that no token makes.
     """
     added = [triple for triple in plan.added if triple[1].startswith(f"<{SRC}")]
     for triple in [triple for triple in plan.removed if triple[1].startswith(f"<{SRC}")]:
@@ -70,7 +70,7 @@ def _spare(plan: Plan, holder: Object, key: Key) -> None:
 
 
 def _key_at(plan: Plan, span: Span) -> Seat | None:
-    """The member whose key is the token at *span*."""
+    """Return the member whose key is the token at *span*."""
     holder = plan.places.tree.container_at(span.start)
     if not isinstance(holder, Object):
         return None

@@ -31,7 +31,7 @@ class Spelled(float):
     spelling: str
 
     def __new__(cls, spelling: str) -> Self:
-        """The number that *spelling* writes in JSON."""
+        """Return the number that *spelling* writes in JSON."""
         number = super().__new__(cls, spelling)
         number.spelling = spelling
         return number
@@ -71,7 +71,7 @@ class Style:
         return line
 
     def flat(self, value: Any) -> str:
-        """*value* on one line."""
+        """Return *value* on one line."""
         if isinstance(value, dict):
             members = (f"{self.text(key)}{self.colon}{self.flat(v)}" for key, v in value.items())
             return self.bracketed("{", list(members), "}")
@@ -87,7 +87,7 @@ class Style:
         )
 
     def text(self, value: Any) -> str:
-        """A scalar, or text that is JSON already."""
+        """Return a scalar, or text that is JSON already."""
         if isinstance(value, Verbatim):
             return str(value)
         if isinstance(value, Spelled):
@@ -110,7 +110,7 @@ class Style:
 
 
 def style(text: str, root: Any) -> Style:
-    """The manner of *text*, by the first of its containers that show it."""
+    """Return the manner of *text*, by the first of its containers that show it."""
     newline = unit = comma = array_pad = object_pad = colon = None
     spread = {"[": False, "{": False}
     flat = {"[": False, "{": False}
@@ -154,7 +154,7 @@ def style(text: str, root: Any) -> Style:
 
 
 def _containers(root: Any) -> Iterator[tuple[Object | Array, int]]:
-    """The first containers of a text, outer before inner, with their depth from one."""
+    """Yield the first containers of a text, outer before inner, with their depth from one."""
     level: list[tuple[Object | Array, int]] = [(root, 1)]
     for container, depth in level:
         yield container, depth

@@ -46,7 +46,7 @@ class Goal:
         return self._old.get(node, [])
 
     def node(self, term: Term) -> Term:
-        """The node of the text that is to be called *term*."""
+        """Return the node of the text that is to be called *term*."""
         return self.renamed.get(term, term)
 
     def is_list(self, term: Term) -> bool:
@@ -54,9 +54,9 @@ class Goal:
         return term == NIL or any(prop in LINKS for _, prop, _ in self.new(term))
 
     def sequence(self, head: Term) -> list[tuple[Term, Term]]:
-        """The cells of a list and their values, after the delta.
+        """Return the cells of a list and their values, after the delta.
 
-        Raises NotExpressible where the delta leaves it without an end.
+        Raises Unsayable where the delta leaves it without an end.
         """
         found: list[tuple[Term, Term]] = []
         seen: set[Term] = set()

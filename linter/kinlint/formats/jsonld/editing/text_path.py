@@ -62,13 +62,13 @@ class TextTree:
         return self._seats.get(id(container))
 
     def above(self, container: Object | Array) -> Iterator[Seat]:
-        """The seats of *container* and of those around it, innermost first."""
+        """Yield the seats of *container* and of those around it, innermost first."""
         while (seat := self.seat(container)) is not None:
             yield seat
             container = seat.holder
 
     def container_at(self, offset: int) -> Any:
-        """The innermost container round *offset*."""
+        """Return the innermost container round *offset*."""
         value, holder = self.root, self.root
         while isinstance(value, (Object, Array)):
             holder, seat = value, _towards(value, offset)
@@ -78,7 +78,10 @@ class TextTree:
         return holder
 
     def seat_at(self, offset: int) -> Seat | None:
-        """The seat of the value that begins at *offset*; None if that is the root or a key."""
+        """Return the seat of the value that begins at *offset*.
+
+        None if that is the root or a key.
+        """
         value, seat = self.root, None
         while isinstance(value, (Object, Array)) and value.start != offset:
             seat = _towards(value, offset)

@@ -46,7 +46,10 @@ class Tracing(Processor):
         return prepared
 
     def _get_inverse_context(self, active_ctx: Context) -> Any:
-        """PyLD remembers these by an identifier that different contexts here may share."""
+        """Return the inverse context, uncached.
+
+        PyLD's key may be shared by different contexts here.
+        """
         known = self._inverse.get(id(active_ctx))
         if known is None:
             own = frozendict({**active_ctx, "_uuid": f"kinlint {id(self)} {id(active_ctx)}"})
@@ -117,7 +120,7 @@ def trace(source: SourceText, options: ReadOptions) -> Trace:
 
 
 def _outermost(value: Any) -> Iterator[Array]:
-    """The arrays that stand in the outermost object, or in one of several."""
+    """Yield the arrays that stand in the outermost object, or in one of several."""
     for node in value if isinstance(value, Array) else [value]:
         if isinstance(node, Object):
             yield from (array for array in node.values() if isinstance(array, Array))

@@ -80,7 +80,7 @@ class TriplePlaces:
         return Place(root, key, Seat(root, key)) if key is not None else None
 
     def within(self, span: Span) -> Sequence[Triple]:
-        """The triples whose values are written in *span*."""
+        """Return the triples whose values are written in *span*."""
         starts, triples = self._by_start
         return triples[bisect_left(starts, span.start) : bisect_left(starts, span.end)]
 
@@ -92,23 +92,23 @@ class TriplePlaces:
         return list(dict.fromkeys([tracks.spans[triple], *tracks.again.get(triple, ())]))
 
     def places(self, triple: Triple) -> list[Place | None]:
-        """Each place of *triple*.
+        """Return each place of *triple*.
 
         None for one that is in a map, or no value under a key for its property.
         """
         return [self._place(triple, span) for span in self.spans(triple)]
 
     def objects(self, node: Term) -> list[Object]:
-        """The objects that say something of *node*, those with types first, or else name it."""
+        """Return the objects that describe *node*, those with types first, or else name it."""
         found = self.trace.tracks.objects.get(node) or self._silent.get(node, [])
         return sorted(found, key=lambda each: self.key_of(each, "@type") is None)
 
     def subject(self, element: Object) -> Term | None:
-        """The node that *element* describes or names."""
+        """Return the node that *element* describes or names."""
         return self._subjects.get(id(element))
 
     def scope(self, element: Object) -> Scope | None:
-        """The contexts at *element*; None if it is a map or lost."""
+        """Return the contexts at *element*; None if it is a map or lost."""
         return self.trace.processor.scopes.get(id(element))
 
     def meaning(self, element: Object, key: str) -> str | None:
@@ -126,18 +126,18 @@ class TriplePlaces:
         return bool(mapping and mapping["reverse"])
 
     def key_of(self, element: Object, meaning: str) -> Key | None:
-        """A key of *element* that expands to *meaning*."""
+        """Return a key of *element* that expands to *meaning*."""
         return next(self.keys_of(element, meaning), None)
 
     def keys_of(self, element: Object, meaning: str) -> Iterator[Key]:
-        """The keys of *element* that expand to *meaning* and point away from it."""
+        """Yield the keys of *element* that expand to *meaning* and point away from it."""
         for key in element:
             if self.meaning(element, key) == meaning and not self.is_reverse(element, key):
                 assert isinstance(key, Key)
                 yield key
 
     def seat(self, span: Span) -> Seat | None:
-        """The value for which the token at *span* stands: of an `@id`, all of its object."""
+        """Return the value for which the token at *span* stands: of an `@id`, all of its object."""
         seat = self.tree.seat_at(span.start)
         if seat is None or not isinstance(seat.holder, Object) or not isinstance(seat.at, Key):
             return seat

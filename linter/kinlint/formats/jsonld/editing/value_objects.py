@@ -30,10 +30,9 @@ _INTEGERS = {
 
 
 def literal_items(term: Term, spellings: Collection[str], old: Any = None) -> list[Item]:
-    """The ways to write the literal *term*, first that of the value *old*, then the plainest.
+    """Return the forms of the literal *term*: first that of the value *old*, then the plainest.
 
     A fraction that is a JSON number would be a double that is only called `xsd:decimal`.
-
     *spellings* are numbers as the text writes them, to be kept; others are written shortest.
     """
     text, datatype = literal_value(term), literal_datatype(term)

@@ -27,7 +27,7 @@ class Difference(NamedTuple):
 
 
 def difference(old: str, new: str) -> Difference:
-    """The one range in which *old* and *new* differ."""
+    """Return the one range in which *old* and *new* differ."""
     most = min(len(old), len(new))
     start = _same(most, lambda low, high: old[low:high] == new[low:high])
     end, own = len(old), len(new)
@@ -70,7 +70,7 @@ class Aligned:
     starts: list[int] = field(default_factory=list)
 
     def add(self, element: Element | int, start: int) -> None:
-        """The next element, and where it stands."""
+        """Add the next element, with its offset."""
         self.elements.append(element)
         self.starts.append(start)
 
@@ -78,10 +78,10 @@ class Aligned:
 def aligned(
     old: Arrangement, before: str, source: SourceText, change: Difference, graph: Span
 ) -> Aligned:
-    """The elements of *source* round *change*; those of the text *before* are *old*, in *graph*.
+    """Return the elements of *source* round *change*; before, they were *old*, in *graph*.
 
-    Raises Indivisible if the change reaches beyond the graph or has elements that are no objects,
-    SourceError if it is no JSON.
+    *before* is the earlier text. Raises Indivisible if the change reaches beyond the graph or has
+    elements that are no objects, SourceError if it is no JSON.
     """
     # What only touches the change is read again as well: it may go on now.
     count, found = len(old.parts), Aligned(old.first_to(change.start))

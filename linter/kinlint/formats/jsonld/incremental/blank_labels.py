@@ -25,7 +25,7 @@ class Labelling:
         self._ask(0)
 
     def finish(self, known: Named) -> Named:
-        """The parts with all of their labels; those that are *known* are not made again."""
+        """Return the parts with all of their labels; those that are *known* are not made again."""
         for step in (1, 2, 3):
             self._ask(step)
         named: dict[Part, tuple[tuple[Term, ...], Part]] = {}

@@ -127,7 +127,7 @@ class Assembly:
 
 
 def assembled(source: SourceText, given: Arrangement, stating: Stating, known: Named) -> Assembly:
-    """The document that the *given* parts of *source* make up; parts that are *known* keep names.
+    """Assemble the document of the *given* parts of *source*; parts that are *known* keep names.
 
     *stating* is what read them.
     """
@@ -166,7 +166,7 @@ def _first(found: Iterable[Mapping[str, Span]], shifts: Sequence[int]) -> dict[s
 
 
 def _losses(notes: Sequence[Notes]) -> list[Loss]:
-    """All losses in the order of the text; what is only lost in the whole file is found here."""
+    """Return all losses in the order of the text, including those of the file as a whole."""
     watch = LossWatch()
     shadows: dict[Shadow, Span] = {}
     for each in notes:

@@ -26,13 +26,13 @@ class Asked(BlankNodes):
         self._named: dict[str, Term] = {}
 
     def fresh(self) -> Term:
-        """A blank node without a name in the text."""
+        """Return a blank node without a name in the text."""
         node = super().fresh()
         self.order.append((node, None))
         return node
 
     def named(self, label: str) -> Term:
-        """The blank node that the text calls *label*."""
+        """Return the blank node that the text calls *label*."""
         if label not in self._named:
             self._named[label] = super().fresh()
             self.order.append((self._named[label], label))
@@ -57,7 +57,7 @@ class Notes:
     shadows: tuple[tuple[Shadow, Span], ...] = ()
 
     def moved(self, move: Move) -> Notes:
-        """The same, elsewhere."""
+        """Return a copy with moved places."""
         return Notes(
             tuple(replace(loss, span=move(loss.span)) for loss in self.losses),
             tuple((name, replace(loss, span=move(loss.span))) for name, loss in self.values),
@@ -72,7 +72,7 @@ class Notes:
         )
 
     def renamed(self, names: Names) -> Notes:
-        """The same with the blank nodes called by their final *names*."""
+        """Return the same with the blank nodes called by their final *names*."""
         return Notes(
             tuple(_renamed(loss, names) for loss in self.losses),
             tuple((name, _renamed(loss, names)) for name, loss in self.values),
@@ -87,7 +87,7 @@ class Notes:
         )
 
     def places(self) -> list[Span]:
-        """All places that are spoken of."""
+        """Return all places in the notes."""
         return [
             *(loss.span for loss in (*self.losses, *self.others)),
             *(loss.span for _, loss in self.values),
@@ -121,7 +121,7 @@ class Part:
     notes: Notes = field(default=NOTHING)
 
     def renamed(self, names: Names) -> Part:
-        """The same with the blank nodes called by their final *names*."""
+        """Return the same with the blank nodes called by their final *names*."""
         get = names.get
         return replace(
             self,
@@ -132,14 +132,14 @@ class Part:
         )
 
     def places(self) -> list[Span]:
-        """All places that are spoken of."""
+        """Return all places in the part."""
         spans = [*self.spans.values(), *self.notes.places()]
         for whole, identifier in self.nodes.values():
             spans += (whole, identifier) if identifier else (whole,)
         return spans
 
     def moved(self, move: Move) -> Part:
-        """The same, elsewhere."""
+        """Return a copy with moved places."""
         return replace(
             self,
             whole=move(self.whole),
@@ -155,7 +155,7 @@ class Part:
 
 
 def shifted(span: Span, by: int) -> Span:
-    """*span*, moved."""
+    """Return *span* moved by a number of characters."""
     return Span(span[0] + by, span[1] + by) if by else span
 
 

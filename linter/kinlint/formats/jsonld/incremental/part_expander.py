@@ -39,7 +39,7 @@ class PartedProcessor(Processor):
         return len(self._kept)
 
     def expand(self, element: Object) -> list[Any]:
-        """The nodes that *element* is, as an element of the outermost graph: one or none.
+        """Return the nodes that *element* is, as an element of the outermost graph: one or none.
 
         Raises Indivisible if it becomes more than an element of that, and what expansion raises.
         """

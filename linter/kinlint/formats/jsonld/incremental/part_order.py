@@ -22,11 +22,11 @@ class Arrangement:
         return self.parts[number].whole.end + self.shifts[number]
 
     def first_to(self, end: int) -> int:
-        """The first part that ends at *end* or later; as many as there are if none does."""
+        """Return the first part that ends at *end* or later; as many as there are if none does."""
         return bisect_left(range(len(self.parts)), end, key=self.end_of)
 
     def replaced(self, first: int, rest: int, between: Arrangement, by: int) -> Arrangement:
-        """The same with others *between* the *first* parts and the *rest*, which moves *by*."""
+        """Return the *first* parts, others *between*, and the *rest*, which moves *by*."""
         moved = (each + by for each in self.shifts[rest:])
         return Arrangement(
             [*self.parts[:first], *between.parts, *self.parts[rest:]],

@@ -36,7 +36,7 @@ class Noticed(NamedTuple):
     origins: Mapping[int, Origin]
 
     def owners(self) -> Iterator[Origin]:
-        """The objects of the nodes of which something is lost."""
+        """Yield the objects of the nodes of which something is lost."""
         yield from (drop.origin.owner for drop in self.record.drops.values())
         strays = (stray.origin for stray in self.record.strays.values())
         repeated = (self.origins.get(id(each)) for each in self.repeats)
@@ -161,7 +161,7 @@ class Stating:
         processor.record, processor.repeated = hull, repeated
 
     def _repeated(self, element: Object) -> list[Object]:
-        """The objects in *element* with repeated keys, in the order in which they were found."""
+        """Return the objects in *element* with repeated keys, in the order of their discovery."""
         first = bisect_left(self._repeats, element.start, key=lambda each: each[0])
         after = bisect_left(self._repeats, element.end, key=lambda each: each[0])
         inside = sorted(self._repeats[first:after], key=lambda each: each[1])

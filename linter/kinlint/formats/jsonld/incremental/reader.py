@@ -35,7 +35,7 @@ class Division:
     end: int
 
     def assembled(self, source: SourceText, known: Named) -> Assembly:
-        """The document of *source*, which is divided like that; *known* parts keep names."""
+        """Return the document of *source*, which is divided like that; *known* parts keep names."""
         end, gap = self.end, self.stating.place
 
         def move(span: Span) -> Span:

@@ -31,7 +31,10 @@ class Editor:
         self._document, self._sites = document, Sites(document)
 
     def edits(self, delta: Delta) -> list[Edit]:
-        """The smallest edits that say *delta*, in order; raises NotExpressible if none do."""
+        """Return the smallest edits that say *delta*, in order.
+
+        Raises Unsayable if there are none.
+        """
         rest, about = split_delta(self._document, delta)
         edits = _Writing(self._sites, rest).edits() if rest else []
         return (
@@ -52,7 +55,7 @@ class _Writing:
         self._awaited: dict[tuple[int, Edit], int] = {}
 
     def edits(self) -> list[Edit]:
-        """All edits, in order."""
+        """Return all edits, in order."""
         changes = self._changes
         gone = [*changes.deleted, *changes.moved]
         self._sites.check_uses(gone)
@@ -80,15 +83,15 @@ class _Writing:
         return at in others
 
     def _taken(self, span: Span) -> list[Edit]:
-        """The edits within *span*, which are made elsewhere instead."""
+        """Remove and return the edits within *span*, which are made elsewhere instead."""
         own = [each for each in self._edits if _is_in(each.span, span)]
         self._edits = [each for each in self._edits if not _is_in(each.span, span)]
         return own
 
     def _make(self, site: Site, edits: Iterable[Edit]) -> None:
-        """Keeps *edits* of the text of *site*; to make them may take others back.
+        """Keep *edits* of the text of *site*; this may undo others.
 
-        What is done to a text that stands for several elements is done once, for all of them.
+        A text that stands for several elements is edited once, for all of them.
         """
         own = list(edits)
         made = list(site.document_edits(own))
@@ -120,7 +123,7 @@ class _Writing:
         self._make(site, [Edit(span, tag) for span in names])
 
     def _fill(self, parent: Term, gone: list[Term]) -> None:
-        """Puts new children into *parent*, the first ones where others are *gone* from."""
+        """Put new children into *parent*, the first ones where others are *gone* from."""
         site = self._site(parent)
         layout, number = site.layout, site.number
         places = {
@@ -166,7 +169,7 @@ def _is_in(inner: Span, outer: Span) -> bool:
 
 
 def _place(layout: Layout, parent: int, tag: str) -> int | None:
-    """The child of an element that a new one with *tag* comes after."""
+    """Return the child of an element that a new one with *tag* comes after."""
     children = layout.children[parent]
     alike = (each for each in reversed(children) if layout.name(each) == tag)
     return next(alike, children[-1] if children else None)
@@ -188,7 +191,7 @@ def merged(edits: Iterable[Edit]) -> list[Edit]:
 def text_edits(
     site: Site, old: Values, change: Change, kept: frozenset[str], place: Place
 ) -> list[Edit]:
-    """The edits that make *change* of the text of the element at *site*, which is *old*.
+    """Return the edits that make *change* of the text of the element at *site*, which is *old*.
 
     *place* tells where a component of it was read from; *kept* are spellings that stay.
     """

@@ -37,7 +37,7 @@ class Changes:
 
     @classmethod
     def from_delta(cls, delta: Delta, known: Mapping[Term, Element]) -> Changes:
-        """The changes of *delta*; raises NotExpressible for what is no matter of elements."""
+        """Return the changes of *delta*; raises Unsayable for what is no matter of elements."""
         changes = cls(known)
         changes._structure(delta)
         gone = set(changes.deleted)
@@ -80,7 +80,7 @@ class Changes:
                 self.children.setdefault(parent, []).append((tag, node))
 
     def _check_reached(self, node: Term, after: Mapping[Term, tuple[Term, str]]) -> None:
-        """Raises NotExpressible for an element that would stand within itself."""
+        """Raise Unsayable for an element that would stand within itself."""
         at, passed = node, set[Term]()
         while at not in passed:
             passed.add(at)
@@ -124,7 +124,7 @@ class Changes:
 
 
 def _placed(triples: tuple[Triple, ...]) -> Iterator[tuple[Term, tuple[Term, str]]]:
-    """The elements that *triples* put somewhere, with their parents and tags."""
+    """Yield the elements that *triples* put somewhere, with their parents and tags."""
     for subject, predicate, value in triples:
         if (tag := tag_of(predicate)) is not None:
             if is_literal(value):

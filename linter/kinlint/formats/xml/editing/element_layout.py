@@ -29,7 +29,7 @@ class Attribute(NamedTuple):
 
     @property
     def end(self) -> int:
-        """Behind the closing quote."""
+        """Offset behind the closing quote."""
         return self.value.end + 1
 
 
@@ -71,11 +71,11 @@ class Layout:
             self._number[self.places.offset(start)] = number
 
     def number(self, start: int) -> int | None:
-        """The element that begins at *start*."""
+        """Return the element that begins at *start*."""
         return self._number.get(start)
 
     def tag(self, number: int) -> Tag:
-        """The start tag of an element."""
+        """Return the start tag of an element."""
         return self.places.tag(number)
 
     def name(self, number: int) -> str:
@@ -87,7 +87,7 @@ class Layout:
         return self.tag(number).name.start - 1
 
     def whole(self, number: int) -> Span:
-        """An element with its tags."""
+        """Return an element with its tags."""
         return self.places.whole(number)
 
     def closed(self, number: int) -> bool:
@@ -99,7 +99,7 @@ class Layout:
         return self.places.content(number)
 
     def names(self, number: int) -> list[Span]:
-        """The name of an element, in each of its tags."""
+        """Return the name of an element, in each of its tags."""
         first = self.tag(number).name
         if self.closed(number):
             return [first]
@@ -107,7 +107,7 @@ class Layout:
         return [first, Span(start, start + first.end - first.start)]
 
     def attributes(self, number: int) -> list[Attribute]:
-        """All attributes of an element, also those that are given twice."""
+        """Return all attributes of an element, also those that are given twice."""
         found, at = [], self.tag(number).name.end
         while match := WRITTEN.match(self.text, at):
             value = Span(*match.span(2 if match[2] is not None else 3))
@@ -120,13 +120,13 @@ class Layout:
         return self.text.startswith(SECTION, self.before(at) - len(SECTION))
 
     def before(self, at: int, space: str = SPACE) -> int:
-        """The end of what stands before *at* and the *space* there."""
+        """Return the end of what stands before *at* and the *space* there."""
         while at and self.text[at - 1] in space:
             at -= 1
         return at
 
     def behind(self, at: int, space: str = SPACE) -> int:
-        """The beginning of what stands behind *at* and the *space* there."""
+        """Return the beginning of what stands behind *at* and the *space* there."""
         while at < len(self.text) and self.text[at] in space:
             at += 1
         return at
@@ -142,7 +142,7 @@ class Layout:
         return edge == len(self.text) or self.text[edge] in "\r\n"
 
     def indent(self, number: int) -> str | None:
-        """The space before an element; None if something else is before it in its line."""
+        """Return the space before an element; None if something else is before it in its line."""
         start = self.start(number)
         return self.text[self.before(start, " \t") : start] if self.begins_line(start) else None
 
@@ -177,7 +177,7 @@ class Layout:
         return next(filter(None, steps), DEFAULT_INDENT)
 
     def quote(self, number: int) -> str:
-        """The mark round attribute values in an element, or else where the next ones are."""
+        """Return the mark round attribute values in an element, or else where the next ones are."""
         at = number
         while at >= 0:
             if written := self.attributes(at):

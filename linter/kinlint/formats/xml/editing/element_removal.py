@@ -10,13 +10,13 @@ from kinlint.text import Span
 
 
 def removals(layout: Layout, numbers: Iterable[int]) -> Iterator[Edit]:
-    """The edits that delete elements, none of which is within another."""
+    """Yield the edits that delete elements, none of which is within another."""
     for span in _runs(layout, sorted(layout.whole(number) for number in numbers)):
         yield Edit(with_lines(layout, span), "")
 
 
 def _runs(layout: Layout, spans: Iterable[Span]) -> list[Span]:
-    """*spans*, of which those are one that only space is between."""
+    """Return *spans*, those merged that only space separates."""
     runs: list[Span] = []
     for span in spans:
         if runs and layout.behind(runs[-1].end) == span.start:
@@ -40,7 +40,7 @@ def with_lines(layout: Layout, span: Span) -> Span:
 
 
 def _one_blank_line(layout: Layout, start: int, end: int) -> int:
-    """The end of what goes from *start* to *end*, further if a blank line is on either side."""
+    """Return *end*, or a later end of the removal if blank lines are on both sides."""
     above = layout.before(start, "\r\n \t")
     behind = layout.behind(end, " \t")
     following = BREAK.match(layout.text, behind)

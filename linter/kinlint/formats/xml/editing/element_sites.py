@@ -61,7 +61,7 @@ class Sites:
         return self.shared_site(node)
 
     def check_uses(self, nodes: Iterable[Term]) -> None:
-        """Raises NotExpressible if a text that wrote one of *nodes* wrote others too."""
+        """Raise Unsayable if a text that wrote one of *nodes* wrote others too."""
         places = Counter(self._place(self._start(node)) for node in nodes)
         if any(self._shared[place] > count for place, count in places.items()):
             raise NotExpressible(SEVERAL)

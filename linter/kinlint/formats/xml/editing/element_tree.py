@@ -22,7 +22,7 @@ DECLARATION = "xmlns"
 
 
 def tree(document: Document) -> Hashable:
-    """The elements of *document*; hashable."""
+    """Return the elements of *document*; hashable."""
     return _tree(document.graph, document.statements, _stray(document.statements))
 
 
@@ -34,7 +34,7 @@ def changed(document: Document, delta: Delta) -> Hashable:
 
 
 def _stray(statements: Iterable[Triple]) -> Mapping[Term, str]:
-    """Texts that stand where no text is read, by the nodes of their elements."""
+    """Return texts that stand where no text is read, by the nodes of their elements."""
     stray = {s for s, p, o in statements if p == RDF_TYPE and o == STRAY}
     if not stray:
         return {}

@@ -46,7 +46,10 @@ def replacement(layout: Layout, number: int, new: Written) -> Edit:
 
 
 def insertion(site: Site, new: Sequence[Written], before: int | None) -> Edit:
-    """*new* elements within the one at *site*, behind its child *before*, or as its first ones."""
+    """Return the edit that inserts *new* elements into *site*, behind the child *before*.
+
+    They are the first children without one.
+    """
     layout, parent = site.layout, site.number
     if layout.closed(parent):
         inside = within(_manner(layout, parent), new)
@@ -75,7 +78,7 @@ def _manner(layout: Layout, number: int) -> Manner:
 
 
 def _gap(layout: Layout, parent: int, number: int) -> str | None:
-    """The space between an element and the one before it, if nothing else is there."""
+    """Return the space between an element and the one before it, if nothing else is there."""
     siblings = layout.children[parent]
     index = siblings.index(number)
     if not index:
@@ -92,13 +95,13 @@ def opening(layout: Layout, number: int) -> Span:
 
 
 def within(manner: Manner, new: Sequence[Written]) -> str:
-    """*new* elements as all that is in one that is laid out in *manner*."""
+    """Return *new* elements as the whole content of one that is laid out in *manner*."""
     inner = manner.inner
     return "".join(f"{inner.space}{each(inner)}" for each in new) + manner.space
 
 
 def _first(layout: Layout, parent: int, new: Sequence[Written]) -> Edit:
-    """A parent with two tags and no element in it."""
+    """Return the edit that gives *new* elements to a parent with two tags and no element in it."""
     manner, content = _manner(layout, parent), layout.content(parent)
     text = layout.source[content]
     end = layout.before(content.end)

@@ -71,7 +71,7 @@ class Rewriting:
     place: Place
 
     def edits(self, spans: Sequence[Span]) -> list[Edit]:
-        """The edits of a value that stands literally at *spans*.
+        """Return the edits of a value that stands literally at *spans*.
 
         Of components that stay, nothing is touched, nor is the space between.
         """
@@ -95,7 +95,7 @@ class Rewriting:
         return edits
 
     def edits_of_parts(self) -> list[Edit]:
-        """The edits of a value of which other components are expressions of xacro."""
+        """Return the edits of a value of which other components are expressions of xacro."""
         if 0 in self.old or self.old.keys() != self.new.keys():
             raise NotExpressible(NOT_LITERAL)
         edits = []

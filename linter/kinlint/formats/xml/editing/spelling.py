@@ -21,7 +21,7 @@ QUOTES = {'"': "&quot;", "'": "&apos;"}
 
 
 def tokens(text: str) -> tuple[float | str, ...]:
-    """The words of *text*; numbers and truths are equal if their values are."""
+    """Return the words of *text*; numbers and truths are equal if their values are."""
     return tuple(map(_token, text.split()))
 
 
@@ -69,7 +69,7 @@ def lexical_form(term: Term, kept: frozenset[str] = frozenset()) -> str:
 
 
 def shortest(value: float) -> str:
-    """The fewest digits that mean *value*, a whole number without a point."""
+    """Return the fewest digits that mean *value*, a whole number without a point."""
     return repr(value + 0.0).removesuffix(".0") if value else "0"
 
 

@@ -20,7 +20,7 @@ FIRST = "name"
 
 
 def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> Iterator[str]:
-    """The attributes of a new element, as they are written."""
+    """Yield the attributes of a new element, as they are written."""
     for name, value in sorted(slots.items(), key=lambda each: each[0] != FIRST):
         if name:
             text = rewriting.formatted_values(rewriting.merged_values({}, {}, value, name), kept)
@@ -28,7 +28,7 @@ def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> It
 
 
 def assignment(name: str, value: str, quote: str, layout: Layout) -> str:
-    """An attribute as it is written."""
+    """Return an attribute as it is written."""
     if not NAME.fullmatch(name):
         raise NotExpressible(f"{name} is no name in XML")
     return f"{name}={quote}{spelling.escaped_attribute(value, quote, layout.source)}{quote}"
@@ -48,7 +48,7 @@ class StartTag:
     place: Callable[[str, int], Span | None]
 
     def edits(self, change: Change) -> Iterator[Edit]:
-        """The edits that make *change* of the attributes."""
+        """Yield the edits that make *change* of the attributes."""
         layout = self.layout
         self._all = layout.attributes(self.number)
         self._first = {each.name: each for each in reversed(self._all)}
@@ -117,7 +117,7 @@ class StartTag:
             raise NotExpressible(f"{name} is given twice")
 
     def _inserted(self, texts: dict[str, str]) -> Iterator[Edit]:
-        """Puts attributes behind the last one, or a name before the first."""
+        """Put attributes behind the last one, or a name before the first."""
         layout, tag = self.layout, self.layout.tag(self.number)
         quote = layout.quote(self.number)
         space, end = " ", tag.name.end
@@ -136,7 +136,7 @@ class StartTag:
 
 
 def deletions(layout: Layout, number: int, leaves: Callable[[Attribute], bool]) -> Iterator[Edit]:
-    """Takes attributes away with the space before them, or behind if the first ones go."""
+    """Yield edits that delete attributes with the space before them, or behind the first ones."""
     text, written = layout.text, layout.attributes(number)
     behind, following = layout.tag(number).name.end, 0
     for gone, group in groupby(written, leaves):

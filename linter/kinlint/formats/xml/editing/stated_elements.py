@@ -20,7 +20,7 @@ SPACES = tuple(f"<{space}" for space in (*ELEMENTS, EXTENSION))
 
 @lru_cache(KEPT)
 def tag_of(predicate: Term) -> str | None:
-    """The tag of the elements that *predicate* leads to; None if it leads to none."""
+    """Return the tag of the elements that *predicate* leads to; None if it leads to none."""
     for space in SPACES:
         if predicate.startswith(space):
             return predicate[len(space) : -1]
@@ -28,7 +28,7 @@ def tag_of(predicate: Term) -> str | None:
 
 
 def slot_of(predicate: Term, value: Term) -> tuple[str, int] | None:
-    """The attribute that *predicate* tells, and which number of it, 0 for all.
+    """Return the attribute that *predicate* tells, and which number of it, 0 for all.
 
     Text is the attribute without a name. None if it tells neither.
     """
@@ -38,7 +38,7 @@ def slot_of(predicate: Term, value: Term) -> tuple[str, int] | None:
 
 @lru_cache(KEPT)
 def _slots(predicate: Term) -> tuple[tuple[str, int] | None, tuple[str, int] | None]:
-    """The slot that *predicate* tells if its value is a number, where that differs, and else."""
+    """Return the slot of *predicate* for a number, if that differs, and for other values."""
     if predicate == TEXT_ITSELF:
         return None, ("", 0)
     if predicate.startswith(f"<{TEXT}-"):
@@ -66,7 +66,7 @@ class Element:
 
 
 def elements(statements: Iterable[Triple]) -> Mapping[Term, Element]:
-    """The elements in *statements*, by the nodes that stand for them."""
+    """Return the elements in *statements*, by the nodes that stand for them."""
     found: dict[Term, Element] = {}
     for subject, predicate, value in statements:
         if is_literal(value):

@@ -50,7 +50,7 @@ def split_delta(document: Document, delta: Delta) -> tuple[Delta, list[Triple]]:
 
 
 def syntax_edits(document: Document, sites: Sites, about: list[Triple]) -> Iterator[Edit]:
-    """The edits of *document* after which it no longer says any of *about*."""
+    """Yield the edits of *document* after which it no longer says any of *about*."""
     places = {s: o for s, p, o in document.statements if p == NODE}
     spaced = {s for s, p, o in document.statements if p == RDF_TYPE and o == SPACED}
     for triple in about:
@@ -81,7 +81,7 @@ def _without_text(site: Site) -> Iterator[Edit]:
 
 
 def _respaced(layout: Layout, span: Span) -> Iterator[Edit]:
-    """Parts numbers by blanks, with nothing around them."""
+    """Separate numbers by blanks, with nothing around them."""
     written = layout.source[span]
     if not NUMBERS.fullmatch(written):
         raise NotExpressible(NOT_LITERAL)
@@ -112,7 +112,7 @@ def _mended(layout: Layout, span: Span) -> Iterator[Edit]:
 
 
 def _comment(text: str, at: int) -> Iterator[Edit]:
-    """Takes apart, or makes a line of, all hyphens of a comment that stand together."""
+    """Separate the hyphens in a comment, or make a line of them."""
     start, end = text.rfind(OPEN, 0, at) + len(OPEN), text.find(CLOSE, at)
     for match in HYPHENS.finditer(text, start, end):
         apart = len(match[0]) == PAIR and match.end() < end
