@@ -110,7 +110,7 @@ def test_a_fact_node_is_shown_by_its_sources(faults: Rulebook) -> None:
     )
     shown = told(premises)
 
-    assert (0, "cycle 1 closed-by ex:q", "computed from") in shown
+    assert (0, "cycle 1 closed by ex:q", "computed from") in shown
     assert (1, "ex:p-coord x 1", "") in shown
     assert (1, "ex:q-coord y 2", "") in shown
     assert (0, "cycle 1 distance 2", "computed from the same") in shown
@@ -199,22 +199,22 @@ def places(code: str, text: str, name: str) -> list[tuple[str, int]]:
 def test_what_was_computed_of_a_lifted_robot_is_shown_where_its_file_says_it() -> None:
     """Each number at its attribute, also where others have the same value."""
     assert places("INE001", ARM, "arm.urdf") == [
-        ("base/inertia/moments ixx 1", 6),
-        ("base/inertia/moments ixy 0", 7),
-        ("base/inertia/moments ixz 0", 8),
-        ("base/inertia/moments iyy 1", 9),
-        ("base/inertia/moments iyz 0", 10),
-        ("base/inertia/moments izz 3", 11),
-        ("base/inertia/mass mass 1", 4),
+        ("<inertia> of link 'base': ixx 1", 6),
+        ("<inertia> of link 'base': ixy 0", 7),
+        ("<inertia> of link 'base': ixz 0", 8),
+        ("<inertia> of link 'base': iyy 1", 9),
+        ("<inertia> of link 'base': iyz 0", 10),
+        ("<inertia> of link 'base': izz 3", 11),
+        ("<mass> of link 'base': value 1", 4),
     ]
 
 
 def test_a_value_that_is_not_written_is_shown_at_its_element() -> None:
     """So is the multiplier of a mimic; the units that the format implies are not shown."""
     shown = places("LIM011", ARM, "arm.urdf")
-    assert ("k/coupling multiplier 1", 25) in shown
-    assert ("j/position-limit lower -1", 19) in shown
-    assert ("j/position-limit upper 2", 20) in shown
+    assert ("<mimic> of joint 'k': multiplier 1", 25) in shown
+    assert ("<limit> of joint 'j': lower -1", 19) in shown
+    assert ("<limit> of joint 'j': upper 2", 20) in shown
     assert not any("unit" in statement for statement, _ in shown)
 
 
@@ -226,8 +226,8 @@ def test_numbers_of_sdf_are_shown_at_their_elements() -> None:
     <izz>3</izz>
     </inertia></inertial></link></model></sdf>"""
     shown = places("INE001", text, "arm.sdf")
-    assert {("base/inertia/moments iyy 1", 4), ("base/inertia/moments izz 3", 5)} <= {
-        (statement.removeprefix("arm/"), line) for statement, line in shown
+    assert {("<inertia> of link 'base': iyy 1", 4), ("<inertia> of link 'base': izz 3", 5)} <= {
+        *shown
     }
 
 
@@ -245,4 +245,14 @@ def test_a_cycle_of_joints_rests_on_no_placement() -> None:
 
     assert finding.severity.label == "warning"
     (premise,) = told(finding.because)
-    assert premise == (0, "arm circle arm/one", "computed from the elements")
+    assert premise == (0, "model 'arm': circle joint 'one'", "computed from the elements")
+
+
+def test_of_an_element_only_its_values_are_shown() -> None:
+    """Once, as the file has them: no types, no references between nodes that were lifted."""
+    finding = next(each for each in lint(ARM, "arm.urdf").findings if each.rule.code == "LIM011")
+    shown = told(finding.because)
+
+    assert (0, "<limit> of joint 'j': upper 2", "") in shown
+    assert len({statement for _, statement, _ in shown}) == len(shown)
+    assert not [each for each in shown if "coupling" in each[1] or "position-limit" in each[1]]

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import takewhile
 from typing import TypeAlias
 
 from kinlint.addresses import is_address, without_file
@@ -40,9 +41,7 @@ from kinlint.terms import (
     literal_value,
 )
 from kinlint.text import Location
-from kinlint.vocabulary import FACT
 
-FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
 
 CONSTRAINT = "ConstraintComponent"
@@ -109,7 +108,7 @@ class FindingBuilder:
         return replace(
             finding,
             related=tuple(_related(result, location, self._locator, wording)),
-            because=tuple(_because(result, self._locator, self._proofs, wording.display)),
+            because=tuple(_because(result, self._locator, self._proofs, wording)),
         )
 
 
@@ -198,7 +197,7 @@ def _related(
 
 
 def _because(
-    result: Result, locator: Locator, proofs: Proofs, display: TermFormatter
+    result: Result, locator: Locator, proofs: Proofs, wording: Wording
 ) -> Iterator[Premise]:
     """The proof of a result in which something inferred or computed took part; else nothing."""
     constraint = result.constraint
@@ -207,18 +206,42 @@ def _because(
     steps = proofs(result.constraint, result)
     if not any(step.axiom for step in steps) and not any(map(is_fact, constraint.premises)):
         return
+    found: list[Premise] = []
     for step in steps:
         place = None if step.axiom else locator.premise(step.triple)
         if place is not None or step.axiom:
-            yield Premise(
-                _phrase(step.triple, locator.store, display), place, step.axiom, step.depth
-            )
+            statement = _statement(step.triple, locator.store, wording)
+            found.append(Premise(statement, place, step.axiom, step.depth))
+    yield from _without_internal(found) if wording.in_xml else found
 
 
-def _phrase(triple: Triple, store: Store, display: TermFormatter) -> str:
-    """*triple* in three words, with lists, facts and their nodes, which files do not name."""
+def _without_internal(premises: Sequence[Premise]) -> Iterator[Premise]:
+    """Yield the *premises* that say something of their own; what they rest on moves up.
+
+    Empty ones are only in the graph. A number that is computed from itself is only shown as it is
+    written, and everything once.
+    """
+    hidden: list[int] = []
+    told: set[str] = set()
+    for index, premise in enumerate(premises):
+        hidden = [depth for depth in hidden if depth < premise.depth]
+        below = takewhile(partial(_deeper, premise), premises[index + 1 :])
+        if not premise.statement or any(each.statement == premise.statement for each in below):
+            hidden.append(premise.depth)
+        elif premise.statement not in told:
+            told.add(premise.statement)
+            yield replace(premise, depth=premise.depth - len(hidden))
+
+
+def _statement(triple: Triple, store: Store, wording: Wording) -> str:
+    """Return *triple* in the words of its file, a list by its items."""
     if is_blank(triple[2]) and (listed := items(store, triple[2])):
+        display = wording.display
         written = ", ".join(map(display.term, listed))
         return f"{display.term(triple[0])} {display.term(triple[1])} [{written}]"
-    words = display.triple(triple)
-    return FACT_NODE.sub(r"\1 \2", words.replace(FACT, "")) if is_fact(triple) else words
+    return wording.statement(triple)
+
+
+def _deeper(premise: Premise, other: Premise) -> bool:
+    """Tell whether *other* is below *premise* in a proof."""
+    return other.depth > premise.depth

@@ -17,12 +17,23 @@ from kinlint.document import Document
 from kinlint.findings.locator import Locator
 from kinlint.message_template import VARIABLE
 from kinlint.term_format import NUMBERS, TermFormatter
-from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_datatype, literal_value
+from kinlint.terms import (
+    Term,
+    Triple,
+    iri_value,
+    is_iri,
+    is_literal,
+    literal_datatype,
+    literal_value,
+)
 from kinlint.text import Location
-from kinlint.vocabulary import SRC
+from kinlint.vocabulary import ATTRIBUTE, FACT, SRC
 
 KINDS = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light", "macro"})
 """Elements that are spoken of by kind and name: joint 'elbow'."""
+
+FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
+"""The IRI of a computed node: its kind and number."""
 
 TEXT = f"<{SRC}text"
 """How the property of the text of an element begins, and those of the words in it."""
@@ -84,28 +95,56 @@ class Wording:
         """*term* in the words of its file: `'rob:elbow'`, `2.5`, `<limit> of joint 'elbow'`."""
         if is_number(term):
             return brief(self.display.term(term))
-        if self._in_xml and is_literal(term) and NUMERIC.fullmatch(literal_value(term)):
+        if self.in_xml and is_literal(term) and NUMERIC.fullmatch(literal_value(term)):
             return literal_value(term)
         element = self._element(term)
         if element is None:
-            return f"'{self._written_as(term) or self.display.term(term)}'"
-        document, node = element
-        phrase = " of ".join(_phrases(document, node))
+            return f"'{self._written_as(self.focus, term) or self.display.term(term)}'"
+        document, phrase = element[0], " of ".join(_phrases(*element))
         if document.graph == self._home:
             return phrase
         return f"{phrase} in '{document.source.name.replace(chr(92), '/').rpartition('/')[2]}'"
 
-    def _written_as(self, property_: Term) -> str:
-        """The attribute or element of the file that gives a lifted *property_* of the focus."""
-        if self._in_xml and is_iri(property_):
-            for _, triple in self.locator.provenance.property(self.focus, property_).written:
+    def statement(self, triple: Triple) -> str:
+        """Return *triple* in the words of its file: `<limit> of joint 'elbow': upper 1.5`.
+
+        Empty for a type or a reference of an element, which only the graph has in this form.
+        """
+        subject, property_, value = triple
+        fact = property_.startswith(f"<{FACT}")
+        name = iri_value(property_).removeprefix(FACT).replace("-", " ") if fact else ""
+        if self._element(subject) is None:
+            if fact:
+                return f"{self._mention(subject)} {name} {self._mention(value)}"
+            if self._element(value) is not None:
+                return ""
+            return FACT_NODE.sub(r"\1 \2", self.display.triple(triple).replace(FACT, ""))
+        if not name:
+            stated = property_.startswith((f"<{ATTRIBUTE}", TEXT)) or self.locator.origins(subject)
+            if not (is_literal(value) and stated):
+                return ""
+            name = self._written_as(subject, property_) or self.display.term(property_)
+        return f"{self._mention(subject)}: {name} {self._mention(value)}"
+
+    def _mention(self, term: Term) -> str:
+        """*term* as a statement names it: elements in words, numbers computed by their kind."""
+        if (element := self._element(term)) is not None:
+            return " of ".join(_phrases(*element))
+        if is_number(term):
+            return brief(self.display.term(term))
+        return FACT_NODE.sub(r"\1 \2", self.display.term(term))
+
+    def _written_as(self, subject: Term, property_: Term) -> str:
+        """The attribute or element of the file that gives a lifted *property_* of *subject*."""
+        if self._element(subject) is not None and is_iri(property_):
+            for _, triple in self.locator.provenance.property(subject, property_).written:
                 element, way, _ = triple
                 text = way.startswith(TEXT)
                 return unordered(local_name(element)) if text else self.display.term(way)
         return ""
 
     @cached_property
-    def _in_xml(self) -> bool:
+    def in_xml(self) -> bool:
         """Whether the finding is about an element, whose attributes are texts to begin with."""
         return self._element(self.focus) is not None
 
