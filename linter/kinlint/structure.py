@@ -1,4 +1,4 @@
-"""The kinematic structure of a robot: what a picture or an outline of it shows, as plain data."""
+"""Kinematic structure of a robot as plain data, which pictures and outlines show."""
 
 from __future__ import annotations
 
@@ -14,113 +14,138 @@ Vector: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A frame on a link, by its IRI or blank node label, and where it is described."""
+    """Frame on a link."""
 
     iri: str
+    """IRI or blank node label."""
     name: str
+    """Name for people."""
     location: Location | None = None
+    """Place of its identifier."""
     whole: Location | None = None
+    """Place of its description."""
 
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A rigid body.
-
-    `location` is the place of its identifier, `whole` that of its description. An `absent` one
-    is joined by a joint, but described nowhere.
-    """
+    """Rigid body."""
 
     iri: str
+    """IRI or blank node label."""
     name: str
+    """Name for people."""
     location: Location | None = None
+    """Place of its identifier."""
     whole: Location | None = None
+    """Place of its description."""
     frames: tuple[Frame, ...] = ()
+    """Frames on it, in the order of the text."""
     absent: bool = False
+    """True if joints name it, but nothing describes it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Where a joint is, as its parent sees it: `xyz` in m, `rpy` in rad about fixed axes.
-
-    None is what no one relation states.
-    """
+    """Pose of a joint as its parent sees it; None is what no one relation states."""
 
     xyz: Vector | None = None
+    """Position in m."""
     rpy: Vector | None = None
+    """Angles in rad about the fixed axes x, y and z (REP-103)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A joint between the links `parent` and `child`, by their IRIs; None where none is said.
-
-    `kind` is a word such as `revolute` or `fixed`, as the file says it, or nothing. `others` are
-    further links that hang on a joint which joins more than two. One that `closes` a loop is no
-    branch of the tree: its child hangs elsewhere. `lower` and `upper` bound its position, in rad
-    or m; `axis` is a direction as the joint's own frame sees it.
-    """
+    """Joint between a parent and a child link."""
 
     iri: str
+    """IRI or blank node label."""
     name: str
+    """Name for people."""
     kind: str = ""
+    """Type such as `revolute` or `fixed`, as the file writes it; empty if it does not."""
     parent: str | None = None
+    """IRI of the link on the side of the root; None if none is stated."""
     child: str | None = None
+    """IRI of the link on the other side; None if none is stated."""
     others: tuple[str, ...] = ()
+    """IRIs of further links of a joint that joins more than two."""
     closes: bool = False
+    """True if it closes a loop and is no branch of the tree: its child hangs elsewhere."""
     origin: Origin | None = None
+    """Pose in the frame of the parent."""
     axis: Vector | None = None
+    """Unit vector of its axis in its own frame."""
     lower: float | None = None
+    """Lower position limit in rad or m."""
     upper: float | None = None
+    """Upper position limit in rad or m."""
     location: Location | None = None
+    """Place of its identifier."""
     whole: Location | None = None
+    """Place of its description."""
 
 
 @dataclass(frozen=True, slots=True)
 class Coupling:
-    """What makes the joint `follower` move with the joint `leader`: a mimic, or a gear.
-
-    The follower is where the leader is times `multiplier`, plus `offset` in rad or m.
-    """
+    """Linear dependency of one joint's position on another's: a mimic, or a gear."""
 
     iri: str
+    """IRI or blank node label."""
     name: str
+    """Name for people."""
     leader: str
+    """IRI of the joint that is followed."""
     follower: str
+    """IRI of the joint that follows."""
     multiplier: float | None = None
+    """Factor of the position of the leader."""
     offset: float | None = None
+    """Position in rad or m that is added."""
     location: Location | None = None
+    """Place of its identifier."""
     whole: Location | None = None
+    """Place of its description."""
 
 
 Part: TypeAlias = Link | Joint
 
 
 class Step(NamedTuple):
-    """A part on the way through a tree: how deep it hangs, and below which earlier step, or -1."""
+    """Part on the way through a tree."""
 
     part: Part
+    """Link or joint."""
     depth: int
+    """Number of parts between it and its root."""
     above: int
+    """Index of the step that it hangs below; -1 for roots."""
 
 
 @dataclass(frozen=True)
 class Structure:
-    """One robot: its parts in the order of the text, and the trees that they make.
-
-    `roots` are the links that trees begin with, by their IRIs. `files` are the names of the texts
-    that describe it. `owners` tells of the entities that findings are about, by their terms, which
-    part each belongs to; one that is the robot's own belongs to `iri`.
-    """
+    """Robot: its parts in the order of the text, and the trees that they make."""
 
     iri: str
+    """IRI or blank node label."""
     name: str
+    """Name for people."""
     links: tuple[Link, ...] = ()
+    """Links in the order of the text."""
     joints: tuple[Joint, ...] = ()
+    """Joints in the order of the text."""
     couplings: tuple[Coupling, ...] = ()
+    """Couplings of its joints."""
     roots: tuple[str, ...] = ()
+    """IRIs of the links that trees begin with."""
     files: tuple[str, ...] = ()
+    """Names of the texts that describe it."""
     location: Location | None = None
+    """Place of its identifier."""
     whole: Location | None = None
+    """Place of its description."""
     owners: Mapping[str, str] = field(default_factory=dict, repr=False)
+    """IRI of the part, or of the robot, by the term of each entity that a finding is about."""
 
     @cached_property
     def _links(self) -> Mapping[str, Link]:
@@ -139,15 +164,15 @@ class Structure:
         return found
 
     def link(self, iri: str) -> Link | None:
-        """The link with this IRI."""
+        """Return the link with this IRI."""
         return self._links.get(iri)
 
     def joint(self, iri: str) -> Joint | None:
-        """The joint with this IRI."""
+        """Return the joint with this IRI."""
         return self._joints.get(iri)
 
     def below(self, iri: str) -> Sequence[Joint]:
-        """The joints that branch off a link, among them those that close a loop."""
+        """Return the joints that branch off a link, among them those that close a loop."""
         return self._below.get(iri, ())
 
     @property
@@ -161,7 +186,7 @@ class Structure:
         return tuple(each for each in self.joints if each.closes)
 
     def steps(self) -> Iterator[Step]:
-        """All parts, each once and after what it hangs below.
+        """Yield all parts, each once and after the part it hangs below.
 
         First come the trees, from their roots; then the joints that hang below no link. Nothing
         hangs below a joint that closes a loop.
@@ -187,5 +212,5 @@ class Structure:
         return [link for link in ends if link is not None]
 
     def owner(self, focus: str) -> str | None:
-        """The IRI of the part, or of the robot, that the entity *focus*, a term, belongs to."""
+        """Return the IRI of the part, or of the robot, that the entity *focus*, a term, is of."""
         return self.owners.get(focus)

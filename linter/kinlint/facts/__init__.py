@@ -1,1 +1,1 @@
-"""What SPARQL cannot compute: numbers derived from a closed model, stated as triples."""
+"""Facts: numbers and graphs that SPARQL cannot compute, derived from a closed model as triples."""

@@ -1,4 +1,4 @@
-"""Bodies that fixed joints make one, and what they weigh together."""
+"""Bodies that fixed joints weld into one, and the mass of the whole."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MASS_PROPERTY = kin("MassProperty")
 
 
 class Assemblies:
-    """The bodies of a model in groups that no joint moves within."""
+    """Groups of bodies that no joint moves against each other, by union-find over fixed joints."""
 
     def __init__(self, scan: PredicateIndex, inertias: Inertias, trees: LinkTrees) -> None:
         self.scan = scan
@@ -39,11 +39,14 @@ class Assemblies:
         return groups
 
     def of(self, body: Term) -> Term:
-        """The body that stands for all that *body* is fixed to."""
+        """Return the body that stands for all that *body* is welded to."""
         return self._welded.of(body)
 
     def body(self, node: Term) -> Term | None:
-        """The body that a node which states mass or inertia is of."""
+        """Return the body that a node with a mass or an inertia is about.
+
+        None if it is not stated.
+        """
         return self.companions.bodies.get(self.companions.relations.get(node, node))
 
     @cached_property
@@ -78,7 +81,7 @@ class Assemblies:
         return frozenset(self.of(bodies[node]) for node in stated if node in bodies)
 
     def facts(self) -> Iterator[Triple]:
-        """What each stated mass is fixed to, and the bodies that move and weigh nothing."""
+        """Yield what each stated mass is welded to, and the moving bodies without any inertia."""
         stating = {*self.inertias.quantities.masses, *self.inertias.tensors}
         for node in sorted(stating):
             body = self.body(node)

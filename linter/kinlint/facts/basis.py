@@ -1,4 +1,4 @@
-"""The basis of frames whose vectors are given by numbers."""
+"""The bases of frames whose vectors are given by numbers (paper, section II-B)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinlint.terms import Term, Triple
 
 
 class Arrow(NamedTuple):
-    """The numbers of a vector, the frame they are seen by, and the node that states them."""
+    """Numbers of a vector, the frame that sees them, and the node that states them."""
 
     vector: Vector
     seen_by: Term | None
@@ -31,7 +31,7 @@ class Bases:
         self.quantities = quantities
 
     def facts(self) -> Iterator[Triple]:
-        """How far the vectors of each frame are from an orthonormal right-handed basis."""
+        """Yield how far the vectors of each frame are from an orthonormal right-handed basis."""
         x, y, z = (self.scan.single(geom(f"vector-{axis}")) for axis in AXES)
         for frame in x:
             if frame not in y or frame not in z:
@@ -91,7 +91,7 @@ class Bases:
 
 
 def _orthogonality(frame: Term, x: Vector, y: Vector, z: Vector) -> Iterator[Triple]:
-    """The largest cosine, in absolute value, between two of the vectors, whatever their length."""
+    """Yield the largest absolute cosine between two of the vectors, whatever their lengths."""
     norms = [length(each) for each in (x, y, z)]
     if min(norms) > 0.0:
         a, b, c = (scale(1.0 / norm, each) for norm, each in zip(norms, (x, y, z), strict=True))

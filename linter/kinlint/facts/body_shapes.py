@@ -1,4 +1,4 @@
-"""How large the shapes of a body are: their volumes, and how far they extend."""
+"""Shapes of bodies: their volumes, and how far they extend."""
 
 from __future__ import annotations
 
@@ -22,36 +22,42 @@ MESH = kin("mesh")
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """One shape of a body: its volume in m³, its largest extent in m, and the node it is of.
-
-    `sizes` in m: of a box its edges, else the radius and the length, if it has one.
-    """
+    """Primitive shape of a body."""
 
     volume: float
+    """Volume in m³."""
     extent: float
+    """Largest distance between two of its points in m."""
     node: Term
+    """Node that gives the body the shape."""
     collides: bool
+    """True for collision shapes, False for visual ones."""
     kind: Term
+    """Class of the primitive."""
     sizes: tuple[float, ...]
+    """Edges of a box in m, else the radius and the length, if there is one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Extents:
-    """What is known of the shapes of one body: the largest extent of all that are drawn or hit.
+    """Size of one body by its shapes.
 
     None where a mesh, or a shape of unknown size or place, leaves it open.
     """
 
     extent: float | None
+    """Upper bound of the distance in m between two points of all shapes."""
     least_volume: float | None
+    """Volume in m³ of the visual or the collision shapes, the smaller of both."""
     greatest_volume: float | None
+    """Volume in m³ of the visual or the collision shapes, the larger of both."""
 
 
 UNKNOWN = Extents(None, None, None)
 
 
 class BodyShapes:
-    """The shapes of each body."""
+    """Shapes of each body of a model."""
 
     def __init__(self, scan: PredicateIndex, units: Units) -> None:
         self.scan = scan
@@ -60,7 +66,7 @@ class BodyShapes:
 
     @cached_property
     def references(self) -> Mapping[Term, list[Term]]:
-        """The nodes that give each body a shape."""
+        """Nodes that give each body a shape."""
         known = self.scan.instances(kin("GeometryReference"))
         found: dict[Term, list[Term]] = {}
         for node, body in self.scan.single(kin("of-body")).items():
@@ -69,7 +75,7 @@ class BodyShapes:
         return found
 
     def of(self, body: Term) -> Extents:
-        """How large *body* is by its shapes."""
+        """Return the size of *body* by its shapes."""
         if body not in self._known:
             self._known[body] = self._extents(body)
         return self._known[body]
@@ -86,7 +92,10 @@ class BodyShapes:
         return Extents(self._extent(known), min(volumes, default=None), max(volumes, default=None))
 
     def _extent(self, shapes: list[Shape]) -> float | None:
-        """At most how far apart two points of *shapes* are."""
+        """Return an upper bound in m of the distance between two points of *shapes*.
+
+        None if unknown.
+        """
         if len(shapes) == 1:
             return shapes[0].extent
         middles = [self._middle(shape.node) for shape in shapes]
@@ -100,7 +109,10 @@ class BodyShapes:
         return 2.0 * max(reaches)
 
     def outside(self, body: Term, point: Vector) -> float | None:
-        """How far *point* is from the nearest ball about a shape of *body*, if all are known."""
+        """Return the distance in m from *point* to the nearest bounding ball of a shape of *body*.
+
+        Negative inside a ball; None unless all shapes are known.
+        """
         shapes = [self._shape(node) for node in self.references.get(body, ())]
         known = [(shape, self._middle(shape.node)) for shape in shapes if shape is not None]
         if not known or len(known) < len(shapes):
@@ -113,19 +125,28 @@ class BodyShapes:
         return min(gaps) if len(gaps) == len(known) else None
 
     def sole(self, body: Term) -> Shape | None:
-        """The one shape that *body* is hit by, or else is seen as, if it is simple."""
+        """Return the only collision shape of *body*, or else its only visual one.
+
+        None if no primitive.
+        """
         nodes = self.references.get(body, ())
         chosen = [node for node in nodes if node in self._solid] or nodes
         return self._shape(chosen[0]) if len(chosen) == 1 else None
 
     def uniform(self, body: Term) -> Shape | None:
-        """The simple shape that *body* is both hit by and seen as, where nothing else is."""
+        """Return the primitive that all visual and collision shapes of *body* are.
+
+        None if they differ.
+        """
         shapes = [self._shape(node) for node in self.references.get(body, ())]
         forms = {(each.kind, each.sizes) if each is not None else None for each in shapes}
         return shapes[0] if len(forms) == 1 else None
 
     def form(self, body: Term) -> frozenset[tuple[object, ...]]:
-        """What the shapes of *body* look like, wherever they are."""
+        """Return the forms of the shapes of *body*, wherever they are.
+
+        Meshes, or primitives with sizes.
+        """
         return frozenset(self._form(node) for node in self.references.get(body, ()))
 
     def _form(self, node: Term) -> tuple[object, ...]:
@@ -134,7 +155,7 @@ class BodyShapes:
         return meshes or ((shape.kind, *shape.sizes) if shape is not None else (node,))
 
     def _shape(self, node: Term) -> Shape | None:
-        """The shape of *node*, where it has one simple form and its size is known."""
+        """Return the shape of *node*, if it is one primitive of known, positive size."""
         kind = self._kinds.get(node)
         unit = self.units.measuring(node, LENGTH)
         if kind is None or unit is None or node in self._meshes:
@@ -161,7 +182,7 @@ class BodyShapes:
         return self.scan.instances(COLLISION)
 
     def _size(self, node: Term, kind: Term) -> tuple[float, ...] | None:
-        """Three edges, a radius, or a radius and a length."""
+        """Return three edges, a radius, or a radius and a length, in the unit of the node."""
         if kind == BOX:
             return self._boxes.get(node)
         names = ("radius",) if kind == SPHERE else ("radius", "length")
@@ -174,7 +195,10 @@ class BodyShapes:
         return self.scan.lists(kin("size"), 3)
 
     def _middle(self, node: Term) -> Vector | None:
-        """Where the shape is on its link; None where that is not known."""
+        """Return the centre of a shape in the frame of its link, in m.
+
+        None where it is not known.
+        """
         placed = self._placements.of_shape(node)
         return placed.point if placed is not None else None
 
@@ -184,7 +208,7 @@ class BodyShapes:
 
 
 def _measures(kind: Term, size: tuple[float, ...]) -> tuple[float, float]:
-    """Volume, and the largest distance between two points."""
+    """Return the volume in m³, and the largest distance between two points in m."""
     if kind == BOX:
         return math.prod(size), math.hypot(*size)
     radius = size[0]

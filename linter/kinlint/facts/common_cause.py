@@ -1,4 +1,4 @@
-"""Which one relation is to blame where several cycles miss alike."""
+"""Relations to blame for several loops that fail to close by the same error."""
 
 from __future__ import annotations
 
@@ -11,19 +11,25 @@ from kinlint.facts.spanning_forest import SpanningForest
 from kinlint.terms import Term
 
 LEAST = 1e-4
-"""What misses by less, in rad or m, has no cause to search for: rounding is enough."""
+"""Errors of loops below this, in rad or m, come from rounding of written numbers.
+
+No cause is sought.
+"""
 
 ALIKE = 0.1
-"""How far misses may spread about their mean, as a part of it, to count as one and the same."""
+"""Largest spread of errors about their mean, as a part of it, at which they count as the same.
+
+Two relations that are wrong independently seldom agree to a tenth.
+"""
 
 SEVERAL = 2
-"""One cycle that misses may do so because of any of its relations."""
+"""Fewest loops that tell a cause: a single one may fail because of any of its relations."""
 
 MOST_CAUSES = 8
 
 
 class Miss(NamedTuple):
-    """By what a closing edge misses: numbers that change sign with its direction, and others."""
+    """Closing error of a loop, by the index of its closing edge, as numbers that are added up."""
 
     edge: int
     odd: tuple[float, ...]
@@ -31,17 +37,20 @@ class Miss(NamedTuple):
 
     @property
     def square(self) -> float:
-        """Its size, squared."""
+        """Squared size of the error."""
         return sum(each * each for each in (*self.odd, *self.even))
 
 
 def shifted(edge: int, by: Vector) -> Miss:
-    """A miss by a vector."""
+    """Return the error of a loop of positions, which misses by a vector in m."""
     return Miss(edge, by)
 
 
 def turned(edge: int, by: Matrix) -> Miss:
-    """A miss by a rotation; its size is the norm of the difference from none."""
+    """Return the error of a loop of orientations, which misses by a rotation.
+
+    Its size is the Frobenius norm of the difference from the identity matrix.
+    """
     (a, b, c), (d, e, f), (g, h, i) = by
     root = math.sqrt(0.5)
     odd = tuple(root * each for each in (h - f, c - g, d - b))
@@ -50,10 +59,10 @@ def turned(edge: int, by: Matrix) -> Miss:
 
 
 def common_causes(forest: SpanningForest, misses: Sequence[Miss]) -> Mapping[int, int]:
-    """The edge to blame for each closing edge that misses like all others that cross that edge.
+    """Return the edge to blame for each closing edge whose error has a common cause.
 
-    An edge is to blame if two or more cycles go through it and all of them miss by the same. Each
-    of at most `MOST_CAUSES` takes time linear in the forest.
+    An edge is to blame if two or more loops go through it and all of them miss by the same. Sums
+    over subtrees find it: each of at most `MOST_CAUSES` takes time linear in the forest.
     """
     found: dict[int, int] = {}
     rest = list(misses)
@@ -73,7 +82,7 @@ def common_causes(forest: SpanningForest, misses: Sequence[Miss]) -> Mapping[int
 
 
 def _blamed(forest: SpanningForest, misses: Sequence[Miss]) -> Term | None:
-    """The lower end of the edge that most cycles go through, of those where all miss alike."""
+    """Return the lower end of the edge with most loops, among those whose loops miss alike."""
     odd, even = len(misses[0].odd), len(misses[0].even)
     sums: dict[Term, list[float]] = {}
 

@@ -1,4 +1,4 @@
-"""All that is computed from a model."""
+"""Computation of all facts of a model."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from kinlint.terms import Term, Triple
 
 
 def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Triple]:
-    """The facts that follow from what *store* holds, which is closed under its axioms.
+    """Yield the facts that follow from what *store* holds, which is closed under its axioms.
 
-    Only of those kinds that have a property among the *wanted*; None is all. Linear in the model.
-    What is no number, or ambiguous, gives no fact and never an error.
+    Only of kinds with a property among the *wanted*; None is all. Takes time linear in the model. A
+    value that is no number, or ambiguous, gives no fact and never an error.
     """
     if not store.documents:
         return
@@ -27,21 +27,21 @@ def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Tripl
 
 
 def asked(wanted: frozenset[Term] | None) -> Iterator[FactKind]:
-    """The kinds of facts that have a property among the *wanted*; None is all."""
+    """Yield the kinds of facts with a property among the *wanted*; None is all."""
     for kind in KINDS:
         if wanted is None or any(fact(name) in wanted for name in kind.needs):
             yield kind
 
 
 def hints(store: Store, wanted: Iterable[Term]) -> Iterator[Triple]:
-    """What repairs need to know of *store*, and no rule: of that, what is *wanted*."""
+    """Yield the *wanted* facts about *store* that only repairs ask for."""
     context = FactContext(PredicateIndex(store))
     for kind in helpful(wanted):
         yield from kind.found(context)
 
 
 def helpful(wanted: Iterable[Term]) -> Iterator[FactKind]:
-    """The kinds of hints that have a property among the *wanted*."""
+    """Return the kinds of hints with a property among the *wanted*."""
     terms = frozenset(wanted)
     return (kind for kind in HINTS if any(fact(name) in terms for name in kind.needs))
 

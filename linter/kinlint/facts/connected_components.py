@@ -1,4 +1,4 @@
-"""The connected pieces of kinematic chains."""
+"""Connected components of kinematic chains (paper, section II-C: a chain is a connected graph)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ JOINTS = chain("joints")
 
 
 def components(scan: PredicateIndex) -> Iterator[Triple]:
-    """The pieces of each chain, or the joint because of which they cannot be told."""
+    """Yield the components of each chain, or a joint because of which they cannot be told."""
     numbers = count(1)
     for chain_, joints in sorted(scan.table(JOINTS).items()):
         joined = {joint: joined_by(scan, joint) for joint in sorted(joints)}
@@ -38,7 +38,7 @@ def components(scan: PredicateIndex) -> Iterator[Triple]:
 
 
 def joined_by(scan: PredicateIndex, joint: Term) -> tuple[Term, ...]:
-    """The bodies that *joint* joins; none if it joins fewer than two as far as is known."""
+    """Return the bodies that *joint* joins; none if fewer than two are known."""
     bodies = scan.table(ON_BODY)
     ends = scan.table(ATTACHMENTS).of(joint)
     if not ends or any(end not in bodies for end in ends):
@@ -48,7 +48,7 @@ def joined_by(scan: PredicateIndex, joint: Term) -> tuple[Term, ...]:
 
 
 def _pieces(joined: Mapping[Term, Sequence[Term]]) -> list[list[Term]]:
-    """The joints of *joined* in groups, each connected by the bodies it reaches."""
+    """Return the joints of *joined* in groups, each connected by the bodies it reaches."""
     roots = DisjointSets()
     for joint, bodies in joined.items():
         for body in bodies:
@@ -60,7 +60,7 @@ def _pieces(joined: Mapping[Term, Sequence[Term]]) -> list[list[Term]]:
 
 
 def _listed(scan: PredicateIndex, chain_: Term, joints: Sequence[Term]) -> Mapping[Term, Place]:
-    """Where *chain_* lists each of its joints; those it does not list itself come last."""
+    """Return the place at which *chain_* lists each of its joints; unlisted ones come last."""
     places = {joint: (sys.maxsize, 0, joint) for joint in joints}
     for index, document in enumerate(scan.documents):
         if chain_ in document.map.nodes:

@@ -1,4 +1,4 @@
-"""The nodes that contradict an axiom of the ontology, so that rules judge only those."""
+"""Nodes that contradict an axiom of the ontology, so that rules judge only those."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from kinlint.terms import Term, Triple, is_iri
 from kinlint.vocabulary import OWL, RDFS
 
 EXCLUDED = fact("excluded-type")
-"""From a node to a class it is of that is disjoint with another of its classes."""
+"""Property from a node to a class it is of that is disjoint with another of its classes."""
 
 CONTRADICTED = fact("contradicted")
-"""From a node to a class or property whose axioms what is said of the node breaks."""
+"""Property from a node to a class or property whose axioms its statements break."""
 
 
 def contradictions(scan: PredicateIndex) -> Iterator[Triple]:
-    """What OWL 2 RL calls inconsistent, but for equality, datatypes and negative assertions.
+    """Yield what OWL 2 RL calls inconsistent, but for equality, datatypes and negative assertions.
 
     By OWL 2 Profiles 4.3: cax-dw, cax-adc, prp-irp, prp-asyp, prp-pdw, prp-adp, cls-nothing2,
     cls-com and cls-maxc1.
@@ -54,7 +54,7 @@ def _contradicted(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
 
 
 def _bounded(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
-    """Who has a property that its class has none of, or is what its class is not."""
+    """Yield nodes with a property that their class excludes, or of a class and its complement."""
     most = scan.table(f"<{OWL}maxCardinality>")
     none = {bound for bound, values in most.items() if numeric(values[0]) == 0}
     for keyword in (f"<{RDFS}subClassOf>", f"<{OWL}equivalentClass>"):
@@ -72,7 +72,7 @@ def _bounded(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
 
 
 def _disjoint(scan: PredicateIndex, pair: str, several: str) -> Iterator[Iterable[Term]]:
-    """The groups of classes, or of properties, that exclude each other."""
+    """Yield the groups of classes, or of properties, that exclude each other."""
     for one, others in scan.table(f"<{OWL}{pair}>").items():
         yield from ((one, other) for other in others)
     members = scan.table(f"<{OWL}members>")

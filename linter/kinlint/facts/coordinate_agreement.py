@@ -1,4 +1,4 @@
-"""Coordinates of one relation, compared after change of unit and frame."""
+"""Comparison of several coordinates of one relation, after change of unit and frame."""
 
 from __future__ import annotations
 
@@ -53,40 +53,46 @@ NORM = literal("norm")
 
 
 FEW = 2
-"""Of two that differ, neither can be told to be the wrong one."""
+"""Of two coordinates that differ, neither can be told to be the wrong one."""
 
 PLACE = ""
-"""What poses and positions state, which needs no name."""
+"""Quantity that poses and positions state, which needs no name."""
 
 Values: TypeAlias = list[tuple[str, float]]
 
 
 @dataclass
 class Comparison:
-    """What two coordinates of one relation differ by."""
+    """Differences between two coordinates of one relation, by the names of their facts."""
 
     values: Values = field(default_factory=list)
+    """Names of the facts, such as `distance` and `angle` in SI units, with their numbers."""
     norm_only: bool = False
+    """True if only norms of vectors were compared, as no orientation is known."""
 
 
 @dataclass(frozen=True)
 class Pair:
-    """Two coordinates of a relation, and what they differ by in a quantity that both state.
-
-    `alone` tells that no others of the relation state it.
-    """
+    """Two coordinates of a relation that state the same quantity."""
 
     node: Term
+    """Fact node of the comparison."""
     relation: Term
+    """Relation that both are coordinates of."""
     quantity: Term
+    """Property that states the quantity; `PLACE` for positions and orientations."""
     first: Term
+    """Coordinates that others are compared with."""
     second: Term
+    """Coordinates that are compared."""
     found: Comparison
+    """Differences between both."""
     alone: bool
+    """True if no other coordinates of the relation state the quantity."""
 
 
 class CoordinateAgreements:
-    """How well several coordinates of one relation agree, each compared with one of the first."""
+    """Agreement of the coordinates of each relation, each compared with one of the first two."""
 
     def __init__(
         self, relations: SpatialRelations, attitudes: OrientationGraph, inertias: Inertias
@@ -96,7 +102,7 @@ class CoordinateAgreements:
         self.inertias = inertias
 
     def facts(self) -> Iterator[Triple]:
-        """One fact node for each two coordinates and each quantity that both state."""
+        """Yield a fact node for each two coordinates and each quantity that both state."""
         for pair in self.pairs():
             yield pair.node, RDF_TYPE, fact("Agreement")
             yield pair.node, fact("of"), pair.relation
@@ -110,7 +116,7 @@ class CoordinateAgreements:
             yield from derived(pair.node, [pair.first, pair.second])
 
     def pairs(self) -> Iterator[Pair]:
-        """Each two that are compared, with the fact node for them."""
+        """Yield the coordinates that are compared, two by two, with the fact node for them."""
         names = count(1)
         for relation, nodes in self.relations.coordinates.items():
             if len(nodes) == 1:
@@ -142,7 +148,7 @@ class CoordinateAgreements:
     def _vector(
         self, relation: Term, table: Mapping[Term, Vector], first: Term, second: Term
     ) -> Comparison:
-        """How far two vectors are apart, or by how much their norms differ."""
+        """Return the distance between two vectors, or that of their norms if no frame is shared."""
         a, b = table[first], table[second]
         magnitude = ("magnitude", max(length(a), length(b)))
         turn = self.turn(relation, first, second)
@@ -152,7 +158,7 @@ class CoordinateAgreements:
         return Comparison([("distance", length(subtract(a, apply(turn, b)))), magnitude])
 
     def _rotation(self, relation: Term, first: Term, second: Term) -> Comparison:
-        """The angle between two orientations, if both are stated with respect to one frame."""
+        """Return the angle between two orientations, if both are with respect to one frame."""
         proper, relations = self.relations.rotations.proper, self.relations
         one, other = (relations.seen_by(node, relation) for node in (first, second))
         if one is None or one != other:
@@ -160,7 +166,7 @@ class CoordinateAgreements:
         return Comparison([("angle", angle(product(transpose(proper[first]), proper[second])))])
 
     def _tensor(self, relation: Term, first: Term, second: Term) -> Comparison:
-        """The largest difference of two tensors, and the largest entry of both."""
+        """Return the largest difference of two tensors' entries, and the largest entry of both."""
         turn = self.turn(relation, first, second)
         if turn is None:
             return Comparison()
@@ -173,7 +179,7 @@ class CoordinateAgreements:
         )
 
     def turn(self, relation: Term, first: Term, second: Term) -> Matrix | None:
-        """What turns components of coordinates *second* into those of *first*."""
+        """Return the rotation of components of coordinates *second* into those of *first*."""
         one, other = (self.relations.seen_by(node, relation) for node in (first, second))
         return None if one is None or other is None else self.attitudes.between(one, other)
 
@@ -209,9 +215,9 @@ def _scalar(table: Mapping[Term, float], first: Term, second: Term) -> Compariso
 def _compared(
     nodes: Sequence[Term], table: Container[Term], compare: Callable[[Term, Term], Comparison]
 ) -> Iterator[tuple[tuple[Term, Term], Comparison]]:
-    """The first of *nodes* that *table* has with each of the others, if they can be compared.
+    """Yield one of *nodes* with each of the others in *table*, where they can be compared.
 
-    Of three and more it is the second if that differs less from most.
+    That is the first; of three and more, the second if it differs less from most.
     """
     stating = [node for node in nodes if node in table]
     one, other = (_star(stating, index, compare) for index in range(2))
@@ -222,7 +228,7 @@ def _compared(
 def _star(
     stating: Sequence[Term], index: int, compare: Callable[[Term, Term], Comparison]
 ) -> list[tuple[tuple[Term, Term], Comparison]]:
-    """The node at *index* with each of the others, unless it is alone."""
+    """Return the comparisons of the node at *index* with each of the others, unless it is alone."""
     if len(stating) <= max(index, 1):
         return []
     first = stating[index]

@@ -1,4 +1,4 @@
-"""Finds what other coordinates say of the body that a node describes in part."""
+"""Pairs of coordinates that describe one body or inertia in parts."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Key: TypeAlias = Callable[[Term], Hashable | None]
 
 
 class CoordinatePairs:
-    """Coordinates of one inertia may be split over nodes, and over inertias of one body."""
+    """Index of the coordinates of inertias, which may be split over nodes and relations."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self.relations = scan.single(COORDINATE_OF)
@@ -23,11 +23,11 @@ class CoordinatePairs:
         self.points = {at: point for each in pointing for at, point in scan.single(each).items()}
 
     def with_mass(self, candidates: Iterable[Term]) -> PairedCoordinates:
-        """Looks among *candidates* for the mass of a node's relation, else of its body."""
+        """Return an index of *candidates* for the mass of a node's relation, or of its body."""
         return PairedCoordinates(candidates, (self._relation, self._body))
 
     def with_moment(self, candidates: Iterable[Term]) -> PairedCoordinates:
-        """The same, seen by the frame of the node and about the point of its relation."""
+        """Return an index of *candidates* with the frame and the reference point of a node."""
         return PairedCoordinates(candidates, (self._seen_relation, self._seen_body))
 
     def _relation(self, node: Term) -> Term | None:
@@ -47,7 +47,7 @@ class CoordinatePairs:
 
 
 class PairedCoordinates:
-    """The one of some candidates that goes with a node, by the first key that finds any."""
+    """Index of candidates by keys; the first key under which a node has any counts."""
 
     def __init__(self, candidates: Iterable[Term], keys: Iterable[Key]) -> None:
         self.candidates = frozenset(candidates)
@@ -61,7 +61,7 @@ class PairedCoordinates:
         return groups
 
     def of(self, node: Term) -> Term | None:
-        """*node* itself where it is a candidate; None where several others are."""
+        """Return the candidate for *node*: itself if it is one, None where several others are."""
         if node in self.candidates:
             return node
         for key, groups in self.found:

@@ -1,4 +1,4 @@
-"""What coordinates that contradict others would say if the others are right."""
+"""Numbers that coordinates which contradict others would have if the others are right."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from kinlint.facts.units import MASS as OF_MASS
 from kinlint.terms import Term, Triple, literal_value
 
 DIGITS = 6
-"""Of a number that is computed, how many are written at least."""
+"""Fewest significant digits that a computed number is written with, as most files have."""
 COSINES = tuple(coord(f"direction-cosine-{axis}") for axis in AXES)
 VECTOR = tuple(coord(axis) for axis in AXES)
 ANGLES = ("alpha", "beta", "gamma")
@@ -28,7 +28,7 @@ ANGLES = ("alpha", "beta", "gamma")
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """A number of a file: the node and the property that it is the value of."""
+    """Number of a file: the node and the property that it is the value of."""
 
     node: Term
     entry: Term
@@ -40,10 +40,10 @@ Row = tuple[Written, ...]
 
 
 class CoordinateRepairs:
-    """Other numbers for the ones of two coordinates that are stated less exactly.
+    """Numbers to replace those of two coordinates that are stated less exactly.
 
-    Of coordinates that are three or more, the one that the others are compared with is right; of
-    two, the one that has more digits, or else the first. Inertias and first moments are left.
+    Of three or more coordinates, the one that the others are compared with is right; of two, the
+    one with more digits, or else the first. Inertias and first moments are left.
     """
 
     def __init__(self, agreements: CoordinateAgreements) -> None:
@@ -55,9 +55,9 @@ class CoordinateRepairs:
         self._numbers = count(1)
 
     def facts(self) -> Iterator[Triple]:
-        """A node for each number that could be there instead.
+        """Yield a node for each number that could be there instead.
 
-        It hangs on the agreement or, of one that states several rotations, on the coordinates.
+        It hangs on the agreement or, of one node with several rotations, on the coordinates.
         """
         for pair in self.agreements.pairs():
             for name, value in pair.found.values:
@@ -70,7 +70,7 @@ class CoordinateRepairs:
                 yield from self._alike(node)
 
     def _moved(self, pair: Pair) -> Iterator[Triple]:
-        """The vector or the scalar of one of *pair* in the frame and unit of the other."""
+        """Yield the vector or the scalar of one of *pair* in the frame and unit of the other."""
         first, second = (self._row(node, pair.quantity) for node in (pair.first, pair.second))
         if first is None or second is None:
             return
@@ -84,7 +84,7 @@ class CoordinateRepairs:
         yield from self._instead(pair.node, "recomputed", old, new, _digits(row))
 
     def _turned(self, pair: Pair) -> Iterator[Triple]:
-        """The orientation of one of *pair* in all representations of the other."""
+        """Yield the orientation of one of *pair* in all representations of the other."""
         stated = {node: self._ways(node) for node in (pair.first, pair.second)}
         kept, other = self._ordered(
             pair, {node: tuple(chain(*ways.values())) for node, ways in stated.items()}
@@ -95,7 +95,7 @@ class CoordinateRepairs:
             yield from self._instead(pair.node, "turned", old, new, digits)
 
     def _alike(self, node: Term) -> Iterator[Triple]:
-        """What *node* states with most digits, in the other representations that it has."""
+        """Yield the rotation that *node* states with most digits in its other representations."""
         ways = self._ways(node)
         kept = max(ways, key=lambda way: _digits(ways[way]))
         matrix = self.rotations.ways[kept][node]
@@ -105,7 +105,7 @@ class CoordinateRepairs:
                 yield from self._instead(node, "turned", old, new, _digits(ways[kept]))
 
     def _ordered(self, pair: Pair, rows: Mapping[Term, Row]) -> tuple[Term, Term]:
-        """Which of *pair* is right, and the other."""
+        """Return the node of *pair* that is taken to be right, and the other."""
         first, second = pair.first, pair.second
         if not pair.alone or _digits(rows[first]) >= _digits(rows[second]):
             return first, second
@@ -114,7 +114,7 @@ class CoordinateRepairs:
     def _instead(
         self, on: Term, kind: str, old: Row, new: Sequence[float], digits: int
     ) -> Iterator[Triple]:
-        """That *old* could be *new*, rounded as far as all of that has *digits*."""
+        """Yield that *old* could be *new*, rounded as far as all of that has *digits*."""
         size = max(map(abs, new), default=0.0)
         if not math.isfinite(size):
             return
@@ -129,7 +129,10 @@ class CoordinateRepairs:
                 yield change, fact("amended"), double(rounded)
 
     def _row(self, node: Term, quantity: Term) -> tuple[Row, Unit] | None:
-        """What *node* states of *quantity*, and the unit; None if it cannot be said again."""
+        """Return the numbers of *quantity* on *node* and their unit.
+
+        None if they cannot be restated.
+        """
         dimensions = {PLACE: LENGTH, qudt("value"): LENGTH, MASS: OF_MASS, **dict(LISTS)}
         entries: Mapping[Term, Sequence[Term]] = {PLACE: VECTOR, MASS: MASSES}
         if quantity not in dimensions:
@@ -143,7 +146,7 @@ class CoordinateRepairs:
         return (row, unit) if unit is not None and complete else None
 
     def _ways(self, node: Term) -> Mapping[str, Row]:
-        """The numbers of the representations of rotation that *node* has, each as one row."""
+        """Return the numbers of each representation of rotation on *node*, each as one row."""
         rows = {
             "cosines": tuple(chain(*(self._list(node, each) for each in COSINES))),
             "quaternion": self._properties(node, QUATERNION),
@@ -152,7 +155,7 @@ class CoordinateRepairs:
         return {way: rows[way] for way, table in self.rotations.ways.items() if node in table}
 
     def _as(self, way: str, matrix: Matrix, node: Term, old: Row) -> Sequence[float]:
-        """The numbers by which *node* states *matrix*, as near to its *old* ones as they can be."""
+        """Return the numbers by which *node* states *matrix*, close to its *old* ones."""
         if way == "cosines":
             return [*chain(*transpose(matrix))]
         values = [each.value for each in old]
@@ -174,7 +177,7 @@ class CoordinateRepairs:
         return tuple(Written(node, each, table[node]) for each, table in found if node in table)
 
     def _list(self, node: Term, entry: Term) -> Row:
-        """The items of the list that is the one value of *entry*, each as what its cell says."""
+        """Return the items of the list that is the one value of *entry*, each at its cell."""
         head = self.scan.single(entry).get(node)
         cells = (self.scan.cells(head, len(AXES)) if head is not None else None) or ()
         return tuple(
@@ -185,7 +188,7 @@ class CoordinateRepairs:
 
 
 def _digits(numbers: Iterator[Written] | Row) -> int:
-    """How many digits the one of *numbers* has that has most."""
+    """Return the largest count of significant digits among *numbers*."""
     return max((_significant(each.value) for each in numbers), default=0)
 
 

@@ -1,4 +1,4 @@
-"""Names that refer to nothing, and what there is of nearly the same name."""
+"""Names that refer to nothing, and existing names that are almost the same."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from kinlint.suggestion import distance
 from kinlint.terms import Term, Triple
 
 MOST = 2
-"""How many letters may differ between a slip and what was meant."""
+"""Largest edit distance between a slip of the pen and the name that was meant."""
 DIGITS = re.compile(r"\d+")
 
 
 class DanglingReferences:
-    """What elements refer to by name, whether it is there or not."""
+    """Targets of references by name, whether they exist or not."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         forms = {each.format for each in scan.documents if each.format.is_tree}
@@ -36,7 +36,7 @@ class DanglingReferences:
         self._named = scan.table(attribute("name"))
 
     def facts(self) -> Iterator[Triple]:
-        """What each missing thing resembles, where there is something."""
+        """Yield the element that each missing target resembles, where there is one."""
         for target in sorted(self._targets):
             if target not in self._named:
                 home, name = _parts(target)
@@ -46,7 +46,7 @@ class DanglingReferences:
 
     @cached_property
     def _known(self) -> dict[str, dict[str, Term]]:
-        """The elements with a name, by where they are and what they are called."""
+        """Elements with a name, by where they are and what they are called."""
         homes = {_parts(target)[0] for target in self._targets}
         found: dict[str, dict[str, Term]] = {}
         for element in (*self._named.one, *self._named.several):
@@ -57,13 +57,13 @@ class DanglingReferences:
 
 
 def _parts(element: Term) -> tuple[str, str]:
-    """The address of an element without its name, and the name."""
+    """Return the address of an element without its name, and the name."""
     home, _, name = element.rpartition("/")
     return home, unquote(name[:-1])
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The one of *known* that *name* is a slip for: not a sibling with another number."""
+    """Return the one of *known* that *name* is a slip for: not a sibling with another number."""
     digits = DIGITS.findall(name)
     alike = (
         (distance(name.casefold(), each.casefold()), each)

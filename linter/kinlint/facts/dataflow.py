@@ -1,4 +1,4 @@
-"""Where the data come from that operators read."""
+"""Sources of the data that operators read (paper, section II-D)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinlint.terms import Term, Triple, is_literal
 
 
 class DataSources:
-    """What operators write and what has numbers, among a datum, its relation and coordinates."""
+    """Nodes with numbers or written by operators: a datum, its relation or its coordinates."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
@@ -23,7 +23,7 @@ class DataSources:
         self._below: dict[Term, Term | None] = {}
 
     def facts(self) -> Iterator[Triple]:
-        """The first source of each datum that an operator reads, where there is one."""
+        """Yield the first source of each datum that an operator reads, where there is one."""
         read = {each for _, data in self.scan.table(kin("reads")).items() for each in data}
         for datum in sorted(read):
             if not is_literal(datum) and (source := self._of(datum)) is not None:
@@ -35,14 +35,14 @@ class DataSources:
         return next((source for source in found if source is not None), None)
 
     def _at(self, node: Term) -> Term | None:
-        """The first source among *node* and its coordinates, sought once for each node."""
+        """Return the first source among *node* and its coordinates, sought once for each node."""
         if node not in self._below:
             near = (node, *sorted(self._coordinates.get(node, ())))
             self._below[node] = next((each for each in near if self._is_source(each)), None)
         return self._below[node]
 
     def _is_source(self, node: Term) -> bool:
-        """Whether *node* is written by an operator, or has a number or a list as some value."""
+        """Tell whether *node* is written by an operator, or has a number or a list as a value."""
         if node in self._written:
             return True
         lists = self.scan.table(FIRST)

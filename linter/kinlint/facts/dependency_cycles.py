@@ -1,4 +1,7 @@
-"""Joints that follow themselves by way of others, and groups that are parts of themselves."""
+"""Cycles of dependencies.
+
+Joints that follow themselves, and groups that are parts of themselves.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +15,11 @@ from kinlint.facts.strongly_connected import strongly_connected_components
 from kinlint.terms import Term, Triple
 
 ADDRESS = itemgetter(slice(1, -1))
-"""An IRI without its brackets, by which queries compare."""
+"""Key of an IRI without its brackets, by which queries compare."""
 
 
 def circles(scan: PredicateIndex) -> Iterator[Triple]:
-    """Of each joint and each group that leads back to itself, the first one on its circle."""
+    """Yield each joint and each group that depends on itself, with the first one of its cycle."""
     for arcs in (_followed(scan), parts(scan)):
         for piece in strongly_connected_components(arcs):
             first = min(piece, key=ADDRESS)
@@ -26,7 +29,7 @@ def circles(scan: PredicateIndex) -> Iterator[Triple]:
 
 
 def _followed(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
-    """The joints that each joint follows."""
+    """Return the leaders of each joint."""
     leaders, arcs = scan.table(kin("leader")), dict[Term, list[Term]]()
     for coupling, followers in sorted(scan.table(kin("follower")).items()):
         for each in followers:
@@ -35,7 +38,7 @@ def _followed(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
 
 
 def parts(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
-    """The groups that each planning group refers to as its parts."""
+    """Return the subgroups of each planning group."""
     named = scan.table(reference("group"))
     return {
         group: [each for part in inner for each in named.of(part)]

@@ -1,4 +1,4 @@
-"""Where two files of different formats that describe one robot say different things of it."""
+"""Differences between files of different formats that describe one robot."""
 
 from __future__ import annotations
 
@@ -21,21 +21,27 @@ from kinlint.formats.records import FORMATS
 from kinlint.terms import Term, Triple, is_iri, literal, literal_value
 
 COMPOSED = "composed"
+"""Format of all composable models of a run, which are one model."""
 DESCRIBING = frozenset(each.name for each in FORMATS if each.describes_robots)
-"""The format of all composable models of a run, which are one model."""
+"""Names of the formats whose files each describe robots of their own."""
 SHARED = 2.0 / 3.0
-"""Files with one robot's name are of one robot where at least so many joints have one name."""
+"""Least share of common joint names in two descriptions of one robot.
+
+A variant of a robot with another gripper or base still shares two thirds.
+"""
 RELATIVE = 0.01
+"""Largest relative difference of two numbers that rounding to two digits explains."""
 MILLIMETRE = 1e-3
+"""Largest distance in m, or change of a unit vector, that rounding on export explains."""
 
 
 Difference: TypeAlias = tuple[Term, Term, str, float, float]
-"""Two parts, what of them differs, and both values."""
+"""Two parts, the name of what differs, and both values."""
 
 
 @dataclass
 class Description:
-    """What one file, or all composable models together, call the parts of a robot."""
+    """Parts of a robot by name, as one file, or all composable models together, call them."""
 
     form: str
     bodies: dict[str, Term] = field(default_factory=dict)
@@ -43,7 +49,7 @@ class Description:
 
 
 class DescriptionDrifts:
-    """The robots of a run that are described more than once."""
+    """Robots of a run that are described more than once."""
 
     def __init__(self, scan: PredicateIndex, assemblies: Assemblies) -> None:
         self.scan = scan
@@ -51,7 +57,7 @@ class DescriptionDrifts:
         self.placements = Placements(scan)
 
     def facts(self) -> Iterator[Triple]:
-        """Each difference: of which part, of what, and both values."""
+        """Yield each difference: the part, the quantity, and both values."""
         forms = {_form(document) for document in self.scan.documents}
         if len(forms - {""}) < 2:  # noqa: PLR2004
             return
@@ -66,7 +72,7 @@ class DescriptionDrifts:
 
     @cached_property
     def _described(self) -> Mapping[Term, Description]:
-        """What each document describes."""
+        """Description of a robot in each document."""
         forms = {document.graph: _form(document) for document in self.scan.documents}
         found: dict[Term, Description] = {}
         joints = sorted(filter(is_iri, self.scan.instances(chain("Joint"))))
@@ -81,7 +87,7 @@ class DescriptionDrifts:
         return found
 
     def _pairs(self) -> Iterator[tuple[Description, Description]]:
-        """The descriptions that are of one robot, in the order of the run."""
+        """Yield the descriptions that are of one robot, in the order of the run."""
         named: dict[str, list[Term]] = defaultdict(list)
         for document in self.scan.documents:
             for name in self._names(document):
@@ -95,7 +101,10 @@ class DescriptionDrifts:
                 yield one, other
 
     def _names(self, document: Document) -> Iterator[str]:
-        """What *document* calls its robot, in lower case; nothing for one of several formats."""
+        """Yield the names of the robots in *document*, in lower case.
+
+        None if it describes no robots.
+        """
         if not document.format.describes_robots:
             return
         for root in self.scan.table(urdf("robot")).of(document.graph):
@@ -124,7 +133,10 @@ class DescriptionDrifts:
                 yield from _moved(at, there, "origin", self.placements.origins)
 
     def _weights(self, at: Term, there: Term) -> Iterator[Difference]:
-        """What differs of two bodies that is not made up for by what is fixed to them."""
+        """Yield differences of two bodies that the bodies welded to them do not make up for.
+
+        Converters lump links behind fixed joints into one, as Gazebo does on loading.
+        """
         masses, totals = self.assemblies.masses, self.assemblies.totals
         wholes = [totals.get(self.assemblies.of(body), 0.0) for body in (at, there)]
         if _apart(masses[at], masses[there]):
@@ -135,12 +147,12 @@ class DescriptionDrifts:
 
     @cached_property
     def _carriers(self) -> Mapping[Term, Term]:
-        """The body that carries each joint."""
+        """Body that carries each joint."""
         return self.scan.single(kin("parent-body"))
 
     @cached_property
     def _bounds(self) -> Mapping[str, Mapping[Term, float]]:
-        """The limits of position of each joint."""
+        """Position limits of each joint, by the name of the bound."""
         ranges = self.scan.instances(kin("JointPositionLimit"))
         joint_of = self.scan.single(kin("of-joint"))
         return {
@@ -154,7 +166,7 @@ class DescriptionDrifts:
 
 
 def _moved(at: Term, there: Term, what: str, known: Mapping[Term, Vector]) -> Iterator[Difference]:
-    """The first component of a point or direction that differs by more than a thousandth."""
+    """Yield the component of a vector that differs most, if by more than `MILLIMETRE`."""
     mine, yours = known.get(at), known.get(there)
     if mine is None or yours is None or length(subtract(mine, yours)) <= MILLIMETRE:
         return
@@ -168,14 +180,17 @@ def _apart(mine: float, yours: float) -> bool:
 
 
 def _alike(one: Description, other: Description) -> bool:
-    """Whether most joints of the smaller robot have their namesakes in the other."""
+    """Tell whether most joints of the smaller robot have their namesakes in the other."""
     least = min(len(one.joints), len(other.joints))
     shared = len(one.joints.keys() & other.joints.keys())
     return shared > 0 and shared >= SHARED * least
 
 
 def _form(document: Document) -> str:
-    """The format of *document*, one for all composable ones; none for what is no description."""
+    """Return the format of *document*, one for all composable ones.
+
+    Empty if it describes no robot.
+    """
     if document.format.describes_robots:
         return document.format.name
     return "" if document.format.is_tree else COMPOSED

@@ -1,4 +1,4 @@
-"""The classes that nodes are of only because something else follows."""
+"""Classes that nodes are of only by inference."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinlint.terms import Triple, is_iri
 
 
 def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
-    """The inferred types of classes that the ontology wants stated with others."""
+    """Yield the inferred types of classes that the ontology wants stated with others."""
     kinds = {kind for _, several in scan.table(kin("statedWith")).items() for kind in several}
     for kind in sorted(filter(is_iri, kinds)):
         yield from ((node, fact("entailed-type"), kind) for node in sorted(scan.inferred(kind)))

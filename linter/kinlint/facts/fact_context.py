@@ -97,7 +97,7 @@ class FactContext:
         lambda own, scan: InertiaRepairs(scan, own.inertias, own.assemblies, own.geometries),
         ("inertias", "assemblies", "geometries"),
     )
-    """What wrong inertias may have been meant to be."""
+    """Numbers that wrong inertias may have been meant to have."""
     twins = Part(lambda own, scan: MirrorTwins(scan, own.assemblies), ("assemblies",))
     """Parts that mirror each other."""
     drifts = Part(lambda own, scan: DescriptionDrifts(scan, own.assemblies), ("assemblies",))

@@ -1,4 +1,4 @@
-"""The kinds of facts: their names, what each follows from, and what computes it."""
+"""Kinds of facts: their names, the terms each follows from, and the code that computes it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from kinlint.terms import Term, Triple
 
 
 class FactKind(NamedTuple):
-    """Facts of one kind."""
+    """Facts of one kind, which are computed together."""
 
     module: str
     """The module of this package that computes them."""
@@ -38,7 +38,7 @@ class FactKind(NamedTuple):
     What is said of elements of files is there unasked, and so is what holds of any node.
     """
     found: Callable[[FactContext], Iterator[Triple]]
-    """What computes them."""
+    """Function that computes them."""
     parts: tuple[str, ...]
     """The parts of scans that this takes; what a part of `FactContext` is made of comes with it."""
     details: tuple[str, ...] = ()
@@ -103,7 +103,7 @@ CHANGES = ("entry", "amended")
 
 
 def _related(context: FactContext) -> Iterator[Triple]:
-    """How coordinates of one relation agree, and whether cycles of relations close."""
+    """Yield how coordinates of one relation agree, and whether loops of relations close."""
     yield from context.agreements.facts()
     yield from cycles(context.relations, context.attitudes)
 
@@ -114,7 +114,7 @@ def _alone(
     named: Mapping[str, tuple[Term, ...]],
     details: tuple[str, ...] = (),
 ) -> FactKind:
-    """Facts that are found by nothing but what a scan reads."""
+    """Return a kind of facts that is computed from a predicate index alone."""
     part = next(iter(named))
     return FactKind(module, named, lambda own: found(own.scan.part(part)), (part,), details)
 

@@ -1,4 +1,4 @@
-"""Where frames are on their bodies and which way axes point, as the lifted model states it."""
+"""Poses of frames on their bodies and directions of joint axes, as the lifted model states them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ NEEDED = (
 
 
 class Placement(NamedTuple):
-    """Where a frame is, as another one sees it."""
+    """Pose of a frame, as another one sees it."""
 
     base: Term
     """The frame that sees it."""
@@ -37,7 +37,7 @@ class Placement(NamedTuple):
     turn: tuple[float, ...] | None
     """Its angles as they stand, or the x, y, z of its quaternion; None where neither is stated."""
     by_angles: bool
-    """Whether these are angles."""
+    """True if `turn` holds angles."""
 
 
 class Placements:
@@ -87,7 +87,7 @@ class Placements:
         return Placement(base, self._points.get(pose), tuple(turn) if turn else None, by_angles)
 
     def is_own(self, frame: Term, owner: Term) -> bool:
-        """Whether *frame* is the one that the body *owner* is described in."""
+        """Tell whether *frame* is the one that the body *owner* is described in."""
         sources = self.scan.table(FROM)
         return bool(sources.of(frame)) and sources.of(frame) == sources.of(owner)
 
@@ -119,7 +119,7 @@ class Placements:
 
     @cached_property
     def _inertial(self) -> Mapping[Term, Placement]:
-        """Where the frame with the centre of mass as its origin is, by body."""
+        """Pose of the frame whose origin is the centre of mass, by body."""
         frames = {point: frame for frame, point in self.scan.single(ORIGIN).items()}
         centres = self.scan.single(ABOUT)
         found: dict[Term, Placement] = {}

@@ -1,4 +1,4 @@
-"""Identifiers that nobody describes and what they resemble, and names for what has none."""
+"""Identifiers that nothing describes with the names they resemble, and names for nameless nodes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_blank, is_i
 from kinlint.vocabulary import RDFS, SH, SRC
 
 LOOKED_UP = 100
-"""How many identifiers are compared with others at most: the rest resemble nothing."""
+"""Most identifiers that are compared with others: each takes time linear in what is described."""
 NAMESPACE = re.compile(r"urn:[^:#/]+:[^#/]+:(?=[^:#/]+$)|.*[#/](?=[^#/]*$)")
 PREDICATE = "property"
 CLASS = "class"
@@ -27,27 +27,27 @@ ROLES = {
     **dict.fromkeys((RDF_TYPE, iri(f"{SH}class"), iri(f"{SH}targetClass")), CLASS),
     **{iri(SH + name): PREDICATE for name in ("path", "targetSubjectsOf", "targetObjectsOf")},
 }
-"""What a value of these properties is; what others name is described by somebody."""
+"""Role of a value of these properties; values of others are described by a document."""
 
 Role: TypeAlias = str
 Names: TypeAlias = dict[str, Term]
 
 
 class IdentifierSlips:
-    """What the files that name things by IRIs call by which."""
+    """Identifiers in the files that name things by IRIs."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self._scan = scan
         self._documents = [each for each in scan.documents if _names_by_iri(each.format)]
 
     def resemblances(self) -> Iterator[Triple]:
-        """What undescribed identifiers and undeclared terms resemble, where that is one thing."""
+        """Yield undescribed identifiers and undeclared terms with the one they resemble."""
         for strange, known in self._compared():
             if (found := only_near(split(strange)[1], known)) is not None:
                 yield strange, fact("slip-for"), known[found]
 
     def _compared(self) -> Iterator[tuple[Term, Names]]:
-        """Unknown identifiers and terms, each with those that it could be a slip for."""
+        """Yield unknown identifiers and terms, each with those that it could be a slip for."""
         described: dict[str, Names] = {}
         for document in self._documents:
             for node in document.map.nodes:
@@ -68,7 +68,7 @@ class IdentifierSlips:
 
     @cached_property
     def _declared(self) -> Mapping[tuple[str, Role], Names]:
-        """The terms that contexts declare, by namespace and role."""
+        """Terms that contexts declare, by namespace and role."""
         found: dict[tuple[str, Role], Names] = {}
         values = self._scan.table(kin("values"))
         spaces = {
@@ -83,7 +83,7 @@ class IdentifierSlips:
         return found
 
     def free_names(self) -> Iterator[Triple]:
-        """For each anonymous node with a type a name that is free in its file's own namespace.
+        """Yield for each anonymous node with a type a free name in its file's own namespace.
 
         It is made of the type that stands first, and a number; a file that describes things in
         several namespaces gives none.
@@ -106,7 +106,7 @@ class IdentifierSlips:
 
 
 def split(term: Term) -> tuple[str, str]:
-    """The namespace of an IRI, and the rest."""
+    """Return the namespace of an IRI, and the rest."""
     whole = iri_value(term)
     found = NAMESPACE.match(whole)
     end = found.end() if found else 0
@@ -114,12 +114,12 @@ def split(term: Term) -> tuple[str, str]:
 
 
 def kebab(name: str) -> str:
-    """*name* in small letters, with hyphens where words begin."""
+    """Return *name* in small letters, with hyphens where words begin."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-", name).casefold()
 
 
 def only_near(name: str, known: Iterable[str]) -> str | None:
-    """The one of *known* that *name* is a slip for, if it is nearer than all others."""
+    """Return the one of *known* that *name* is a slip for, if it is nearer than all others."""
     digits = DIGITS.findall(name)
     alike = sorted(
         (distance(name.casefold(), each.casefold()), each)
@@ -132,7 +132,7 @@ def only_near(name: str, known: Iterable[str]) -> str | None:
 
 
 def _mentioned(document: Document) -> Iterator[tuple[Term, Role]]:
-    """The IRIs that *document* mentions: properties, classes, and what else has no such role."""
+    """Yield the IRIs that *document* mentions, with their roles: property, class or none."""
     for _, predicate, value in document.statements:
         if predicate.startswith(f"<{SRC}"):
             continue
@@ -142,17 +142,17 @@ def _mentioned(document: Document) -> Iterator[tuple[Term, Role]]:
 
 
 def _is_class(kind: Term) -> bool:
-    """Whether a type is one of the model, not of its writing."""
+    """Tell whether a type is one of the model, not of its notation."""
     return is_iri(kind) and not kind.startswith(f"<{SRC}")
 
 
 def _own_namespace(document: Document) -> str:
-    """The one namespace in which *document* describes things; else nothing."""
+    """Return the one namespace in which *document* describes things; else nothing."""
     own = iri(f"{SRC}ownNamespace")
     spaces = [value for _, predicate, value in document.statements if predicate == own]
     return spaces[0][1:].rpartition('"')[0] if len(spaces) == 1 else ""
 
 
 def _names_by_iri(form: Format) -> bool:
-    """Whether people write files of *form* and name things in them by IRIs."""
+    """Tell whether people write files of *form* and name things in them by IRIs."""
     return not form.is_tree and form.editor is not None

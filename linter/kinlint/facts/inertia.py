@@ -1,4 +1,4 @@
-"""Principal moments of inertia, about the point that coordinates refer to and about the centre."""
+"""Principal moments of inertia, about the reference point of coordinates and the centre of mass."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PRODUCTS = ("ixy", "ixz", "iyz")
 
 
 class Inertias:
-    """The inertias of a model by coordinates node, in SI where they have a unit."""
+    """Inertias of a model by coordinates node, in SI units where a unit is named."""
 
     def __init__(self, scan: PredicateIndex, units: Units, quantities: Quantities) -> None:
         self.scan = scan
@@ -32,7 +32,7 @@ class Inertias:
 
     @cached_property
     def tensors(self) -> Mapping[Term, Matrix]:
-        """The tensor of each node that states three moments; products not stated are zero."""
+        """Tensor in kg m² of each node that states three moments; products not stated are zero."""
         moments = {name: self.scan.numbers(inertial(name)) for name in (*MOMENTS, *PRODUCTS)}
         principal = [self.scan.numbers(body(name)) for name in ("xx", "yy", "zz")]
         found: dict[Term, Matrix] = {}
@@ -48,11 +48,11 @@ class Inertias:
 
     @cached_property
     def principal(self) -> Mapping[Term, Vector]:
-        """The principal moments of each of `tensors`, in ascending order."""
+        """Principal moments of each of `tensors`, its eigenvalues, in ascending order."""
         return {node: eigenvalues(tensor) for node, tensor in self.tensors.items()}
 
     def _garbled(self, node: Term) -> bool:
-        """Whether a product of inertia is stated that is not one number."""
+        """Tell whether a product of inertia is stated that is not one number."""
         return any(
             node in self.scan.table(inertial(name))
             and node not in self.scan.numbers(inertial(name))
@@ -60,14 +60,14 @@ class Inertias:
         )
 
     def _unit(self, node: Term, dimension: Term) -> Unit | None:
-        """The unit of *dimension*; SI where none is named, None where several are."""
+        """Return the unit of *dimension*; SI where none is named, None where several are."""
         if self.units.ambiguous(node, dimension):
             return None
         return self.units.measuring(node, dimension) or SI
 
     @cached_property
     def first_moments(self) -> Mapping[Term, Vector]:
-        """The first moment of mass of each node that states one, in kg m."""
+        """First moment of mass of each node that states one, in kg m."""
         found: dict[Term, Vector] = {}
         for node, row in self.scan.lists(inertial("first-moment-of-mass"), 3).items():
             unit = self.units.measuring(node, FIRST_MOMENT)
@@ -78,9 +78,9 @@ class Inertias:
 
     @cached_property
     def central(self) -> Mapping[Term, Matrix]:
-        """The tensors about the centre of mass, where it is known to be the point they are for.
+        """Tensors about the centre of mass, where that is known to be the point they are for.
 
-        What is lifted from a format that knows no other point says nothing of a first moment.
+        URDF and SDF know no other point, so what is lifted from them states no first moment.
         """
         moments = CoordinatePairs(self.scan).with_moment(self.first_moments)
         found: dict[Term, Matrix] = {}
@@ -92,7 +92,13 @@ class Inertias:
         return found
 
     def facts(self) -> Iterator[Triple]:
-        """The moments of each inertia, with those about its centre of mass where it is known."""
+        """Yield the moments of each inertia, and those about its centre of mass where it is known.
+
+        Rules test them for the triangle inequality: a rigid body of positive density has positive
+        principal moments, none of which exceeds the sum of the others (Wensing, Kim and Slotine,
+        Linear Matrix Inequalities for Physically-Consistent Inertial Parameter Identification,
+        2018).
+        """
         companions = CoordinatePairs(self.scan)
         masses = companions.with_mass(self.quantities.masses)
         moments = companions.with_moment(self.first_moments)
@@ -115,7 +121,7 @@ class Inertias:
             yield from derived(node, sorted(sources))
 
     def _comparable(self, tensor: Term, other: Term) -> bool:
-        """Whether both are in SI; of one node, whether neither names a unit will do."""
+        """Tell whether both are in SI; of one node, that it names no unit at all will do."""
         known = self.units.measuring(tensor, INERTIA) is not None
         if tensor == other:
             return known or not self.units.has(tensor)
@@ -123,7 +129,11 @@ class Inertias:
 
 
 def about_centre(tensor: Matrix, mass: float, centre: Vector) -> Matrix:
-    """The tensor about the centre of mass, which lies at *centre* from the point of *tensor*."""
+    """Return the tensor about the centre of mass, at *centre* from the point of *tensor*.
+
+    By the parallel axis theorem of Huygens and Steiner, I_c = I_o - m (c·c 1 - c cᵀ) (Featherstone,
+    Rigid Body Dynamics Algorithms, 2008, section 2.13).
+    """
     square = dot(centre, centre)
     a, b, c = (
         tuple(

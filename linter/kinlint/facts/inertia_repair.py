@@ -1,4 +1,4 @@
-"""What could be written instead of moments and products of inertia that are wrong."""
+"""Numbers that wrong moments and products of inertia were probably meant to be."""
 
 from __future__ import annotations
 
@@ -21,22 +21,27 @@ from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.terms import Term, Triple
 
 PLACES = range(1, 10)
-"""By how many places a decimal point is looked for elsewhere."""
+"""Places by which a decimal point is tried elsewhere.
+
+Further ones lie beyond any robot's inertia.
+"""
 CLEAR = 1.1
-"""By how much the greatest moment exceeds the others where a slip of the point shows."""
+"""Least ratio of the greatest moment to the sum of the others at which a slip of the point is
+sought: less is an inequality that rounding or measurement may have broken.
+"""
 WATER = 1000.0
 """The density of water in kg/m³."""
 ORIGIN = (0.0,) * 6
-"""The place of what is in the frame of its link."""
+"""Pose of a shape in the frame of its link, xyz and rpy."""
 DIGITS = 6
-"""Of a number that is computed, how many are written."""
+"""Significant digits that a computed number is written with, as URDF exporters do."""
 
 Entries = dict[Term, float]
 """Moments and products by the property that states them, xx yy zz xy xz yz, in one unit."""
 
 
 class InertiaRepairs:
-    """Other numbers for the entries of tensors, each kind of change where there is just one."""
+    """Replacements for entries of tensors, each kind of change where only one is possible."""
 
     def __init__(
         self,
@@ -51,10 +56,10 @@ class InertiaRepairs:
         self.geometries = geometries
 
     def decimal_slips(self) -> Iterator[Triple]:
-        """The one entry whose decimal point stands in the wrong place, if that is all.
+        """Yield the one entry whose decimal point stands in the wrong place, if that is all.
 
-        That is so where exactly one power of ten, at exactly one entry, makes a tensor that no
-        body can have one that a body can.
+        That is so where exactly one power of ten, at exactly one entry, makes an impossible tensor
+        one that a body can have.
         """
         numbers = count(1)
         for node, entries in self._stated():
@@ -72,10 +77,10 @@ class InertiaRepairs:
                 yield from _amended(node, "decimal-slip", entries, dict(found), numbers)
 
     def sign_slips(self) -> Iterator[Triple]:
-        """The signs that make a body of a tensor that none can have.
+        """Yield the signs that turn an impossible tensor into that of a body.
 
-        Those of all moments that are negative, or those of all three products: of two products
-        they make no difference, and of one the same as of three.
+        Those of all moments that are negative, or those of all three products: of two products they
+        make no difference, and of one the same as of three.
         """
         numbers = count(1)
         for node, entries in self._stated():
@@ -91,7 +96,7 @@ class InertiaRepairs:
                 yield from _amended(node, "sign-slip", entries, found[0], numbers)
 
     def solids(self) -> Iterator[Triple]:
-        """The tensor of each body that is one simple shape about its centre, if it were solid."""
+        """Yield the tensor of each body of one primitive about its centre, if it were solid."""
         numbers = count(1)
         for node, entries in self._stated():
             owner = self.assemblies.body(node)
@@ -108,9 +113,9 @@ class InertiaRepairs:
                 yield from _amended(node, "solid", entries, changed, numbers)
 
     def filled(self) -> Iterator[Triple]:
-        """The mass and moments that each body of one simple shape has if it weighs as water does.
+        """Yield the mass and moments of each body of one primitive, at the density of water.
 
-        That is so where all that is seen and hit of it is the same shape, in the frame of its link.
+        Only where all visual and collision shapes are the same, in the frame of the link.
         """
         known, bodies = self.scan.instances(kin("MassProperty")), self.scan.single(kin("of-body"))
         weighed = {owner for node, owner in bodies.items() if node in known}
@@ -128,7 +133,7 @@ class InertiaRepairs:
                     yield owner, fact(f"water-{name}"), double(value)
 
     def shifts(self) -> Iterator[Triple]:
-        """Each tensor moved from the origin of its link to the centre of mass."""
+        """Yield each tensor moved from the origin of its link to the centre of mass."""
         numbers = count(1)
         for node, entries in self._stated():
             owner = self.assemblies.body(node)
@@ -145,7 +150,10 @@ class InertiaRepairs:
                 yield from _amended(node, "shift", entries, changed, numbers)
 
     def _stated(self) -> Iterator[tuple[Term, Entries]]:
-        """The entries of each tensor as they are written, products that are not as zero."""
+        """Yield the entries of each tensor as they are written.
+
+        Products that are not count as zero.
+        """
         axes = [inertial(name) for name in (*MOMENTS, *PRODUCTS)]
         principal = [body(name) for name in ("xx", "yy", "zz")]
         for node in sorted(self.inertias.tensors):
@@ -155,7 +163,10 @@ class InertiaRepairs:
                 yield node, entries
 
     def _place(self, placed: Placement | None) -> tuple[float, ...] | None:
-        """Where something is on its body, xyz and angles; None where no angles say it."""
+        """Return the pose of something on its body, xyz and rpy.
+
+        None where it is not given by angles.
+        """
         if placed is None or placed.point is None or placed.turn is None or not placed.by_angles:
             return None
         return (*placed.point, *placed.turn)
@@ -168,7 +179,7 @@ class InertiaRepairs:
 def _amended(
     node: Term, kind: str, entries: Entries, changed: Mapping[Term, float], numbers: Iterator[int]
 ) -> Iterator[Triple]:
-    """That *node* could have the numbers of *changed*, where they are not those it has."""
+    """Yield that *node* could have the numbers of *changed*, where they are not those it has."""
     for entry, value in changed.items():
         if value != entries[entry]:
             amended = fact_node(kind, next(numbers))
@@ -187,13 +198,17 @@ def _matrix(values: Sequence[float]) -> Matrix:
 
 
 def _possible(values: Sequence[float]) -> bool:
-    """Whether a body that extends in space can have these moments and products."""
+    """Tell whether a body that extends in space can have these moments and products.
+
+    The triangle inequality may be missed by one percent, the rounding of two digits; an eigenvalue
+    below 1e-9 of the greatest is zero but for the rounding of doubles.
+    """
     least, middle, greatest = eigenvalues(_matrix(values))
     return least > 1e-9 * greatest and least + middle >= 0.99 * greatest
 
 
 def _solid(shape: Shape, mass: float) -> tuple[float, float, float]:
-    """The principal moments of a solid of uniform density about its centre, in kg m².
+    """Return the principal moments of a solid of uniform density about its centre, in kg m².
 
     Source: https://en.wikipedia.org/wiki/List_of_moments_of_inertia; a capsule is a cylinder
     between two halves of a ball, whose mass counts by their volumes.
@@ -217,7 +232,7 @@ def _solid(shape: Shape, mass: float) -> tuple[float, float, float]:
 
 
 def _rounded(values: Sequence[float], size: float = 0.0) -> list[float]:
-    """*values* to as many decimals as the greatest of them, or *size*, has with DIGITS digits."""
+    """Return *values* to `DIGITS` significant digits of the greatest of them, or of *size*."""
     size = size or max(map(abs, values))
     decimals = DIGITS - 1 - math.floor(math.log10(size)) if size > 0.0 else DIGITS
     return [round(each, decimals) + 0.0 for each in values]

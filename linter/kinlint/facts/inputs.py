@@ -1,4 +1,4 @@
-"""The vocabulary that facts are computed from, in groups that several facts need."""
+"""Vocabulary that facts are computed from, in groups that several facts need."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ABOUT = (
     *(COORDINATE_OF, AS_SEEN_BY, kin("of-body")),
     *(body("about"), body("reference-point"), rel("reference-point")),
 )
-"""Of which body, frame and point numbers are."""
+"""Properties that tell the body, the frame and the point that numbers are about."""
 MASSES = (inertia("mass"), body("mass"), *UNITS)
 TENSORS = (
     *map(inertia, ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")),
@@ -77,4 +77,4 @@ CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("of-body"): (body("of-body"), kin("of-body")),
     kin("driven-by"): (kin("actuates"),),
 }
-"""The properties from which axioms conclude those named, where these ask for more."""
+"""Properties from which axioms conclude the keys, where these ask for more."""

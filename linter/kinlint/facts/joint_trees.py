@@ -1,4 +1,4 @@
-"""Which way round joints hang in a tree, where its roots are, and which joints close loops."""
+"""Trees of joints: which end is the parent, where the roots are, and which joints close loops."""
 
 from __future__ import annotations
 
@@ -12,17 +12,20 @@ from kinlint.terms import Term
 
 @dataclass(frozen=True, slots=True)
 class Edge:
-    """A joint with the bodies at its ends, None where none is said.
-
-    `directed` tells that the file says which is the parent; otherwise they come as written.
-    """
+    """Joint with the bodies at its ends."""
 
     joint: Term
+    """Joint itself."""
     parent: Term | None
+    """Body on the side of the root; None where none is stated."""
     child: Term | None
+    """Body on the other side; None where none is stated."""
     others: tuple[Term, ...] = ()
+    """Further bodies of a joint that joins more than two."""
     directed: bool = False
+    """True if the file states which is the parent; otherwise ends come as written."""
     closes: bool = False
+    """True if it closes a loop: its child hangs elsewhere."""
 
     @property
     def ends(self) -> tuple[Term, ...]:
@@ -40,9 +43,11 @@ class JointTrees:
 
 
 def arrange_joints(bodies: Sequence[Term], edges: Sequence[Edge]) -> JointTrees:
-    """The trees that *edges* make of *bodies*, which have all their ends; both in text order.
+    """Return the trees that *edges* make of *bodies*, which have all their ends.
 
-    Takes time linear in both.
+    Both are in text order. Directed edges keep their parents; others span each component
+    breadth-first (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.1: a spanning tree
+    and loop joints). Takes linear time.
     """
     directed = [each for each in edges if each.directed]
     loose = [each for each in edges if not each.directed]
@@ -59,9 +64,9 @@ def arrange_joints(bodies: Sequence[Term], edges: Sequence[Edge]) -> JointTrees:
 
 
 def _followed(bodies: Sequence[Term], edges: Sequence[Edge]) -> tuple[list[Edge], list[Term]]:
-    """The trees by what files say of parents: the first joint that claims a body carries it.
+    """Return the trees of directed edges: the first joint that claims a body carries it.
 
-    Where that leads round in a circle, its first body is a root.
+    The first body of a cycle is a root.
     """
     carrier: dict[Term, Edge] = {}
     for each in edges:
@@ -75,7 +80,7 @@ def _followed(bodies: Sequence[Term], edges: Sequence[Edge]) -> tuple[list[Edge]
 
 
 def _circles(bodies: Sequence[Term], carrier: Mapping[Term, Edge]) -> Iterator[Term]:
-    """The first body of each circle."""
+    """Yield the first body of each cycle."""
     place = {body: index for index, body in enumerate(bodies)}
     above = {
         body: [edge.parent] if edge.parent is not None else [] for body, edge in carrier.items()
@@ -88,9 +93,9 @@ def _circles(bodies: Sequence[Term], carrier: Mapping[Term, Edge]) -> Iterator[T
 def _spread(
     bodies: Sequence[Term], edges: Sequence[Edge], held: Iterable[Term]
 ) -> tuple[list[Edge], list[Term]]:
-    """Trees that spread from one body of each connected piece, the first that is nobody's child.
+    """Return trees that spread from one body of each component, the first that is nobody's child.
 
-    From those *held* by other trees, if the piece has one.
+    Or from those *held* by other trees, if the component has one.
     """
     near: dict[Term, list[Edge]] = {}
     for each in edges:
@@ -116,7 +121,7 @@ def _spread(
 def _grow(
     start: Term, near: Mapping[Term, Sequence[Edge]], seen: set[Term], done: dict[Term, Edge]
 ) -> None:
-    """Let a tree grow from *start* to all that it reaches, nearest first."""
+    """Grow a tree from *start* to all that it reaches, nearest first."""
     waiting = deque([start])
     while waiting:
         body = waiting.popleft()

@@ -1,4 +1,4 @@
-"""Names that say left or right, and the name of what is on the other side."""
+"""Left and right in names, and the mirrored name on the other side."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import lru_cache
 from urllib.parse import quote, unquote
 
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|[^A-Za-z]+")
-"""The words of a name: two in leftArm, LeftArm and LArm, three in left_arm with its underscore."""
+"""Word of a name: two in leftArm, LeftArm and LArm, three in left_arm with its underscore."""
 
 PAIRS = (
     ("left", "right"),
@@ -23,12 +23,12 @@ OTHER = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 LEFT = frozenset(left for left, _ in PAIRS)
 SIDES = frozenset((*OTHER, "front", "rear", "back", "hind"))
 MANY = 4096
-"""So many names are remembered: somebody who edits a robot has it looked at again and again."""
+"""Most names that are remembered: an edited robot is looked at again and again."""
 
 
 @lru_cache(maxsize=MANY)
 def twin(name: str) -> str | None:
-    """The name on the right of what *name* calls left; None for what names no side, or several."""
+    """Return the name on the right of a name on the left; None if it names no side, or several."""
     words = WORD.findall(unquote(name))
     sides = [index for index, word in enumerate(words) if word.lower() in OTHER]
     if len(sides) != 1 or words[sides[0]].lower() not in LEFT:
@@ -39,7 +39,7 @@ def twin(name: str) -> str | None:
 
 
 def _alike(model: str, word: str) -> str:
-    """*word* in capitals as *model* has them."""
+    """Return *word* in capitals as *model* has them."""
     if model.isupper():
         return word.upper()
     return word.capitalize() if model[0].isupper() else word
@@ -47,6 +47,6 @@ def _alike(model: str, word: str) -> str:
 
 @lru_cache(maxsize=MANY)
 def without_side(name: str) -> str:
-    """*name* without its words for sides, which both of two twins share."""
+    """Return *name* without its words for sides, the same for both of two twins."""
     words = WORD.findall(unquote(name))
     return "".join(each for each in words if each.lower() not in SIDES)

@@ -11,7 +11,7 @@ Matrix: TypeAlias = tuple[Vector, Vector, Vector]
 ZERO: Vector = (0.0, 0.0, 0.0)
 IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 EXACT = 1e-14
-"""A rotation in doubles misses orthonormality by less."""
+"""Largest deviation from orthonormality of a rotation that rounding in doubles explains."""
 
 ROUNDS = 6
 """Newton's iteration doubles the digits with each round: six take 0.05 below rounding."""
@@ -22,43 +22,43 @@ HUGE = 2.0**500
 
 
 def add(a: Vector, b: Vector) -> Vector:
-    """The sum of two vectors."""
+    """Return the sum of two vectors."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
-    """The difference of two vectors."""
+    """Return the difference of two vectors."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def scale(factor: float, a: Vector) -> Vector:
-    """A multiple of a vector."""
+    """Return a multiple of a vector."""
     return factor * a[0], factor * a[1], factor * a[2]
 
 
 def dot(a: Vector, b: Vector) -> float:
-    """The scalar product."""
+    """Return the scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def length(a: Vector) -> float:
-    """The Euclidean norm, without overflow."""
+    """Return the Euclidean norm, without overflow."""
     return math.hypot(*a)
 
 
 def transpose(m: Matrix) -> Matrix:
-    """The rows as columns; of a rotation, its inverse."""
+    """Return the rows as columns; of a rotation, its inverse."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return (a, d, g), (b, e, h), (c, f, i)
 
 
 def apply(m: Matrix, a: Vector) -> Vector:
-    """The product of a matrix and a column."""
+    """Return the product of a matrix and a column."""
     return dot(m[0], a), dot(m[1], a), dot(m[2], a)
 
 
 def product(m: Matrix, n: Matrix) -> Matrix:
-    """The product of two matrices."""
+    """Return the product of two matrices."""
     x, y, z = transpose(n)
     a, b, c = m
     return (
@@ -69,13 +69,13 @@ def product(m: Matrix, n: Matrix) -> Matrix:
 
 
 def determinant(m: Matrix) -> float:
-    """The signed volume that the rows span."""
+    """Return the signed volume that the rows span."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
 def orthonormality(m: Matrix) -> float:
-    """The largest entry, in absolute value, of M^T M - I: zero for a rotation or reflection."""
+    """Return the largest absolute entry of MᵀM - 1: zero for a rotation or reflection."""
     x, y, z = transpose(m)
     return max(
         *(abs(dot(a, a) - 1.0) for a in (x, y, z)),
@@ -86,13 +86,21 @@ def orthonormality(m: Matrix) -> float:
 
 
 def angle(m: Matrix) -> float:
-    """The angle in rad by which a rotation turns, exact for small ones too."""
+    """Return the angle in rad by which a rotation turns, in [0, π].
+
+    By its sine and cosine, atan2(|v|, tr M - 1) with the vector v of the antisymmetric part: exact
+    for small angles too, where the cosine alone loses half of the digits.
+    """
     (a, b, c), (d, e, f), (g, h, i) = m
     return math.atan2(math.hypot(h - f, c - g, d - b), a + e + i - 1.0)
 
 
 def rigid(m: Matrix) -> Matrix:
-    """The rotation next to a matrix that is one up to rounding, by Newton's iteration."""
+    """Return the rotation next to a matrix that is one up to rounding.
+
+    By the Newton-Schulz iteration for the polar decomposition, M ← M (3 - MᵀM) / 2 (Higham,
+    Functions of Matrices, 2008, section 8.3).
+    """
     for _ in range(ROUNDS):
         if orthonormality(m) < EXACT:
             break

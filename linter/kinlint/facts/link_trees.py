@@ -1,4 +1,4 @@
-"""The trees of links and joints that files describe, and what keeps them from being trees."""
+"""Trees of links and joints that files describe, and what keeps them from being trees."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from kinlint.vocabulary import SRC
 UNEXPANDED = iri(f"{SRC}Unexpanded")
 DOCUMENT = iri(f"{SRC}document")
 MOST = 20
-"""Names that lead nowhere are compared with all others, which for more of them would take long."""
+"""Most names that lead nowhere and are compared with all others: each takes linear time."""
 
 
 class LinkTrees:
-    """The links and joints of each robot whose file tells parent from child.
+    """Links and joints of each robot whose file tells parent from child.
 
-    Robots, bodies and joints are nodes of the lifted graph; what is stated of them is stated of
-    their elements. Takes time linear in both.
+    Robots, bodies and joints are nodes of the lifted graph; facts are stated of their elements, as
+    urdfdom's `initTree` and `initRoot` find them. Takes time linear in both.
     """
 
     def __init__(self, scan: PredicateIndex, mechanism: Mechanism) -> None:
@@ -36,7 +36,7 @@ class LinkTrees:
 
     @cached_property
     def robots(self) -> Mapping[Term, Sequence[Edge]]:
-        """The joints of each robot; an end is None where no link has the name that is said."""
+        """Joints of each robot; an end is None where no link has the name that is written."""
         found: dict[Term, list[Edge]] = {robot: [] for robot in (*self._urdf, *self.links)}
         for edge in sorted(self.mechanism.edges, key=lambda each: each.joint):
             if edge.directed:
@@ -49,7 +49,7 @@ class LinkTrees:
 
     @cached_property
     def links(self) -> Mapping[Term, Sequence[Term]]:
-        """The bodies of each robot that files describe by elements."""
+        """Bodies of each robot that files describe by elements."""
         found: dict[Term, list[Term]] = {}
         for body in sorted(self.mechanism.described):
             if self.mechanism.element(body) is not None:
@@ -62,13 +62,13 @@ class LinkTrees:
 
     @cached_property
     def _urdf(self) -> Sequence[Term]:
-        """The robots of URDF files: the elements that are their roots."""
+        """Robots of URDF files: the elements that are their roots."""
         table = self.scan.table(urdf("robot"))
         return sorted({root for _, roots in table.items() for root in roots})
 
     @cached_property
     def claims(self) -> Mapping[Term, Sequence[Edge]]:
-        """The joints that name each body as their child, in the order of the text."""
+        """Joints that name each body as their child, in the order of the text."""
         found: dict[Term, list[Edge]] = {}
         for edges in self.robots.values():
             for edge in edges:
@@ -81,12 +81,12 @@ class LinkTrees:
 
     @cached_property
     def above(self) -> Mapping[Term, Edge]:
-        """The joint that carries each body: the first that names it as its child."""
+        """Joint that carries each body: the first that names it as its child."""
         return {body: edges[0] for body, edges in self.claims.items()}
 
     @cached_property
     def roots(self) -> Mapping[Term, Sequence[Term]]:
-        """The named bodies of each robot that no joint carries."""
+        """Named bodies of each robot that no joint carries."""
         return {
             robot: [body for body in self.links.get(robot, ()) if self._is_root(body)]
             for robot in self.robots
@@ -97,15 +97,15 @@ class LinkTrees:
 
     @property
     def bases(self) -> Iterator[Term]:
-        """The roots that nothing moves: those of URDF, which readers hold still."""
+        """Roots that nothing moves: those of URDF, which most readers fix to the world."""
         return (body for robot in self._urdf for body in self.roots[robot])
 
     def _name(self, node: Term) -> str | None:
-        """What the element that *node* was made of is called."""
+        """Return the name of the element that *node* was made of."""
         return self.said(self._element(node), "name")
 
     def said(self, element: Term, name: str) -> str | None:
-        """The text of an attribute."""
+        """Return the text of an attribute of *element*; None if it is not written."""
         value = self.scan.single(attribute(name)).get(element)
         return literal_value(value) if value is not None and is_literal(value) else None
 
@@ -113,7 +113,7 @@ class LinkTrees:
         return self.mechanism.element(node) or element_of(node)
 
     def facts(self) -> Iterator[Triple]:
-        """The roots, the links that several joints carry or none has, and joints in a circle.
+        """Yield the roots, the links with several parents or an unknown one, and joints in a cycle.
 
         Nothing of a robot whose text is still to be expanded: its names are not known.
         """
@@ -133,13 +133,13 @@ class LinkTrees:
                 yield stated, fact("circle"), self._element(joint)
 
     def _naming(self, joint: Term, side: str) -> Term | None:
-        """The first element that says what is at a *side* of *joint*."""
+        """Return the first element that names the link at a *side* of *joint*."""
         owner = self._element(joint)
         found = (each for tag in (urdf, sdf) for each in self.scan.table(tag(side)).of(owner))
         return next((each for each in found if not is_repeated(each)), None)
 
     def _rooted(self, robot: Term, stated: Term) -> Iterator[Triple]:
-        """The root of *robot*, and further ones, unless a joint of it reaches no known link."""
+        """Yield the root of *robot*, and further ones, unless a joint reaches no known link."""
         roots = [self._element(body) for body in self.roots[robot]]
         edges = self.robots[robot]
         whole = all(edge.parent is not None and edge.child is not None for edge in edges)
@@ -152,13 +152,13 @@ class LinkTrees:
 
     @cached_property
     def _raw(self) -> frozenset[Term]:
-        """The documents, less the end of their tokens, in which something is not expanded."""
+        """Documents, less the end of their tokens, in which something is not expanded."""
         documents = self.scan.table(DOCUMENT)
         raw = self.scan.instances(UNEXPANDED)
         return frozenset(each[:-1] for node in raw for each in documents.of(node))
 
     def _unresolved(self, robot: Term, edges: Iterable[Edge]) -> Iterator[Triple]:
-        """The elements that name a link which *robot* does not have, with a name like it."""
+        """Yield the elements that name a link which *robot* does not have, with a name like it."""
         ends = [(each, side) for each in edges for side in ("parent", "child")]
         lost = (
             self._naming(each.joint, side) for each, side in ends if getattr(each, side) is None
@@ -176,9 +176,10 @@ class LinkTrees:
                     yield element, fact("near-name"), literal(other)
 
     def _circles(self, edges: Iterable[Edge]) -> Iterator[Term]:
-        """One joint of each circle of parents into which no joint leads from outside.
+        """Yield one joint of each cycle of parents into which no joint leads from outside.
 
-        No root carries its links. A joint between a link and itself is not meant: it joins nothing.
+        No root carries its links. A joint between a link and itself does not count: it joins
+        nothing.
         """
         above: dict[Term, list[Term]] = {}
         for edge in edges:

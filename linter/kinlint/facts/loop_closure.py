@@ -1,4 +1,4 @@
-"""Cycles of poses, positions and orientations, and by how much they fail to close."""
+"""Loops of poses, positions and orientations, and the error by which they fail to close."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from kinlint.terms import RDF_TYPE, Term, Triple
 
 @dataclass
 class Cycle:
-    """All that is known of the cycle that one relation closes."""
+    """Loop of relations that one relation closes."""
 
     members: dict[Term, None] = field(default_factory=dict)
     sources: dict[Term, None] = field(default_factory=dict)
@@ -29,7 +29,7 @@ class Cycle:
         length: int,
         values: Iterable[tuple[str, float]],
     ) -> None:
-        """Add what orientations or positions tell."""
+        """Add the loop of orientations or that of positions."""
         for edge in edges:
             self.members[edge.relation] = None
             self.sources[edge.source] = None
@@ -38,7 +38,7 @@ class Cycle:
 
 
 def cycles(relations: SpatialRelations, attitudes: OrientationGraph) -> Iterator[Triple]:
-    """Every independent cycle, under the relation that comes last in it."""
+    """Yield each independent loop, under the relation that comes last in it."""
     found: dict[Term, Cycle] = {}
     turns, shifts = relations.turns, relations.shifts
     for edges, length, residual, cause in attitudes.circles():

@@ -1,4 +1,4 @@
-"""What an inertia says of the size of its body, beside the shapes that the body is given."""
+"""Proportions between the inertia of a body, its mass and its shapes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from kinlint.terms import Triple
 def com_outside(
     assemblies: Assemblies, geometries: BodyShapes, scan: PredicateIndex
 ) -> Iterator[Triple]:
-    """How far the centre of mass of each body is outside all its shapes, where it is."""
+    """Yield the distance in m of each centre of mass outside all shapes of its body."""
     for body, centre in sorted(Placements(scan).centres.items()):
         gap = geometries.outside(body, centre) if assemblies.masses.get(body, 0.0) > 0.0 else None
         if gap is not None and gap > 0.0:
@@ -28,9 +28,11 @@ def com_outside(
 def proportions(
     inertias: Inertias, assemblies: Assemblies, geometries: BodyShapes
 ) -> Iterator[Triple]:
-    """The radius of gyration of each body, its extent and its density, where they are known.
+    """Yield the radius of gyration of each body, its extent and its density, where they are known.
 
-    There are two densities, which differ where a body has shapes to be seen and shapes to be hit.
+    The radius √(I/m) of the greatest principal moment is the distance at which a point mass would
+    have that moment, so it cannot exceed the extent. There are two densities, which differ where a
+    body has visual and collision shapes.
     """
     for node, tensor in inertias.central.items():
         body = assemblies.body(node)

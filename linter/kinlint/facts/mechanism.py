@@ -1,4 +1,7 @@
-"""Bodies and joints of a closed model: what each joint joins, and which body carries which."""
+"""Bodies and joints of a closed model.
+
+The bodies that each joint joins, and what is on each body.
+"""
 
 from __future__ import annotations
 
@@ -33,34 +36,34 @@ TWO_AXES = (kin("TwoAxisJoint"), "two-axis")
 
 
 class Mechanism:
-    """What is joined in a closed model; bodies and joints come in the order of the text."""
+    """Bodies and joints of a closed model, in the order of the text."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
 
     def place(self, node: Term) -> Place:
-        """Sorts nodes by the text; one that was made of an element by that of the element."""
+        """Return a key that sorts nodes by the text; a lifted one by its element."""
         origin = self.element(node)
         return self.scan.place(node if origin is None else origin)
 
     def element(self, node: Term) -> Term | None:
-        """The element of a file that *node* was made of."""
+        """Return the element of a file that *node* was made of."""
         return min(self.scan.table(FROM).of(node), default=None)
 
     @cached_property
     def described(self) -> Sequence[Term]:
-        """The bodies that files describe."""
+        """Bodies that files describe."""
         return sorted(self.scan.instances(BODY), key=self.place)
 
     @cached_property
     def joints(self) -> Sequence[Term]:
-        """All joints, and what joins attachments without being called a joint."""
+        """All joints, and nodes that join attachments without being typed as joints."""
         joining = {joint for joint, _ in self.scan.table(ATTACHMENTS).items()}
         return sorted(self.scan.instances(JOINT) | joining, key=self.place)
 
     @cached_property
     def carrier(self) -> Mapping[Term, Term]:
-        """The body that each attachment is on, described or not; of several, the first."""
+        """Body that each attachment is on, described or not; of several, the first."""
         found: dict[Term, Term] = {}
         for node, bodies in self.scan.table(ON_BODY).items():
             found[node] = min(bodies, key=self.place) if len(bodies) > 1 else bodies[0]
@@ -71,7 +74,7 @@ class Mechanism:
 
     @cached_property
     def frames(self) -> Mapping[Term, Sequence[Term]]:
-        """The frames on each body."""
+        """Frames on each body."""
         found: dict[Term, list[Term]] = {}
         for frame in sorted(self.scan.instances(FRAME), key=self.place):
             if (body := self.carrier.get(frame)) is not None:
@@ -80,34 +83,37 @@ class Mechanism:
 
     @cached_property
     def edges(self) -> Sequence[Edge]:
-        """Each joint with the bodies that it joins; what is attached to nothing is a body."""
+        """Each joint with the bodies that it joins; an attachment on no body counts as a body."""
         return list(map(self._edge, self.joints))
 
     @cached_property
     def bodies(self) -> Sequence[Term]:
-        """All bodies, those that only joints speak of behind those that are described."""
+        """All bodies, those that only joints name behind those that are described."""
         ends = (end for each in self.edges for end in each.ends)
         return tuple(dict.fromkeys((*self.described, *ends)))
 
     def near(self, joint: Term, body: Term | None) -> Term | None:
-        """The attachment of *joint* on *body*."""
+        """Return the attachment of *joint* on *body*."""
         ends = self.attachments(joint)
         return next((end for end in ends if self._on(joint, end) == body), None)
 
     def attachments(self, joint: Term) -> Sequence[Term]:
-        """What *joint* is between, as written: that of the parent first, if one is said to be."""
+        """Return the attachments of *joint* as written.
+
+        That of the parent first, if one is stated.
+        """
         ends = self.scan.table(ATTACHMENTS).of(joint)
         own = self._sides[0][0].get(joint)
         return sorted(ends, key=lambda end: (end != own, self._written.get((joint, end), 0), end))
 
     @cached_property
     def _sides(self) -> Sequence[tuple[Mapping[Term, Term], Mapping[Term, Term]]]:
-        """The attachment and the body of each joint at its parent, and at its child."""
+        """Attachment and body of each joint at its parent, and at its child."""
         return [(self.scan.single(end), self.scan.single(body)) for end, body in SIDES]
 
     @cached_property
     def _written(self) -> Mapping[tuple[Term, Term], int]:
-        """The order in which joints name their attachments."""
+        """Order in which joints name their attachments."""
         said = (
             (s, o)
             for document in self.scan.documents
@@ -127,7 +133,7 @@ class Mechanism:
         return Edge(joint, first, second, tuple(known[2:]))
 
     def _on(self, joint: Term, attachment: Term) -> Term | None:
-        """The body that *attachment* is on, or what stands for the one that is not there."""
+        """Return the body that *attachment* is on, or a node that stands for a missing one."""
         if (body := self.carrier.get(attachment)) is not None:
             return body
         for ends, bodies in self._sides:
@@ -136,7 +142,10 @@ class Mechanism:
         return attachment
 
     def kind(self, joint: Term) -> str:
-        """What kind of joint it is, as its file says, or by its class; nothing if neither does."""
+        """Return the type of a joint, as its file writes it, or by its class.
+
+        Empty if neither tells.
+        """
         element = self.element(joint)
         for said in self.scan.table(TYPE).of(element) if element is not None else ():
             return literal_value(said)
@@ -147,12 +156,12 @@ class Mechanism:
 
 
 def named(node: Term) -> str:
-    """The IRI of *node*, or its label if it has none."""
+    """Return the IRI of *node* without its brackets, or its label if it has none."""
     return node[1:-1] if is_iri(node) else node
 
 
 def model_of(part: Term) -> Term:
-    """The robot or the outermost model that an element's *part* is in, by its address."""
+    """Return the robot or the outermost model that an element's *part* is in, by its address."""
     way: list[str] = []
     kinds = ["world", "model"]
     for tag, name in steps(split(iri_value(part))[1], tuple(kinds)):

@@ -1,4 +1,4 @@
-"""The terms of the metamodels that numbers are computed from."""
+"""Terms of the metamodels that numbers are computed from."""
 
 from __future__ import annotations
 
@@ -10,72 +10,72 @@ DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
 
 
 def geom(name: str) -> Term:
-    """A term of geometry/structural-entities."""
+    """Return a term of geometry/structural-entities."""
     return iri(f"{GEOMETRY}structural-entities#{name}")
 
 
 def rel(name: str) -> Term:
-    """A term of geometry/spatial-relations."""
+    """Return a term of geometry/spatial-relations."""
     return iri(f"{GEOMETRY}spatial-relations#{name}")
 
 
 def coord(name: str) -> Term:
-    """A term of geometry/coordinates."""
+    """Return a term of geometry/coordinates."""
     return iri(f"{GEOMETRY}coordinates#{name}")
 
 
 def chain(name: str) -> Term:
-    """A term of kinematic-chain/structural-entities."""
+    """Return a term of kinematic-chain/structural-entities."""
     return iri(f"{METAMODELS}kinematic-chain/structural-entities#{name}")
 
 
 def body(name: str) -> Term:
-    """A term of newtonian-rigid-body-dynamics/structural-entities."""
+    """Return a term of newtonian-rigid-body-dynamics/structural-entities."""
     return iri(f"{DYNAMICS}structural-entities#{name}")
 
 
 def inertia(name: str) -> Term:
-    """A term of newtonian-rigid-body-dynamics/coordinates."""
+    """Return a term of newtonian-rigid-body-dynamics/coordinates."""
     return iri(f"{DYNAMICS}coordinates#{name}")
 
 
 def algorithm(name: str) -> Term:
-    """A term of algorithm."""
+    """Return a term of algorithm."""
     return iri(f"{METAMODELS}algorithm#{name}")
 
 
 def kin(name: str) -> Term:
-    """A term of kinlint's own."""
+    """Return a term of kinlint's own."""
     return iri(KIN + name)
 
 
 def qudt(name: str) -> Term:
-    """A term of QUDT's schema."""
+    """Return a term of QUDT's schema."""
     return iri(QUDT + name)
 
 
 def urdf(name: str) -> Term:
-    """An element of URDF."""
+    """Return an element of URDF."""
     return iri(URDF + name)
 
 
 def sdf(name: str) -> Term:
-    """An element of SDFormat."""
+    """Return an element of SDFormat."""
     return iri(SDF + name)
 
 
 def srdf(name: str) -> Term:
-    """An element of SRDF."""
+    """Return an element of SRDF."""
     return iri(SRDF + name)
 
 
 def reference(name: str) -> Term:
-    """What the attribute of this name refers to, where its value is the name of something."""
+    """Return the property from an element to the target of its attribute *name*."""
     return iri(REFERENCE + name)
 
 
 def attribute(name: str) -> Term:
-    """An attribute of an element, in any XML format."""
+    """Return an attribute of an element, in any XML format."""
     return iri(ATTRIBUTE + name)
 
 

@@ -18,21 +18,21 @@ from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.terms import Term, Triple, is_iri
 
 LETTERED = re.compile(r"[_-][lL]$")
-"""How the names of twins and of axes end alike."""
+"""End that the names of twins and of axes have in common."""
 LIMITS = tuple(kin(f"Actuator{name}Limit") for name in ("Force", "Velocity", "Acceleration"))
 SEVERAL = 3
-"""Bodies of fewer different shapes, or names, may well have one inertia."""
+"""Fewest bodies of different shapes, or names, whose common inertia is no coincidence."""
 
 
 class MirrorTwins:
-    """The nodes that say the same of what is on the left and of what is on the right."""
+    """Nodes that state the same quantity of a part on the left and of its twin on the right."""
 
     def __init__(self, scan: PredicateIndex, assemblies: Assemblies) -> None:
         self.scan = scan
         self.assemblies = assemblies
 
     def facts(self) -> Iterator[Triple]:
-        """From each node of the left to that of the right, where there is one on each side."""
+        """Yield each node of the left with that of the right, where there is one on each side."""
         inertias = self.assemblies.inertias
         for stating in (inertias.quantities.masses, inertias.tensors):
             yield from _paired(self._of_bodies(stating))
@@ -43,7 +43,7 @@ class MirrorTwins:
             yield from _paired(self._of_joints(kind))
 
     def odd_ones(self) -> Iterator[Triple]:
-        """Each mass or bound that differs from all of its kind on the other sides, which agree.
+        """Yield each mass or bound that differs from all on the other sides, which agree.
 
         At least three of them do, such as those of the other legs of a walking robot.
         """
@@ -54,12 +54,12 @@ class MirrorTwins:
             yield from _odd(self._of_joints(kind), bounds)
 
     def _of_bodies(self, stating: Iterable[Term]) -> Iterator[tuple[Term, Term]]:
-        """Nodes that state something of a body, each with the body."""
+        """Return the nodes of *stating* that are about a body, each with the body."""
         bodies = ((node, self.assemblies.body(node)) for node in stating)
         return ((node, body) for node, body in bodies if body is not None)
 
     def _of_joints(self, kind: Term) -> Iterator[tuple[Term, Term]]:
-        """The limits of *kind* on what drives a joint, each with the joint."""
+        """Yield the limits of *kind* on the actuator of a joint, each with the joint."""
         of_kind = self.scan.instances(kind)
         actuated = self.scan.single(kin("actuates"))
         for limit, actuator in self.scan.single(kin("of-actuator")).items():
@@ -68,7 +68,7 @@ class MirrorTwins:
 
 
 def _grouped(stating: Iterable[tuple[Term, Term]]) -> Mapping[Term, list[Term]]:
-    """The nodes that state something of each body or joint."""
+    """Return the nodes of *stating* by the body or joint that they are about."""
     of: dict[Term, list[Term]] = {}
     for node, entity in stating:
         of.setdefault(entity, []).append(node)
@@ -76,7 +76,7 @@ def _grouped(stating: Iterable[tuple[Term, Term]]) -> Mapping[Term, list[Term]]:
 
 
 def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
-    """The twins among nodes that each state something of one body or joint."""
+    """Yield the twins among nodes that are each about one body or joint."""
     of = _grouped(stating)
     for entity in sorted(of):
         other = _twin(entity, of)
@@ -85,7 +85,7 @@ def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
 
 
 def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> Iterator[Triple]:
-    """The one of each group of siblings whose value differs while those of all others agree."""
+    """Yield the one of each group of siblings whose value differs while all others agree."""
     siblings: dict[tuple[str, str], list[Term]] = {}
     for entity, nodes in sorted(_grouped(stating).items()):
         space, name = _split(entity)
@@ -102,12 +102,12 @@ def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> 
 
 
 def _near(one: float, other: float) -> bool:
-    """Whether two values differ by no more than one percent."""
+    """Tell whether two values differ by no more than one percent, the rounding of two digits."""
     return math.isclose(one, other, rel_tol=0.01)
 
 
 def _twin(left: Term, known: Container[Term]) -> Term | None:
-    """The one on the right of an entity on the left.
+    """Return the twin on the right of an entity on the left.
 
     Joints and links lettered by the axes of an arm, S L E U R B T, are no twins.
     """
@@ -120,21 +120,21 @@ def _twin(left: Term, known: Container[Term]) -> Term | None:
 
 
 def _split(node: Term) -> tuple[str, str]:
-    """The namespace of an IRI, and the name in it."""
+    """Return the namespace of an IRI, and the name in it."""
     text = node[:-1]
     at = max(text.rfind("#"), text.rfind("/")) + 1
     return text[:at], text[at:]
 
 
 def _axis_u(name: str) -> str:
-    """The name of the axis U beside *name*, which ends in L."""
+    """Return the name of the axis U next to *name*, which ends in L."""
     return name[:-1] + ("u" if name.endswith("l") else "U")
 
 
 def shared_inertias(
     inertias: Inertias, assemblies: Assemblies, geometries: BodyShapes
 ) -> Iterator[Triple]:
-    """The inertias that several bodies of one file share though their shapes differ.
+    """Yield the inertias that several bodies of one file share though their shapes differ.
 
     Each points to the first of them; the identity matrix is a case of its own.
     """
@@ -162,7 +162,7 @@ def _group(group: list[tuple[Term, Term]], geometries: BodyShapes) -> Iterator[T
 
 
 def _shapes(form: frozenset[tuple[object, ...]]) -> frozenset[object]:
-    """What is left of *form* once left and right are the same, and front and rear."""
+    """Return *form* with left and right made the same, and front and rear."""
     return frozenset(tuple(map(_plain, shape)) for shape in form)
 
 

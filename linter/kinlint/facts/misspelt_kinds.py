@@ -1,4 +1,4 @@
-"""The kinds of quantity that nobody describes and that are spelled almost like a known one."""
+"""Kinds of quantity that nothing describes and that are spelled almost like a known one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinlint.vocabulary import QUANTITY_KIND
 
 
 def resemblances(scan: PredicateIndex) -> Iterator[Triple]:
-    """Which known kind each undescribed one is but for one letter, where there is just one such.
+    """Yield each undescribed kind with the only known one that differs by one letter.
 
     QUDT has kinds that lie two letters apart, such as reluctance and reactance.
     """
@@ -36,14 +36,17 @@ def resemblances(scan: PredicateIndex) -> Iterator[Triple]:
 
 
 def _shortened(name: str) -> Iterator[str]:
-    """*name* and all that it is without one letter: names one slip apart share one of these."""
+    """Yield *name* and all that it is without one letter.
+
+    Names one slip apart share one of these.
+    """
     yield name
     for at in range(len(name)):
         yield name[:at] + name[at + 1 :]
 
 
 def _local(kind: Term) -> str:
-    """The name of a kind in QUDT's namespace, else nothing."""
+    """Return the name of a kind in QUDT's namespace, else nothing."""
     if not is_iri(kind):
         return ""
     space, _, name = iri_value(kind).rpartition("/")
@@ -51,5 +54,5 @@ def _local(kind: Term) -> str:
 
 
 def _plain(kind: Term) -> str:
-    """The letters of a name, without case and hyphens."""
+    """Return the letters of a name, without case and hyphens."""
     return "".join(filter(str.isalnum, _local(kind))).casefold()

@@ -1,4 +1,4 @@
-"""How the frames of a model are turned against each other, as far as coordinates tell."""
+"""Graph of frames whose edges are known relative orientations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from kinlint.facts.spatial_relations import RelativeOrientation
 from kinlint.terms import Term
 
 MOST_MEMBERS = 12
-"""A cycle names no more of its relations: nobody reads them, and long cycles would cost much."""
+"""Most relations of a loop that are named: nobody reads more, and long loops would cost much."""
 
 
 class Circle(NamedTuple):
@@ -29,7 +29,7 @@ class Circle(NamedTuple):
 
 
 class OrientationGraph:
-    """The axes of all frames, each seen by one frame of its group."""
+    """Axes of all frames, each seen by one frame of its component."""
 
     def __init__(self, turns: Sequence[RelativeOrientation]) -> None:
         self.turns = turns
@@ -37,7 +37,7 @@ class OrientationGraph:
 
     @cached_property
     def seen(self) -> Mapping[Term, Matrix]:
-        """The matrix of each frame, seen by the frame that stands for its group."""
+        """Matrix of each frame, seen by the frame that stands for its group."""
         found: dict[Term, Matrix] = {}
         for node in self.forest.order:
             if node not in self.forest.parent:
@@ -50,15 +50,15 @@ class OrientationGraph:
         return found
 
     def group(self, frame: Term) -> Term:
-        """The frame that stands for all whose orientation to *frame* is known."""
+        """Return the frame that stands for all whose orientation to *frame* is known."""
         return self.forest.root.get(frame, frame)
 
     def of(self, frame: Term) -> Matrix:
-        """The matrix of *frame*, seen by the frame of its group."""
+        """Return the matrix of *frame*, seen by the frame of its group."""
         return self.seen.get(frame, IDENTITY)
 
     def between(self, base: Term, frame: Term) -> Matrix | None:
-        """What turns components seen by *frame* into those seen by *base*, if that is known."""
+        """Return the rotation of components seen by *frame* into those seen by *base*, if known."""
         if base == frame:
             return IDENTITY
         if self.group(base) != self.group(frame):
@@ -66,7 +66,7 @@ class OrientationGraph:
         return product(transpose(self.of(base)), self.of(frame))
 
     def circles(self) -> Iterator[Circle]:
-        """Each independent cycle of orientations, with the angle in rad that it misses."""
+        """Yield each independent loop of orientations, with the angle in rad that it misses."""
         missing = {index: self._missing(self.turns[index]) for index in self.forest.closing}
         causes = common_causes(self.forest, [turned(*each) for each in missing.items()])
         for index, by in missing.items():
@@ -76,5 +76,5 @@ class OrientationGraph:
             yield Circle((index, *way), length, angle(by), causes.get(index))
 
     def _missing(self, turn: RelativeOrientation) -> Matrix:
-        """What turns the axes of `turn.of` into where *turn* puts them, seen by their group."""
+        """Return the rotation from the axes of `turn.of` to those by *turn*, seen by their group."""
         return product(product(self.of(turn.base), turn.matrix), transpose(self.of(turn.of)))

@@ -1,4 +1,4 @@
-"""Whether a tensor of inertia looks as if it were about the origin of its link."""
+"""Tensors of inertia that look as if they were about the origin of their link."""
 
 from __future__ import annotations
 
@@ -13,17 +13,21 @@ from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.terms import Triple
 
 LEAST_SHARE = 0.05
-"""Of the trace of the tensor: smaller products of inertia say nothing."""
+"""Least size of the products of inertia, as a share of the trace, that tells anything.
+
+A body that is not quite symmetric has products of that size about its own centre.
+"""
 
 
 def parallel_axis_residuals(
     inertias: Inertias, assemblies: Assemblies, scan: PredicateIndex
 ) -> Iterator[Triple]:
-    """How far products of inertia are from those of a point mass at the centre, by their size.
+    """Yield the relative distance of products of inertia from those of a point mass.
 
-    That is 0 for a tensor about the origin of the link, by the theorem of parallel axes, where the
-    body is symmetric about its centre. Only where the products are large enough to tell, the axes
-    are those of the link, and what is left about the centre is a tensor that a body can have.
+    That is 0 for a tensor about the origin of the link if the body is symmetric about its centre,
+    by the parallel axis theorem (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 2.13).
+    Only where the products are large enough to tell, the axes are those of the link, and the
+    remainder about the centre is a tensor that a body can have.
     """
     placements = Placements(scan)
     for node, tensor in inertias.central.items():
@@ -45,7 +49,7 @@ def parallel_axis_residuals(
 
 
 def about_origin(mass: float, at: Vector) -> Matrix:
-    """The tensor of a point mass that is *at* a place, about the origin, in kg m²."""
+    """Return the tensor in kg m² of a point mass at *at*, about the origin: m (r·r 1 - r rᵀ)."""
     square = dot(at, at)
     x, y, z = (
         tuple(
@@ -67,6 +71,6 @@ def _less(tensor: Matrix, other: Matrix) -> Matrix:
 
 
 def _possible(tensor: Matrix) -> bool:
-    """Whether a body can have *tensor*: its moments are positive, and none exceeds the others."""
+    """Tell whether a body can have *tensor*: positive moments that obey the triangle inequality."""
     least, middle, greatest = eigenvalues(tensor)
     return least > 0.0 and least + middle >= greatest

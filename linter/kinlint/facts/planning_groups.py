@@ -1,4 +1,4 @@
-"""What the planning groups of an SRDF comprise, and what lies between two links of its robot."""
+"""Planning groups of SRDF: the joints they comprise, and the links between two links."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ADJACENT = literal("Adjacent")
 
 
 class PlanningGroups:
-    """The SRDF files of a run that are joined to a URDF."""
+    """SRDF files of a run that are joined to a URDF."""
 
     def __init__(self, scan: PredicateIndex, trees: LinkTrees) -> None:
         self.scan = scan
@@ -29,7 +29,7 @@ class PlanningGroups:
         self.joined = scan.single(JOINED_TO)
 
     def facts(self) -> Iterator[Triple]:
-        """The joints and links of each group, the length of each chain, what parts two links."""
+        """Yield the joints and links of groups, lengths of chains, and links between pairs."""
         for semantic in sorted(self.joined):
             for group in self.scan.table(srdf("group")).of(semantic):
                 for joint in sorted(self._comprises(group)):
@@ -43,7 +43,7 @@ class PlanningGroups:
 
     @cached_property
     def _comprised(self) -> Mapping[Term, frozenset[Term]]:
-        """The joints of each group that has parts, or is one, those of its parts included."""
+        """Joints of each group that has subgroups, or is one, those of its subgroups included."""
         arcs = parts(self.scan)
         found: dict[Term, frozenset[Term]] = {}
         for piece in strongly_connected_components(arcs):
@@ -54,11 +54,14 @@ class PlanningGroups:
         return found
 
     def _comprises(self, group: Term) -> Collection[Term]:
-        """The joints of *group*, those of its subgroups included."""
+        """Return the joints of *group*, those of its subgroups included."""
         return self._comprised[group] if group in self._comprised else self._listed(group)
 
     def _listed(self, group: Term) -> set[Term]:
-        """The joints that *group* itself names: as such, by links that they carry, as a chain."""
+        """Return the joints that *group* itself names.
+
+        As such, by links that they carry, as a chain.
+        """
         found: set[Term] = set()
         for joint in self.scan.table(srdf("joint")).of(group):
             found.update(self._refers(joint, "joint"))
@@ -72,19 +75,19 @@ class PlanningGroups:
         return self.scan.table(reference(name)).of(element)
 
     def _carrier(self, link: Term) -> Term:
-        """The joint that carries *link*: a virtual one where nothing else does."""
+        """Return the joint that carries *link*: a virtual one where nothing else does."""
         edge = self._above.get(link)
         return edge.joint if edge is not None else self._virtual.get(link, "")
 
     @cached_property
     def _virtual(self) -> dict[Term, Term]:
-        """The virtual joint of each link that has one."""
+        """Virtual joint of each link that has one."""
         table = self.scan.table(reference("child_link"))
         return {link: joint for joint, links in table.items() for link in links}
 
     @cached_property
     def _edges(self) -> dict[Term, Edge]:
-        """The joints, with the links at their ends, as elements."""
+        """Joints, with the links at their ends, as elements."""
         found: dict[Term, Edge] = {}
         for edges in self.trees.robots.values():
             for edge in edges:
@@ -95,7 +98,7 @@ class PlanningGroups:
 
     @cached_property
     def _above(self) -> Mapping[Term, Edge]:
-        """The joint that carries each link, as elements."""
+        """Joint that carries each link, as elements."""
         carrying = (self._element(edge.joint) for edge in self.trees.above.values())
         found = (self._edges[joint] for joint in carrying if joint is not None)
         return {edge.child: edge for edge in found if edge.child is not None}
@@ -115,7 +118,7 @@ class PlanningGroups:
         return frozenset(link for _, links in table.items() for link in links if is_iri(link))
 
     def _up(self, link: Term) -> dict[Term, Edge | None]:
-        """*link* and the links above it, each with the joint that carries it."""
+        """Return *link* and the links above it, each with the joint that carries it."""
         found: dict[Term, Edge | None] = {}
         at: Term | None = link
         while at is not None and at not in found:
@@ -124,7 +127,7 @@ class PlanningGroups:
         return found
 
     def _way(self, one: Term | None, other: Term | None) -> Sequence[Edge] | None:
-        """The joints between two links: none for a link and itself, None without a way."""
+        """Return the joints between two links: none for a link and itself, None without a path."""
         if one is None or other is None:
             return None
         near, far = self._up(one), self._up(other)
@@ -140,7 +143,10 @@ class PlanningGroups:
                 yield chain, fact("joints"), integer(len(way))
 
     def _between(self, pair: Term) -> Iterator[Term]:
-        """The links between those of *pair* that can collide, as adjacency is reckoned by."""
+        """Yield the links between those of *pair* that have collision shapes.
+
+        MoveIt's setup assistant calls two links adjacent if no link with a shape is between them.
+        """
         one, other = self._ends(pair, "link1", "link2")
         way = self._way(one, other)
         solid = self.scan.table(urdf("collision"))

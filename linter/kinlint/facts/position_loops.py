@@ -1,4 +1,4 @@
-"""Where the points of a model are, as far as coordinates tell."""
+"""Loops of points whose relative positions are known."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from kinlint.terms import Term
 
 
 class PositionLoop(NamedTuple):
-    """A cycle of positions, with the sum in m of the lengths of its relations."""
+    """Loop of positions, with the sum in m of the lengths of its relations."""
 
     circle: Circle
     magnitude: float
@@ -23,9 +23,10 @@ class PositionLoop(NamedTuple):
 def position_loops(
     shifts: Sequence[RelativePosition], attitudes: OrientationGraph
 ) -> Iterator[PositionLoop]:
-    """Each independent cycle of positions, with the distance in m that it misses.
+    """Yield each independent loop of positions, with the distance in m that it misses.
 
-    Vectors add up only as far as the frames that see them are turned alike or known to be turned.
+    Vectors add up only as far as the frames that see them are parallel or their orientation is
+    known.
     """
     groups: dict[Term, list[int]] = {}
     for index, shift in enumerate(shifts):

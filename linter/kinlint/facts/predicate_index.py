@@ -1,4 +1,4 @@
-"""Reads a closed model by predicate: each is scanned once, whatever the number of nodes."""
+"""Index of a closed model by predicate: each is read once, whatever the number of nodes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ NUMERIC = frozenset(f"^^<{XSD}{name}>" for name in ("double", "float", "decimal"
 
 
 def numeric(term: Term) -> float | None:
-    """The number a literal stands for, by value; None for what is no finite number."""
+    """Return the number a literal stands for, by value; None for what is no finite number."""
     text, _, datatype = term.rpartition('"')
     if datatype not in NUMERIC or not is_literal(term):
         return None
@@ -46,13 +46,13 @@ def numeric(term: Term) -> float | None:
 
 
 def number_of(values: Iterable[Term]) -> float | None:
-    """The number that all *values* stand for; None if that is not exactly one."""
+    """Return the number that all *values* stand for; None if that is not exactly one."""
     distinct = {numeric(each) for each in values}
     return distinct.pop() if len(distinct) == 1 else None
 
 
 class Table:
-    """The values of one property. Most subjects have one, which costs no list."""
+    """Values of one property. Most subjects have one, which costs no list."""
 
     def __init__(self) -> None:
         self.one: dict[Term, Term] = {}
@@ -68,12 +68,12 @@ class Table:
             self.one[subject] = value
 
     def of(self, subject: Term) -> Sequence[Term]:
-        """All values of *subject*."""
+        """Return all values of *subject*."""
         value = self.one.get(subject)
         return self.several.get(subject, ()) if value is None else (value,)
 
     def items(self) -> Iterator[tuple[Term, Sequence[Term]]]:
-        """The subjects, each with all its values."""
+        """Yield the subjects, each with all its values."""
         for subject, value in self.one.items():
             yield subject, (value,)
         yield from self.several.items()
@@ -86,7 +86,7 @@ class Table:
 
 
 class PredicateIndex:
-    """What a store says, predicate by predicate. Every table is read once and then kept."""
+    """Statements of a store, predicate by predicate. Every table is read once and then kept."""
 
     def __init__(self, store: Store) -> None:
         self.store = store
@@ -95,11 +95,11 @@ class PredicateIndex:
         self._instances: dict[Term, frozenset[Term]] = {}
 
     def part(self, _name: str, *_below: str) -> PredicateIndex:
-        """What reads the model for a part of the work, which uses those parts *below*."""
+        """Return the index that a part of the computation reads, which uses the parts *below*."""
         return self
 
     def table(self, predicate: Term) -> Table:
-        """All values of *predicate*, by subject."""
+        """Return all values of *predicate*, by subject."""
         if predicate not in self._tables:
             node = ox.NamedNode(iri_value(predicate))
             self._tables[predicate] = table = Table()
@@ -109,7 +109,7 @@ class PredicateIndex:
         return self._tables[predicate]
 
     def about(self, node: Term) -> Mapping[Term, list[Term]]:
-        """All that is said of an IRI, by property."""
+        """Return all statements about an IRI, by property."""
         found: dict[Term, list[Term]] = {}
         if is_iri(node):
             subject = statement((node, RDF_TYPE, NIL)).subject
@@ -120,11 +120,11 @@ class PredicateIndex:
         return found
 
     def single(self, predicate: Term) -> Mapping[Term, Term]:
-        """The value of *predicate* for the subjects that have exactly one."""
+        """Return the value of *predicate* for the subjects that have exactly one."""
         return self.table(predicate).one
 
     def numbers(self, predicate: Term) -> Mapping[Term, float]:
-        """The number that is the value of *predicate*, for the subjects that have exactly one."""
+        """Return the number that *predicate* has for the subjects with exactly one."""
         if predicate not in self._numbers:
             table = self.table(predicate)
             found = {subject: numeric(value) for subject, value in table.one.items()}
@@ -136,7 +136,7 @@ class PredicateIndex:
         return self._numbers[predicate]
 
     def lists(self, predicate: Term, length: int) -> Mapping[Term, tuple[float, ...]]:
-        """The list of *length* numbers that is the value of *predicate*, where there is one."""
+        """Return the list of *length* numbers that *predicate* has, where there is one."""
         found: dict[Term, tuple[float, ...]] = {}
         for subject, heads in self.table(predicate).items():
             distinct = {self._row(head, length) for head in heads}
@@ -152,12 +152,15 @@ class PredicateIndex:
         return row if len(row) == length else None
 
     def items(self, head: Term, most: int = sys.maxsize) -> tuple[Term, ...] | None:
-        """The items of the list at *head*, at most *most*; None for what is no proper list."""
+        """Return the items of the list at *head*, at most *most*.
+
+        None for what is no proper list.
+        """
         cells = self.cells(head, most)
         return None if cells is None else tuple(self._first[cell] for cell in cells)
 
     def cells(self, head: Term, most: int = sys.maxsize) -> tuple[Term, ...] | None:
-        """The nodes that say the items of the list at *head*, as `items` has them."""
+        """Return the nodes that hold the items of the list at *head*, in the order of `items`."""
         found: dict[Term, None] = {}
         while head != NIL and len(found) < most:
             rest = self._rest.get(head)
@@ -176,7 +179,7 @@ class PredicateIndex:
         return self.single(REST)
 
     def instances(self, kind: Term) -> frozenset[Term]:
-        """The nodes that are of class *kind*, stated or inferred."""
+        """Return the nodes that are of class *kind*, stated or inferred."""
         if kind not in self._instances:
             quads = self.store.oxigraph.quads_for_pattern(
                 None, ox.NamedNode(iri_value(RDF_TYPE)), ox.NamedNode(iri_value(kind)), None
@@ -185,7 +188,7 @@ class PredicateIndex:
         return self._instances[kind]
 
     def inferred(self, kind: Term) -> frozenset[Term]:
-        """The nodes that are of class *kind* only because something else follows."""
+        """Return the nodes that are of class *kind* only by inference."""
         quads = self.store.oxigraph.quads_for_pattern(
             None,
             ox.NamedNode(iri_value(RDF_TYPE)),
@@ -195,13 +198,13 @@ class PredicateIndex:
         return frozenset(token(quad.subject) for quad in quads)
 
     def all_values(self, node: Term) -> frozenset[Term]:
-        """The values of all that is said of *node*."""
+        """Return the values of all statements about *node*."""
         subject = statement((node, RDF_TYPE, NIL)).subject
         quads = self.store.oxigraph.quads_for_pattern(subject, None, None, None)
         return frozenset(token(quad.object) for quad in quads)
 
     def place(self, node: Term) -> Place:
-        """Sorts nodes by where they are described first; nodes described nowhere come last."""
+        """Return a key that sorts nodes by where they are described first; others come last."""
         index = self._home.get(node)
         if index is None:
             return sys.maxsize, 0, node
@@ -209,7 +212,7 @@ class PredicateIndex:
 
     @cached_property
     def _home(self) -> Mapping[Term, int]:
-        """The index of the first document that describes each node."""
+        """Index of the first document that describes each node."""
         homes: dict[Term, int] = {}
         for index in reversed(range(len(self.documents))):
             homes.update(dict.fromkeys(self.documents[index].map.nodes, index))
@@ -217,5 +220,5 @@ class PredicateIndex:
 
     @cached_property
     def documents(self) -> tuple[Document, ...]:
-        """The documents of the store, in its order."""
+        """Documents of the store, in its order."""
         return tuple(self.store.documents.values())

@@ -1,4 +1,4 @@
-"""Values in SI, where their unit leaves no doubt."""
+"""Quantities in SI units, where their unit leaves no doubt."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MASSES = (body("mass"), inertia("mass"))
 
 
 class Quantities:
-    """The numbers of a model in SI."""
+    """Numbers of a model in SI units."""
 
     def __init__(self, scan: PredicateIndex, units: Units) -> None:
         self.scan = scan
@@ -29,14 +29,14 @@ class Quantities:
 
     @cached_property
     def _positional(self) -> frozenset[Term]:
-        """The nodes whose x, y and z are lengths: coordinates of positions and poses."""
+        """Nodes whose x, y and z are lengths: coordinates of positions and poses."""
         own = frozenset[Term]().union(*map(self.scan.instances, POSITIONAL))
         of = self.scan.table(COORDINATE_OF).items()
         return own | {node for node, relations in of if not own.isdisjoint(relations)}
 
     @cached_property
     def components(self) -> Mapping[str, Mapping[Term, float]]:
-        """The x, y and z of each node, in SI."""
+        """Components x, y and z of each node, in SI units."""
         return {axis: dict(self._along(coord(axis))) for axis in AXES}
 
     def _along(self, axis: Term) -> Iterator[tuple[Term, float]]:
@@ -49,13 +49,13 @@ class Quantities:
 
     @cached_property
     def vectors(self) -> Mapping[Term, Vector]:
-        """The vectors of the nodes that have all of x, y and z, in SI."""
+        """Vectors of the nodes that have all of x, y and z, in SI units."""
         x, y, z = (self.components[axis] for axis in AXES)
         return {node: (x[node], y[node], z[node]) for node in x if node in y and node in z}
 
     @cached_property
     def plain(self) -> Mapping[Term, Vector]:
-        """The vectors of the nodes that name no unit, as they are."""
+        """Vectors of the nodes that name no unit, as they are."""
         x, y, z = (self.scan.numbers(coord(axis)) for axis in AXES)
         return {
             node: (x[node], y[node], z[node])
@@ -65,7 +65,7 @@ class Quantities:
 
     @cached_property
     def angles(self) -> Mapping[str, Mapping[Term, float]]:
-        """The angles of Euler of each node, in rad."""
+        """Euler angles of each node, in rad."""
         found: dict[str, dict[Term, float]] = {}
         for predicate, name in ANGLES:
             found[name] = {}
@@ -77,7 +77,7 @@ class Quantities:
 
     @cached_property
     def masses(self) -> Mapping[Term, float]:
-        """The mass of each node, in kg; the number as it is where a node names no unit at all."""
+        """Mass of each node, in kg; the number as it is where a node names no unit at all."""
         found: dict[Term, float] = {}
         for predicate in MASSES:
             for node, number in self.scan.numbers(predicate).items():
@@ -88,7 +88,7 @@ class Quantities:
 
     @cached_property
     def values(self) -> Sequence[tuple[Term, str, float]]:
-        """The plain values of quantities, limits and couplings, each with its node and name."""
+        """Plain values of quantities, limits and couplings, each with its node and name."""
         return [
             (node, name, unit.si(number))
             for predicate, name in VALUES
@@ -100,7 +100,7 @@ class Quantities:
 def stated(
     vectors: Quantities, angles: Quantities, masses: Quantities, values: Quantities
 ) -> Iterator[Triple]:
-    """All quantities, each of what is named after them."""
+    """Yield all quantities, each of the part that is named after them."""
     for tables in (vectors.components, angles.angles):
         for name, table in tables.items():
             for node, number in table.items():

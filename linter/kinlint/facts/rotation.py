@@ -1,4 +1,4 @@
-"""Rotations: what coordinates and frames say of orientation, and how far that is from one."""
+"""Rotations that coordinates and frames state, and how far they are from being rigid."""
 
 from __future__ import annotations
 
@@ -24,22 +24,28 @@ from kinlint.facts.quantity import AXES, Quantities
 from kinlint.terms import Term, Triple, literal_value
 
 LOOSEST = 0.05
-"""What misses orthonormality by more is no rotation that anything could be computed with."""
+"""Largest deviation from orthonormality that rounding to two digits explains.
+
+A matrix beyond it is no rotation that anything could be computed with.
+"""
 
 LOCKED = 1e-6
-"""Where the sine between the first and the last axis of Euler's is less, they are one."""
+"""Sine between the first and the last axis of Euler angles below which they are in gimbal lock."""
 
 QUATERNION = tuple(kin(name) for name in ("qx", "qy", "qz", "qw"))
 ABOUT = {"x": (0, 1, 2), "y": (1, 2, 0), "z": (2, 0, 1)}
 
 
 def columns(x: Vector, y: Vector, z: Vector) -> Matrix:
-    """The matrix that turns components along axes *x*, *y*, *z* into those of their frame."""
+    """Return the matrix of components along axes *x*, *y*, *z* into those of their frame."""
     return transpose((x, y, z))
 
 
 def from_quaternion(x: float, y: float, z: float, w: float) -> Matrix:
-    """The rotation of a quaternion, times the square of its norm."""
+    """Return the rotation matrix of a quaternion, times the square of its norm.
+
+    Source: Shuster, A Survey of Attitude Representations, 1993.
+    """
     return (
         (w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
         (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
@@ -48,7 +54,7 @@ def from_quaternion(x: float, y: float, z: float, w: float) -> Matrix:
 
 
 def from_axis(axis: str, angle: float) -> Matrix:
-    """The rotation by *angle* in rad about one of the axes x, y and z."""
+    """Return the rotation by *angle* in rad about one of the axes x, y and z."""
     own, one, other = ABOUT[axis]
     rows = [[0.0] * 3 for _ in range(3)]
     rows[own][own] = 1.0
@@ -60,7 +66,10 @@ def from_axis(axis: str, angle: float) -> Matrix:
 
 
 def from_euler(sequence: str, angles: Sequence[float], *, intrinsic: bool) -> Matrix:
-    """Three rotations in the order of *sequence*, each about the moved or the fixed axes."""
+    """Return three rotations in the order of *sequence*, about the moved or the fixed axes.
+
+    The rpy of URDF and SDF is extrinsic xyz, as REP-103 prefers.
+    """
     one, two, three = (from_axis(axis, by) for axis, by in zip(sequence, angles, strict=True))
     if intrinsic:
         return product(product(one, two), three)
@@ -68,7 +77,7 @@ def from_euler(sequence: str, angles: Sequence[float], *, intrinsic: bool) -> Ma
 
 
 def quaternion(m: Matrix) -> tuple[float, float, float, float]:
-    """One of the two unit quaternions x, y, z, w of a rotation.
+    """Return one of the two unit quaternions x, y, z, w of a rotation.
 
     Source: Shepperd, Quaternion from rotation matrix, 1978, which never divides by what is small.
     """
@@ -85,9 +94,9 @@ def quaternion(m: Matrix) -> tuple[float, float, float, float]:
 
 
 def euler(sequence: str, m: Matrix, near: Sequence[float], *, intrinsic: bool) -> tuple[float, ...]:
-    """The angles in rad of a rotation in the order of *sequence*, those nearest to *near*.
+    """Return the angles in rad of a rotation in the order of *sequence*, those nearest to *near*.
 
-    There are none where the first and the last turn about one axis: all that is known is their sum.
+    None in gimbal lock, where the first and the last turn about one axis: only their sum is known.
     """
     if not intrinsic:
         return euler(sequence[::-1], m, near[::-1], intrinsic=True)[::-1]
@@ -116,7 +125,7 @@ def euler(sequence: str, m: Matrix, near: Sequence[float], *, intrinsic: bool) -
 
 
 class Rotations:
-    """The matrices that coordinates of a model state, as they are written."""
+    """Matrices that coordinates of a model state, as they are written."""
 
     def __init__(self, scan: PredicateIndex, quantities: Quantities) -> None:
         self.scan = scan
@@ -124,17 +133,17 @@ class Rotations:
 
     @cached_property
     def stated(self) -> Mapping[Term, Matrix]:
-        """The matrix of each coordinates node; several representations on one node: the first."""
+        """Matrix of each coordinates node; of several representations on one node, the first."""
         return {**self._by_euler, **self._by_quaternion, **self._by_cosines}
 
     @cached_property
     def proper(self) -> Mapping[Term, Matrix]:
-        """Those that turn rigidly, freed of rounding; none that shears, scales or reflects."""
+        """Proper rotations, freed of rounding; no matrix that shears, scales or reflects."""
         return _rigid(self.stated)
 
     @cached_property
     def spread(self) -> Mapping[Term, float]:
-        """The largest angle in rad between two representations of rotation on one node."""
+        """Largest angle in rad between two representations of rotation on one node."""
         found: dict[Term, float] = {}
         for one, other in combinations(self.ways.values(), 2):
             for node in one.keys() & other.keys():
@@ -144,7 +153,7 @@ class Rotations:
 
     @cached_property
     def ways(self) -> Mapping[str, Mapping[Term, Matrix]]:
-        """The proper rotation of each node by each representation that it has."""
+        """Proper rotation of each node by each representation that it has."""
         return {
             "cosines": _rigid(self._by_cosines),
             "quaternion": _rigid(self._by_quaternion),
@@ -193,7 +202,7 @@ class Rotations:
         }
 
     def facts(self) -> Iterator[Triple]:
-        """How far each matrix is from a rotation."""
+        """Yield how far each matrix is from a rotation."""
         for node, matrix in self.stated.items():
             yield from residuals(node, matrix)
         for node, quaternion in self._quaternions.items():
@@ -211,14 +220,14 @@ def _rigid(stated: Mapping[Term, Matrix]) -> dict[Term, Matrix]:
 
 
 def residuals(node: Term, matrix: Matrix) -> Iterator[Triple]:
-    """The determinant of *matrix*, and by how much its columns miss being orthonormal."""
+    """Return the determinant of *matrix*, and by how much its columns miss being orthonormal."""
     return numbers(
         node, [("determinant", determinant(matrix)), ("orthonormality", orthonormality(matrix))]
     )
 
 
 def _turns(sequence: str) -> bool:
-    """Whether *sequence* names three axes of which no two in a row are the same."""
+    """Tell whether *sequence* names three axes of which no two in a row are the same."""
     return (
         len(sequence) == len(AXES)
         and set(sequence) <= set(AXES)

@@ -1,4 +1,4 @@
-"""The order in which schedules trigger operators, and data that flow in a circle."""
+"""Order in which schedules trigger operators, and cycles of data (paper, section II-D)."""
 
 from __future__ import annotations
 
@@ -98,7 +98,10 @@ def circles(scan: PredicateIndex) -> Iterator[Triple]:
 def _arcs(
     reads: Mapping[Term, Sequence[Term]], writes: Mapping[Term, Sequence[Term]]
 ) -> Mapping[Term, list[Term]]:
-    """Where each node's data go: from operators to what they write, from that to its readers."""
+    """Return where each node's data go.
+
+    From operators to their outputs, from those to their readers.
+    """
     arcs = {operator: sorted(written) for operator, written in sorted(writes.items())}
     for operator, needed in sorted(reads.items()):
         for data in needed:

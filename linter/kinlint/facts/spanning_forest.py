@@ -1,4 +1,4 @@
-"""Spanning forests of graphs whose edges are relations, and the edges that close a cycle."""
+"""Spanning forests of graphs whose edges are relations, and the edges that close a loop."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ Edge = tuple[Term, Term]
 
 
 class DisjointSets:
-    """Sets of nodes that were found to be connected."""
+    """Sets of connected nodes, by union-find with path halving (Tarjan and van Leeuwen 1984)."""
 
     def __init__(self) -> None:
         self._parent: dict[Term, Term] = {}
 
     def of(self, node: Term) -> Term:
-        """The node that stands for the set of *node*."""
+        """Return the node that stands for the set of *node*."""
         parent = self._parent
         while (above := parent.get(node, node)) != node:
             parent[node] = parent.get(above, above)
@@ -26,7 +26,7 @@ class DisjointSets:
         return node
 
     def join(self, one: Term, other: Term) -> bool:
-        """Connect two nodes; whether they were apart before."""
+        """Connect two nodes; tell whether they were apart before."""
         a, b = self.of(one), self.of(other)
         if a != b:
             self._parent[b] = a
@@ -34,10 +34,10 @@ class DisjointSets:
 
 
 class SpanningForest:
-    """The trees that *edges* span, earlier ones first; edges are named by their index.
+    """Trees that *edges* span, earlier ones first; edges are named by their index.
 
-    `closing` are those that close a cycle with earlier ones. `order` names the nodes so that
-    each comes after its parent.
+    `closing` are those that close a loop with earlier ones. `order` names the nodes so that each
+    comes after its parent.
     """
 
     def __init__(self, edges: Sequence[Edge]) -> None:
@@ -77,14 +77,17 @@ class SpanningForest:
                     waiting.append(child)
 
     def _leap(self, node: Term) -> Term:
-        """How far a child of *node* may jump: so that every ancestor is a few jumps away."""
+        """Return the jump pointer of a child of *node*: ancestors are O(log n) jumps away.
+
+        Source: Myers, An applicative random-access stack, 1983.
+        """
         near = self._jump[node]
         far = self._jump[near]
         depth = self._depth
         return far if depth[node] - depth[near] == depth[near] - depth[far] else node
 
     def meet(self, one: Term, other: Term) -> Term:
-        """The lowest node above both, of one tree, in logarithmic time."""
+        """Return the lowest common ancestor of two nodes of one tree, in logarithmic time."""
         depth, jump, parent = self._depth, self._jump, self.parent
         low, high = (one, other) if depth[one] > depth[other] else (other, one)
         while depth[low] > depth[high]:
@@ -97,12 +100,12 @@ class SpanningForest:
         return low
 
     def between(self, one: Term, other: Term) -> int:
-        """The number of edges on the way from *one* to *other*."""
+        """Return the number of edges on the path from *one* to *other*."""
         above = self.meet(one, other)
         return self._depth[one] + self._depth[other] - 2 * self._depth[above]
 
     def way(self, one: Term, other: Term, most: int) -> Iterable[int]:
-        """At most *most* edges on the way from *one* to *other*, those at the ends first."""
+        """Return at most *most* edges of the path from *one* to *other*, those at its ends first."""
         above = self.meet(one, other)
         return islice(_alternating(self._climb(one, above), self._climb(other, above)), most)
 

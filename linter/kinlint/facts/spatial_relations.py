@@ -1,4 +1,4 @@
-"""Relations between frames and points, with the numbers that their coordinates give them."""
+"""Spatial relations between frames and points, with their numbers (paper, section II-B)."""
 
 from __future__ import annotations
 
@@ -26,29 +26,40 @@ POSE, POSITION, ORIENTATION = rel("Pose"), rel("Position"), rel("Orientation")
 
 @dataclass(frozen=True, slots=True)
 class RelativeOrientation:
-    """An orientation: what turns components seen by frame `of` into those seen by `base`."""
+    """Orientation: the rotation of components seen by frame `of` into those seen by `base`."""
 
     relation: Term
+    """Relation that states it: a pose or an orientation."""
     base: Term
+    """Axes that see it."""
     of: Term
+    """Axes that are seen."""
     matrix: Matrix
+    """Proper rotation from components along `of` to those along `base`."""
     source: Term
+    """Coordinates that state the numbers."""
 
 
 @dataclass(frozen=True, slots=True)
 class RelativePosition:
-    """A position: the vector in m from point `base` to point `of`, as frame `seen_by` sees it."""
+    """Position: the vector in m from point `base` to point `of`, as frame `seen_by` sees it."""
 
     relation: Term
+    """Relation that states it: a pose or a position."""
     base: Term
+    """Point where the vector begins."""
     of: Term
+    """Point where it ends."""
     vector: Vector
+    """Components in m along the axes of `seen_by`."""
     seen_by: Term
+    """Axes that see the vector."""
     source: Term
+    """Coordinates that state the numbers."""
 
 
 class SpatialRelations:
-    """The relations of a model in the order of their files, and who states numbers of them."""
+    """Relations of a model in the order of their files, and the coordinates with their numbers."""
 
     def __init__(self, scan: PredicateIndex, quantities: Quantities, rotations: Rotations) -> None:
         self.scan = scan
@@ -59,7 +70,7 @@ class SpatialRelations:
 
     @cached_property
     def coordinates(self) -> Mapping[Term, list[Term]]:
-        """The coordinates of each relation; one that states numbers itself is the first of them."""
+        """Coordinates of each relation; one that states numbers itself is the first of them."""
         stating = self.scan.instances(kin("Coordinate"))
         found: dict[Term, list[Term]] = {}
         for node, relation in self.scan.single(COORDINATE_OF).items():
@@ -72,7 +83,7 @@ class SpatialRelations:
         return found
 
     def seen_by(self, node: Term, relation: Term) -> Term | None:
-        """The frame by which coordinates *node* are seen; None if that cannot be told."""
+        """Return the frame by which coordinates *node* are seen; None if that cannot be told."""
         stated = self.scan.table(AS_SEEN_BY).of(node)
         if stated:
             return self.axes(stated[0]) if len(stated) == 1 else None
@@ -82,19 +93,19 @@ class SpatialRelations:
 
     @cached_property
     def _framed(self) -> frozenset[Term]:
-        """The relations with respect to a frame, which sees them where no other is named."""
+        """Relations with respect to a frame, which sees them where no other is named."""
         return self.scan.instances(POSE) | self.scan.instances(ORIENTATION)
 
     def axes(self, frame: Term) -> Term:
-        """The node for the axes of *frame*."""
+        """Return the node for the axes of *frame*."""
         return self.scan.single(geom("rotation-frame")).get(frame, frame)
 
     def point(self, node: Term) -> Term:
-        """The node for where a frame or a point is."""
+        """Return the node for the position of a frame or a point."""
         return self.scan.single(geom("origin")).get(node, node)
 
     def _related(self, *kinds: Term) -> Iterator[tuple[Term, list[Term]]]:
-        """The relations of *kinds* between two things, with their coordinates."""
+        """Yield the relations of *kinds* between two things, with their coordinates."""
         nodes = frozenset[Term]().union(*map(self.scan.instances, kinds))
         both = (node for node in nodes if node in self.of and node in self.base)
         for relation in sorted(both, key=self.scan.place):
@@ -103,7 +114,7 @@ class SpatialRelations:
 
     @cached_property
     def turns(self) -> tuple[RelativeOrientation, ...]:
-        """The orientations that coordinates state, the first usable ones of each relation."""
+        """Orientations that coordinates state, the first usable ones of each relation."""
         return tuple(self._turns())
 
     def _turns(self) -> Iterator[RelativeOrientation]:
@@ -119,7 +130,7 @@ class SpatialRelations:
 
     @cached_property
     def shifts(self) -> tuple[RelativePosition, ...]:
-        """The positions that coordinates state, the first usable ones of each relation."""
+        """Positions that coordinates state, the first usable ones of each relation."""
         return tuple(self._shifts())
 
     def _shifts(self) -> Iterator[RelativePosition]:

@@ -1,4 +1,4 @@
-"""Strongly connected components of a directed graph, by Tarjan's algorithm without recursion."""
+"""Strongly connected components of a directed graph."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from kinlint.terms import Term
 
 
 def strongly_connected_components(arcs: Mapping[Term, Sequence[Term]]) -> Iterator[list[Term]]:
-    """The largest groups of nodes that all reach each other; linear in nodes and arcs."""
+    """Yield the largest groups of nodes that all reach each other; linear in nodes and arcs.
+
+    By Tarjan's algorithm (Depth-first search and linear graph algorithms, 1972) without recursion;
+    groups come after those that they lead to.
+    """
     index: dict[Term, int] = {}
     low: dict[Term, int] = {}
     stack: list[Term] = []
@@ -39,7 +43,7 @@ def strongly_connected_components(arcs: Mapping[Term, Sequence[Term]]) -> Iterat
 
 
 def _popped(stack: list[Term], last: Term, waiting: set[Term]) -> list[Term]:
-    """The nodes on the stack down to *last*, taken off."""
+    """Return the nodes on the stack down to *last*, taken off."""
     group: list[Term] = []
     while not group or group[-1] != last:
         group.append(stack.pop())

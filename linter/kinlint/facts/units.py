@@ -1,4 +1,4 @@
-"""The units of a model: what turns a node's numbers into SI."""
+"""Units of a model: factors from a node's numbers to SI units."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ANGULAR_ACCELERATION = iri(f"{DIMENSION}A0E0L0I0M0H0T-2D0")
 FORCE = iri(f"{DIMENSION}A0E0L1I0M1H0T-2D0")
 TORQUE = iri(f"{DIMENSION}A0E0L2I0M1H0T-2D0")
 ANGLE = "angle"
-"""Not a dimension to QUDT, which tells angles from other pure numbers by kind."""
+"""Stands for a dimension, though QUDT tells angles from other pure numbers only by kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Unit:
     measures: Term
 
     def si(self, number: float) -> float:
-        """What *number* of this unit is in SI."""
+        """Return *number* of this unit in SI units."""
         return number * self.factor + self.offset
 
 
@@ -48,7 +48,7 @@ SI = Unit(1.0, 0.0, "")
 
 
 class Units:
-    """The units that nodes of a model name, as far as they are known."""
+    """Units that nodes of a model name, as far as they are known."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
@@ -56,7 +56,7 @@ class Units:
 
     @cached_property
     def _named(self) -> Mapping[Term, tuple[Term, ...]]:
-        """The distinct units of each node that names any."""
+        """Distinct units of each node that names any."""
         named: dict[Term, tuple[Term, ...]] = {}
         for predicate in (qudt("unit"), qudt("hasUnit")):
             for node, found in self.scan.table(predicate).items():
@@ -64,7 +64,10 @@ class Units:
         return named
 
     def _known(self, unit: Term) -> Unit | None:
-        """What is known of *unit*, looked up when it is first named."""
+        """Return what QUDT states of *unit*, looked up when it is first named.
+
+        None if it is incomplete.
+        """
         if unit not in self._units:
             said = self.scan.about(unit)
             factors = [each for each in map(numeric, said.get(FACTOR, ())) if each is not None]
@@ -78,16 +81,16 @@ class Units:
         return self._units[unit]
 
     def has(self, node: Term) -> bool:
-        """Whether *node* names a unit, known or not."""
+        """Tell whether *node* names a unit, known or not."""
         return node in self._named
 
     def only(self, node: Term) -> Unit | None:
-        """The unit of a node that names exactly one."""
+        """Return the unit of a node that names exactly one."""
         found = self._named.get(node, ())
         return self._known(found[0]) if len(found) == 1 else None
 
     def measuring(self, node: Term, dimension: Term) -> Unit | None:
-        """The one unit of *node* that is of *dimension*."""
+        """Return the one unit of *node* that is of *dimension*."""
         found = [
             known
             for each in self._named.get(node, ())
@@ -96,6 +99,6 @@ class Units:
         return found[0] if len(found) == 1 else None
 
     def ambiguous(self, node: Term, dimension: Term) -> bool:
-        """Whether *node* names several units of *dimension*."""
+        """Tell whether *node* names several units of *dimension*."""
         known = map(self._known, self._named.get(node, ()))
         return sum(each is not None and each.measures == dimension for each in known) > 1

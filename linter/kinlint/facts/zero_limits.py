@@ -15,7 +15,7 @@ KINDS = tuple(kin(f"Actuator{name}Limit") for name in ("Force", "Velocity"))
 
 
 class ZeroLimits:
-    """The limits of actuators, with the chains that their joints are in."""
+    """Limits of actuators, with the chains that their joints are in."""
 
     def __init__(self, scan: PredicateIndex) -> None:
         self.scan = scan
@@ -26,11 +26,11 @@ class ZeroLimits:
 
     @cached_property
     def _following(self) -> frozenset[Term]:
-        """The joints that follow others, and need no actuator."""
+        """Joints that follow others, and need no actuator."""
         return frozenset(self.scan.single(kin("follower")).values())
 
     def facts(self) -> Iterator[Triple]:
-        """Of each limit that is zero: how many of its kind in its chain are, and how many not."""
+        """Yield for each limit of zero how many others in its chain are zero, and how many not."""
         chains: dict[Term, Term] = {}
         for whole, joints in self.scan.table(chain("joints")).items():
             chains.update((joint, min(whole, chains.get(joint, whole))) for joint in joints)
@@ -53,5 +53,5 @@ class ZeroLimits:
                 yield limit, fact("working"), integer(counts[False])
 
     def _is_zero(self, limit: Term) -> bool:
-        """Whether *limit* allows nothing in either direction."""
+        """Tell whether *limit* allows nothing in either direction."""
         return self._upper[limit] == 0.0 and self.scan.numbers(kin("lower")).get(limit, 0.0) >= 0.0
