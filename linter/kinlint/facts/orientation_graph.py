@@ -76,5 +76,5 @@ class OrientationGraph:
             yield Circle((index, *way), length, angle(by), causes.get(index))
 
     def _missing(self, turn: RelativeOrientation) -> Matrix:
-        """Return the rotation from the axes of `turn.of` to those by *turn*, seen by their group."""
+        """Return the rotation from the axes of `turn.of` to those by *turn*, seen by their root."""
         return product(product(self.of(turn.base), turn.matrix), transpose(self.of(turn.of)))

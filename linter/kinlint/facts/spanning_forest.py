@@ -105,7 +105,7 @@ class SpanningForest:
         return self._depth[one] + self._depth[other] - 2 * self._depth[above]
 
     def way(self, one: Term, other: Term, most: int) -> Iterable[int]:
-        """Return at most *most* edges of the path from *one* to *other*, those at its ends first."""
+        """Return at most *most* edges of the path from *one* to *other*, its ends first."""
         above = self.meet(one, other)
         return islice(_alternating(self._climb(one, above), self._climb(other, above)), most)
 
