@@ -28,7 +28,7 @@ class Fix:
     title: str
     """Imperative, placeholders filled in."""
     applicability: Applicability
-    """What the repair claims and the proof allows."""
+    """The applicability that the repair claims, lowered to what was proven."""
     edits: tuple[TextEdit, ...]
     """Edits, ascending and without overlap in each text."""
     update: str
@@ -42,13 +42,13 @@ class Fix:
 
     @property
     def sources(self) -> tuple[SourceText, ...]:
-        """The texts that are changed, each once."""
+        """Return the texts that are changed, without duplicates."""
         return tuple({id(one.location.source): one.location.source for one in self.edits}.values())
 
 
 @dataclass(frozen=True, slots=True)
 class Related:
-    """Another place that a finding is about."""
+    """Another place that concerns a finding."""
 
     location: Location
     """The place."""
@@ -73,7 +73,7 @@ class Premise:
 
     @property
     def inferred(self) -> bool:
-        """Whether the statement was derived rather than written."""
+        """Tell whether the statement was derived rather than written."""
         return bool(self.axiom)
 
     @property
@@ -111,18 +111,18 @@ class Finding:
     related: tuple[Related, ...] = ()
     """Other places it is about."""
     because: tuple[Premise, ...] = ()
-    """What it rests on."""
+    """Statements that the finding rests on."""
     suppressed: str | None = field(default=None)
-    """Why it is suppressed; None if it is not."""
+    """Reason for the suppression; None if the finding is not suppressed."""
     group: tuple[str, ...] = ()
-    """What it shares with the findings grouped with it (`Rule.group_by`)."""
+    """Values shared with the findings grouped with it (`Rule.group_by`)."""
     members: tuple[Finding, ...] = ()
     """The findings grouped in this one."""
     fixes: tuple[Fix, ...] = ()
     """Alternative fixes, the preferred first."""
 
     def fix(self, least: Applicability) -> Fix | None:
-        """The first of the fixes that may be trusted at least so far: what `--fix` makes."""
+        """Return the first fix of at least applicability *least*: the one that `--fix` makes."""
         return next((each for each in self.fixes if each.applicability >= least), None)
 
     @property
@@ -135,9 +135,10 @@ class Finding:
 
     @property
     def fingerprint(self) -> str:
-        """An identity that survives moving and re-indenting: rule, entity, path and value.
+        """Return a hash of rule, entity, path and value, which survives moving and re-indenting.
 
-        Of a group: rule and what it has in common, whoever is in it.
+        The fingerprint of a group is that of the rule and the values in common, whatever its
+        members.
         """
         alone = self.iri, self.path or "", *(self.meant or self.arguments)
         what = [self.rule.code, *(self.group if self.rule.group_by else alone)]
@@ -145,6 +146,6 @@ class Finding:
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:
-        """Findings are reported by file, place and code."""
+        """Return the order in which findings are reported: by file, place and code."""
         source, span = self.location.source, self.location.span
         return source.name, span.start, span.end, self.rule.code, self.message

@@ -44,7 +44,7 @@ class Report:
     fixed: tuple[Finding, ...] = ()
     """Findings that were fixed, each with the fix made."""
     unsafe: bool | None = None
-    """Whether unsafe fixes are made with the safe ones; False also hides the hint at them."""
+    """True if unsafe fixes are made with the safe ones; False also hides the hint at them."""
     unfixed: tuple[tuple[Finding, Repair, str], ...] = ()
     """Findings whose repair cannot be offered, each with the repair and the reason."""
     structures: tuple[Structure, ...] = ()

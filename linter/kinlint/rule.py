@@ -10,14 +10,14 @@ from enum import IntEnum
 from kinlint.terms import Term, Triple
 
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
-"""Where a message of a rule has the value of a variable, and the name of that."""
+"""Placeholder for the value of a variable in a message of a rule; group 1 is its name."""
 
 KNOWN = "{ # known\n}"
 """Placeholder in the query of a repair for the values that a finding gives its variables."""
 
 
 class Severity(IntEnum):
-    """How bad a finding is; ordered, so that thresholds compare.
+    """Severity of a finding; ordered, so that thresholds compare.
 
     ERROR: refused or misread by a consumer, or physically impossible. WARNING: consumers disagree,
     or very likely a slip. INFO: an assumption worth knowing.
@@ -29,12 +29,12 @@ class Severity(IntEnum):
 
     @property
     def label(self) -> str:
-        """The word for users: `error`, `warning` or `info`."""
+        """Return the word for users: `error`, `warning` or `info`."""
         return self.name.lower()
 
 
 class Applicability(IntEnum):
-    """How far a fix may be trusted.
+    """Degree to which a fix may be trusted; ordered, so that thresholds compare.
 
     SAFE: the meaning stays, and no consumer newly refuses the file. UNSAFE: it takes a decision
     that the author may want to see. DISPLAY: shown only, never written.
@@ -46,7 +46,7 @@ class Applicability(IntEnum):
 
     @property
     def label(self) -> str:
-        """The word for users: `safe`, `unsafe` or `display-only`."""
+        """Return the word for users: `safe`, `unsafe` or `display-only`."""
         return "display-only" if self is Applicability.DISPLAY else self.name.lower()
 
 
@@ -67,7 +67,7 @@ class Example:
     fixed: str | None = None
     """Result of the preferred fix of `bad`, where that is not `good`."""
     unfixable: bool = False
-    """Whether no fix is possible."""
+    """True if no fix is possible."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,7 @@ class SeverityFor:
     """Formats it holds for; none named is all."""
 
     def holds(self, targets: Collection[str], form: str) -> bool:
-        """Tell whether this is about a file of format *form* that is meant for *targets*."""
+        """Tell whether this severity applies to files of format *form* for *targets*."""
         about = not self.targets or not set(self.targets).isdisjoint(targets)
         return about and (not self.formats or form in self.formats)
 
@@ -119,7 +119,7 @@ class Repair:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """One rule, as its file describes it."""
+    """A rule, as its file describes it."""
 
     iri: str
     """IRI of the rule."""
@@ -130,7 +130,7 @@ class Rule:
     title: str
     """The fault in a few words."""
     why: str
-    """Why it matters: what breaks."""
+    """The reason why it matters: what breaks."""
     severity: Severity
     """Default severity."""
     antipatterns: tuple[str, ...] = ()
@@ -140,7 +140,7 @@ class Rule:
     formats: tuple[str, ...] = ()
     """Names of the formats it applies to."""
     links: tuple[str, ...] = ()
-    """Where to read on."""
+    """Web addresses to read on."""
     messages: tuple[str, ...] = ()
     """Templates of its messages."""
     examples: tuple[Example, ...] = ()
@@ -150,7 +150,7 @@ class Rule:
     path: str = ""
     """Path of its file."""
     whole_model: bool = False
-    """Whether it can only judge when all files of the model are given."""
+    """True if the rule can only judge when all files of the model are given."""
     targets: tuple[str, ...] = ()
     """Consumers it is about; it is off unless a run names one of them."""
     severity_for: tuple[SeverityFor, ...] = ()
@@ -160,7 +160,7 @@ class Rule:
     file.
     """
     optional: bool = False
-    """Whether it is off unless selected."""
+    """True if the rule is off unless selected."""
     repairs: tuple[Repair, ...] = ()
     """Its repairs, the preferred first."""
     also: tuple[Severity, ...] = ()
@@ -186,5 +186,5 @@ class Rule:
 
     @property
     def family(self) -> str:
-        """The letters of the code: `UNI` of `UNI002`."""
+        """Return the letters of the code: `UNI` of `UNI002`."""
         return self.code.rstrip("0123456789")

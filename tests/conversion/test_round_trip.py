@@ -10,7 +10,7 @@ from data import locate_data
 
 from kinlint.conversion.composition import Composition, compose
 from kinlint.conversion.output import WRITERS
-from kinlint.conversion.statements import Triples
+from kinlint.conversion.rdf_triples import Triples
 from kinlint.errors import KinlintError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read

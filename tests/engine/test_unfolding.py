@@ -5,7 +5,7 @@ from __future__ import annotations
 import pyoxigraph as ox
 import pytest
 
-from kinlint.contexts.prefixes import customary
+from kinlint.contexts.model_prefixes import customary
 from kinlint.engine.lifting_compiler import SHARED
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.unfolding import is_reading, unfolded

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from kinlint import resources
-from kinlint.contexts.prefixes import customary
+from kinlint.contexts.model_prefixes import customary
 from kinlint.sparql.ast_json import from_json, to_json
 from kinlint.sparql.parser import parse_construct, parse_update
 from kinlint.vocabulary import INTERMEDIATE

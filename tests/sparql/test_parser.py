@@ -3,7 +3,7 @@
 import pytest
 
 from kinlint import resources
-from kinlint.contexts.prefixes import customary
+from kinlint.contexts.model_prefixes import customary
 from kinlint.engine.store import Store
 from kinlint.sparql.ast import Bind, Clause, Triples, render
 from kinlint.sparql.parser import parse_construct, parse_update

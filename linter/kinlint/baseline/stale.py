@@ -10,7 +10,7 @@ from kinlint.baseline.ledger import Ledger
 from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.rule import Rule
-from kinlint.suppression.diagnostics import UNUSED, fill_message
+from kinlint.suppression.suppression_faults import UNUSED, fill_message
 from kinlint.text import Location
 
 

@@ -19,10 +19,10 @@ Engine: TypeAlias = Literal["oxigraph", "pyshacl"]
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One layer of rule selection: a configuration, or the command line above it."""
+    """A layer of rule selection: a configuration, or the command line above it."""
 
     origin: str = "command line"
-    """Where the layer was written, for messages."""
+    """The place where the layer was written, for messages."""
     select: tuple[str, ...] | None = None
     """Selectors that replace those of lower layers; None keeps them."""
     extend_select: tuple[str, ...] = ()
@@ -50,7 +50,7 @@ class Ignore:
     key: str
     """The key in the configuration, for messages."""
     origin: str = "command line"
-    """Where it was written, for messages."""
+    """The place where it was written, for messages."""
     pointer: str | None = None
     """JSON Pointer (RFC 6901) or path of an XML element below which they are silent."""
     iri: str | None = None
@@ -68,7 +68,7 @@ class FileSettings:
     ignores: tuple[Ignore, ...] = ()
     """Rules silenced in the file."""
     require_reason: bool = False
-    """Whether suppressions must give a reason."""
+    """True if suppressions must give a reason."""
     targets: tuple[str, ...] = ()
     """Consumers that the file is meant for."""
     urdf: Path | None = None
@@ -98,17 +98,17 @@ class Settings:
     engine: Engine = "oxigraph"
     """The SHACL engine."""
     partial: bool = False
-    """Whether the files are a part of a model."""
+    """True if the files are a part of a model."""
     cache: Path | None = None
     """Directory of kept reports; None keeps none."""
     ignore_suppressions: bool = False
-    """Whether suppressed findings are reported as if they were not."""
+    """True if suppressed findings are reported as if they were not."""
     verbose: bool = False
-    """Whether details of the run are printed."""
+    """True if details of the run are printed."""
     unsafe_fixes: bool | None = None
-    """Whether unsafe fixes are made with the safe ones; None makes none, but counts them."""
+    """True if unsafe fixes are made with the safe ones; None makes none, but counts them."""
     drawn: bool = False
-    """Whether the report contains the structures of the robots, for outputs that draw them."""
+    """True if the report contains the structures of the robots, for outputs that draw them."""
     default: FileSettings = field(default_factory=FileSettings)
     """Settings of sources that are not in `files`."""
     files: Mapping[str, FileSettings] = field(default_factory=dict)

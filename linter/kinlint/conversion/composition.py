@@ -25,7 +25,7 @@ EXAMPLE = "https://example.org/"
 
 PREFIX = "robot"
 CONTAINS = tuple(f"<{each}" for each in ELEMENTS)
-"""How properties begin that lead from an element to one within it."""
+"""Prefixes of the properties that lead from an element to one within it."""
 NAME = iri(f"{ATTRIBUTE}name")
 
 

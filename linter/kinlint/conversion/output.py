@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from kinlint.contexts.context_library import Contexts
-from kinlint.contexts.prefixes import customary
+from kinlint.contexts.model_prefixes import customary
 from kinlint.conversion.composition import Composition
 from kinlint.conversion.expanded_nodes import Node
 from kinlint.conversion.json_layout import layout
 from kinlint.conversion.published import order
-from kinlint.conversion.statements import Triples
+from kinlint.conversion.rdf_triples import Triples
 
 LAST = (9, 0)
 

@@ -1,4 +1,7 @@
-"""Which document says what a change of the graph takes back, and which is to say what it adds."""
+"""Placement of a change of the graph.
+
+The documents to remove its statements from and to add them to.
+"""
 
 from __future__ import annotations
 
@@ -36,12 +39,13 @@ class Placed:
     deltas: Mapping[Term, Delta]
     """The change of each document, by its graph."""
     lifted: Delta
-    """What of the change is lifted from documents, less what is said of the cells of lists."""
+    """The part of the change that is lifted from documents, less statements about cells of lists.
+    """
 
 
 @dataclass
 class _Sheet:
-    """What is to be changed in one document."""
+    """Changes to make in one document."""
 
     document: Document
     removed: dict[Triple, None] = field(default_factory=dict)
@@ -63,7 +67,7 @@ class _Sheet:
 
 
 def _short(value: Term) -> Term:
-    """*value* with an exponent, where it has the zeros that a store writes in its stead."""
+    """Return *value* with an exponent in place of the zeros that a store writes."""
     if literal_datatype(value) != DOUBLE:
         return value
     number = float(literal_value(value))
@@ -101,12 +105,12 @@ def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
 
 
 def _is_number(term: Term) -> bool:
-    """Whether *term* is a literal of one of the numeric types of SPARQL."""
+    """Tell whether *term* is a literal of one of the numeric types of SPARQL."""
     return is_literal(term) and literal_datatype(term) in NUMERIC
 
 
 def _asserted(store: Store, triple: Triple, sheet: Callable[[Document], _Sheet]) -> bool:
-    """Whether documents say *triple*, which is then noted as what they are to say no more."""
+    """Tell whether documents assert *triple*, and note it as one to remove from them."""
     written = list(store.written(*triple))
     for document, spelled in written:
         sheet(document).removed[spelled] = None

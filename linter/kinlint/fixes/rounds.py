@@ -25,7 +25,7 @@ from kinlint.text import SourceText
 State: TypeAlias = frozenset[tuple[Path, str]]
 """The texts that differ from what they were at first, by their paths."""
 ROUNDS = 10
-"""How many rounds of changes are made at most."""
+"""Largest number of rounds of changes."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class RoundsResult:
     """The outcome of changing texts until nothing is left to change."""
 
     report: Report
-    """What is left to find."""
+    """The report on the changed texts."""
     texts: Sequence[SourceText]
     changed: Sequence[tuple[SourceText, SourceText]]
     """The texts that changed, before and after; these may be such that others include."""

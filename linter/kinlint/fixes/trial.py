@@ -19,7 +19,7 @@ from kinlint.terms import Term
 from kinlint.text import SourceText
 
 STEPS = 24
-"""How often a run is linted again at most; what is undecided then is not offered."""
+"""Largest number of times a run is linted again; candidates undecided then are not offered."""
 
 Examine = Callable[[Texts], Examination]
 
@@ -29,7 +29,7 @@ class Verdict:
     """The result of a trial of candidates."""
 
     applicability: Applicability | None
-    """How far they may be trusted; None if they may not be."""
+    """Applicability that was proven; None if the candidates must not be applied."""
     why: str = ""
     """The reason for trusting them no further."""
     blamed: Mapping[FileKind, int] = field(default_factory=dict)
@@ -42,7 +42,7 @@ class Group:
 
     sources: Sequence[SourceText]
     documents: Sequence[Document]
-    """What the texts say."""
+    """The documents parsed from the texts."""
     batches: list[list[Candidate]] = field(default_factory=list)
     """The batches that are still to be tried."""
     held: list[list[Candidate]] = field(default_factory=list)

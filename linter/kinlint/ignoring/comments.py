@@ -10,10 +10,10 @@ from kinlint.formats.xml.suppression_comments import DIRECTIVE, INTRODUCTION
 from kinlint.text import SourceText, Span
 
 ELEMENT = re.compile(r"<[^\s<>/!?]")
-"""How an element begins, other than comments and instructions."""
+"""The beginning of an element, as opposed to a comment or an instruction."""
 LINE_END = re.compile(r"\r\n?|\n")
 STRANGE = re.compile(r"--|-$|[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-"""What a comment of XML cannot hold."""
+"""Text that a comment of XML cannot hold (XML 1.0, productions 2 and 15)."""
 
 
 def comment_edit(

@@ -14,16 +14,16 @@ from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.ignoring.comments import ELEMENT, comment_edit
-from kinlint.ignoring.statements import append_statement, ignore_delta
+from kinlint.ignoring.ignore_statements import append_statement, ignore_delta
 from kinlint.rule import Applicability, Repair
-from kinlint.suppression.diagnostics import FAULTS
 from kinlint.suppression.interval_index import IntervalIndex
+from kinlint.suppression.suppression_faults import FAULTS
 from kinlint.terms import Term, is_blank, is_iri
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC
 
 SUPPRESSION = Repair("Ignore it here", Applicability.SAFE, "", "", (), (), ())
-"""What all suppressions are: they change nothing that a model says of its robot."""
+"""The repair that every suppression counts as: it changes no statement about the robot."""
 UNREASONED = "the configuration requires a reason, as in --add-ignore='set at run time'"
 
 

@@ -45,7 +45,7 @@ class Changes:
     classes: set[Term] = field(default_factory=set)
     """The classes of the types that changed, and those above them."""
     rewritten: bool = False
-    """Whether a file says something else, or in another order."""
+    """True if a file makes other statements, or makes them in another order."""
     _above: dict[Kind, frozenset[Term]] = field(default_factory=dict)
 
     def __bool__(self) -> bool:

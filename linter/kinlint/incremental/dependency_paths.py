@@ -34,7 +34,7 @@ class Path:
     terms: frozenset[Term] | None
     """The properties of the edges; None for any."""
     plain: bool
-    """Whether it takes one edge from subject to object; else any number in any direction."""
+    """True if the path takes one edge from subject to object; else any number in any direction."""
 
     @classmethod
     def from_words(cls, words: Sequence[str]) -> Path:
@@ -61,7 +61,7 @@ class PatternPath:
 
     edge: Edge
     from_object: bool
-    """Whether the way begins at the object of the pattern; else at its subject."""
+    """True if the way begins at the object of the pattern; else at its subject."""
     steps: tuple[tuple[Path, bool], ...] | None
     """The paths taken, and whether each is taken from object to subject; None for no way."""
 

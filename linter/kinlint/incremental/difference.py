@@ -8,7 +8,7 @@ from typing import NamedTuple
 from kinlint.terms import Triple
 
 AHEAD = 48
-"""How many statements ahead the place is looked for where two lists agree again."""
+"""Number of statements ahead within which two lists must agree again."""
 
 
 class Difference(NamedTuple):

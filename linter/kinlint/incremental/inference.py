@@ -32,7 +32,7 @@ STATED = tuple(ox.NamedNode(iri_value(name)) for name in (ASSERTED_GRAPH, LIFTED
 
 
 class Inference:
-    """Some axioms, ready to be followed from one triple to the next."""
+    """Axioms, ready to be followed from one triple to the next."""
 
     def __init__(self, store: Store, axioms: Sequence[Axiom]) -> None:
         self.store = store

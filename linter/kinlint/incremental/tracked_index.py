@@ -19,16 +19,16 @@ Order: TypeAlias = tuple[tuple[Term, ...], ...]
 
 @dataclass
 class Reads:
-    """What a part of the computation of facts read."""
+    """Nodes, properties and classes that a part of the computation of facts has read."""
 
     properties: set[Term] = field(default_factory=set)
     classes: set[Term] = field(default_factory=set)
     nodes: set[Term] = field(default_factory=set)
     """The nodes of which it read all statements."""
     places: bool = False
-    """Whether it sorted nodes by where they are described."""
+    """True if it sorted nodes by where they are described."""
     files: bool = False
-    """Whether it read the documents themselves."""
+    """True if it read the documents themselves."""
 
 
 class TrackedIndex(PredicateIndex):

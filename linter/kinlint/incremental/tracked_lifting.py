@@ -30,7 +30,7 @@ NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
 
 @dataclass
 class Unit:
-    """One query, with what it made of each of its solutions.
+    """A lifting query, with the triples that it made of each of its solutions.
 
     A solution has the values of `names`, the last of which is the variable that `narrow` is about.
     """

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 PATIENCE = 5.0
 """Seconds to wait for processes to end."""
 _jobs: list[tuple[Job, Sequence[SourceError]]] = []
-"""In a worker process: the job, and the files that could not be decoded."""
+"""The job of this worker process, and the files that could not be decoded."""
 
 
 def outcomes(

@@ -14,7 +14,7 @@ from kinlint.parallel.partition import Model, partition, shares
 from kinlint.parallel.shard import Job, Outcome
 from kinlint.phases import Phases
 from kinlint.report import Report
-from kinlint.suppression.diagnostics import UNUSED
+from kinlint.suppression.suppression_faults import UNUSED
 from kinlint.text import SourceText
 
 SHARES = 4

@@ -39,7 +39,7 @@ constraints that may be violated, by identity: those of one rulebook.
 """
 
 KEPT = 3
-"""So many models are kept: as it is, as it is while a file cannot be read, and one more."""
+"""Number of models kept: the current one, the one while a file cannot be read, and one more."""
 
 
 class Kept(NamedTuple):
@@ -128,7 +128,7 @@ class IncrementalAnalyzer(Analyzer):
 
     @cached_property
     def _can_follow(self) -> bool:
-        """Whether all stages can follow changes, by these settings and rules."""
+        """Tell whether all stages can follow changes, by these settings and rules."""
         settings, rulebook = self._settings, self._rulebook
         return (
             settings.engine == "oxigraph"

@@ -26,7 +26,7 @@ class Inputs:
     documents: Sequence[Document]
     """All documents, each of a graph of its own."""
     own: Sequence[Document] = ()
-    """Those that missing files are looked for in: all but companions."""
+    """The documents that missing files are looked for in: all but companions."""
     packages_of: Callable[[str], Packages] | None = None
     """Returns the packages that a file, by its name, can name; None to look for no files."""
 

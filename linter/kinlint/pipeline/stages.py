@@ -19,7 +19,10 @@ class Run(Protocol):
     """The stages of one model: from documents to statements of the store, and to violations."""
 
     store: Store
-    """What the stages made, each in a graph of its own: asserted, lifted, inferred, computed."""
+    """The results of the stages, each in a graph of its own.
+
+    Asserted, lifted, inferred, computed.
+    """
     results: Sequence[Result]
     """The violations of the constraints, once they were checked."""
 

@@ -28,9 +28,12 @@ DEFAULTS: Mapping[str, Any] = {
     "engine": "oxigraph",
 }
 WIDE = tuple(DEFAULTS)
-"""What concerns the one graph that all files make."""
+"""Keys that concern the one graph that all files make."""
 ADDED = ("extra_contexts", "rules", "shapes")
-"""What each configuration adds for all files; on the rest of `WIDE` they must agree."""
+"""Keys whose values add up over configurations, for all files.
+
+On the rest of `WIDE` they must agree.
+"""
 
 
 @dataclass
@@ -46,7 +49,7 @@ class Layers:
     _known: dict[Path, Config] = field(default_factory=dict)
 
     def config_for(self, directory: Path) -> Config:
-        """What holds in *directory*, which is absolute."""
+        """Return the configuration that holds in *directory*, an absolute path."""
         if directory not in self._known:
             below = self.files.nearest(directory) or Config("defaults")
             self._known[directory] = below.extended_by(self.top)
@@ -68,7 +71,7 @@ class Layers:
         return self.config_for(Path(os.path.commonpath(folders)) if folders else self.here)
 
     def origin(self, one: Input) -> str:
-        """What is called the configuration that governs *one*."""
+        """Return the name, for messages, of the configuration that governs *one*."""
         return self._home(one).origin
 
     def settings(self, inputs: Sequence[Input], **given: Any) -> Settings:
@@ -98,7 +101,7 @@ class Layers:
         )
 
     def _source(self, name: str, project: Config, source: str = "") -> str:
-        """Who says what *name* is: the options, which come on top, or the configuration."""
+        """Return who sets *name*: the options, which come on top, or the configuration."""
         return "--config" if getattr(self.top, name) is not None else source or project.origin
 
     def _wide(self, project: Config, inputs: Iterable[Input]) -> dict[str, Any]:
@@ -163,7 +166,7 @@ def _release(name: str, config: Config) -> str:
 
 
 def _graph_settings(config: Config, project: Config) -> dict[str, Any]:
-    """What *config* says of the keys of `WIDE`, else *project*, else nobody."""
+    """Return the values of the keys of `WIDE` by *config*, else by *project*, else the defaults."""
     said = {key: getattr(config, key) for key in WIDE}
     said = {key: getattr(project, key) if value is None else value for key, value in said.items()}
     return {key: DEFAULTS[key] if value is None else value for key, value in said.items()}

@@ -1,4 +1,4 @@
-"""Which files are robot models, of those that a search found and nobody named."""
+"""Detection of robot models among the files that a search found and nobody named."""
 
 from __future__ import annotations
 
@@ -10,15 +10,18 @@ from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS
 
 ROBOTIC = ("comp-rob2b", "metamodels", "w3id.org/kinlint")
-"""What the IRIs of robot vocabularies have in them; one is in every JSON-LD robot model."""
+"""Parts of the IRIs of robot vocabularies.
+
+Every JSON-LD robot model has an IRI with one of them.
+"""
 CONTEXT = "@context"
 
 
 def is_model(source: SourceText, own: Sequence[str] = ()) -> bool:
-    """Whether *source* is a model although nobody called it one.
+    """Tell whether *source* is a model although nobody called it one.
 
-    Turtle, N-Quads and `.jsonld` are; so is JSON whose `@context` speaks of robots, by an IRI of
-    theirs or one of *own*. A document that is nothing but a context for others is none.
+    Turtle, N-Quads and `.jsonld` are; so is JSON whose `@context` has an IRI of a robot vocabulary,
+    or one of *own*. A document that is nothing but a context for others is none.
     """
     text, form = source.text, source.format
     if form is None or form.fence != "json":

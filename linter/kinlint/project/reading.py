@@ -57,7 +57,7 @@ def _bounded(one: Input, read: bytes) -> bytes:
 
 
 def read_source(one: Input) -> SourceText:
-    """What *one* holds. Raises `SourceError` if it cannot be read."""
+    """Read and decode *one*. Raises `SourceError` if that fails."""
     return decode(one.name, _bytes(one))
 
 

@@ -19,7 +19,7 @@ from kinlint.pipeline.analyzer import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of
 from kinlint.server.client_settings import ClientSettings
-from kinlint.server.diagnostics import FileDiagnostics
+from kinlint.server.diagnostic_conversion import FileDiagnostics
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.protocol import Protocol
 from kinlint.server.request_context import RequestContext

@@ -12,7 +12,7 @@ from kinlint.finding import Finding
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
-from kinlint.server.diagnostics import diagnostic
+from kinlint.server.diagnostic_conversion import diagnostic
 from kinlint.server.quick_fixes import MOST, fixes_of, safe_edits
 from kinlint.server.request_context import RequestContext
 from kinlint.server.workspace_edit import workspace_edit

@@ -8,7 +8,7 @@ from pathlib import Path
 from lsprotocol import types
 
 from kinlint.server.app import KinlintServer
-from kinlint.server.diagnostics import FileDiagnostics
+from kinlint.server.diagnostic_conversion import FileDiagnostics
 
 
 def register(server: KinlintServer) -> None:

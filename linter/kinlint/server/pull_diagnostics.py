@@ -9,7 +9,7 @@ from lsprotocol import types
 
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
-from kinlint.server.diagnostics import FileDiagnostics
+from kinlint.server.diagnostic_conversion import FileDiagnostics
 
 
 def register(server: KinlintServer) -> None:

@@ -45,9 +45,9 @@ class Session:
     _repairing: Examination | None = None
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
     released: bool = False
-    """Whether the analysis was dropped since none of the files is open; its diagnostics stay."""
+    """True if the analysis was dropped since none of the files is open; its diagnostics stay."""
     fresh_cache: bool = False
-    """Whether the incremental state is new, so that the garbage collector has not settled it."""
+    """True if the incremental state is new, so that the garbage collector has not settled it."""
     _tried: bool = False
     _previewed: int = -1
     _complete: bool = False

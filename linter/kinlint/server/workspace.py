@@ -14,7 +14,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
 from kinlint.pipeline.analyzer import Cancelled
-from kinlint.server.diagnostics import FileDiagnostics, diagnostics_by_file
+from kinlint.server.diagnostic_conversion import FileDiagnostics, diagnostics_by_file
 from kinlint.server.document_store import DocumentStore, stamps
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.request_context import Places, RequestContext

@@ -1,4 +1,4 @@
-"""One folder of the workspace, or the open files of a folder outside it: a lint run of its own."""
+"""A folder of the workspace, or the open files of a folder outside it: a lint run of its own."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from kinlint.configuration.settings import Ignore
 from kinlint.finding import Finding
 from kinlint.rule import Rule
 from kinlint.suppression import json_pointer
-from kinlint.suppression.diagnostics import UNUSED, fill_message
+from kinlint.suppression.suppression_faults import UNUSED, fill_message
 from kinlint.terms import iri
 from kinlint.text import Location, Span
 

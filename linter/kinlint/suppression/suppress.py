@@ -17,9 +17,15 @@ from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.finding import Finding
 from kinlint.suppression.config_ignores import ConfigIgnores
-from kinlint.suppression.diagnostics import FAULTS, UNUSED, SuppressionFault, fault_finding, faults
 from kinlint.suppression.directive import Directive, directives
 from kinlint.suppression.scope import SuppressionScopes
+from kinlint.suppression.suppression_faults import (
+    FAULTS,
+    UNUSED,
+    SuppressionFault,
+    fault_finding,
+    faults,
+)
 from kinlint.terms import Term
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ _BRACKET = re.compile(r"(\\*)([\[\]])")
 
 
 class SarifMessage(NamedTuple):
-    """What people read, and a template that with its `arguments` says the same."""
+    """A message for people, and a template that with its `arguments` gives the same text."""
 
     text: str
     template: str
@@ -86,7 +86,7 @@ def _worded(finding: Finding) -> tuple[str, tuple[str, ...]]:
 
 
 def _plain(text: str) -> str:
-    """*text* without quotes and capitals, which depend on what is filled in."""
+    """Return *text* without quotes and capitals, which depend on the values filled in."""
     return text.replace("'", "").lower()
 
 

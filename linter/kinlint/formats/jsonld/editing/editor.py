@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from kinlint.contexts.prefixes import customary
+from kinlint.contexts.model_prefixes import customary
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Object
