@@ -18,7 +18,7 @@ from kinlint.document import Document
 from kinlint.finding import Finding
 from kinlint.suppression.config_ignores import ConfigIgnores
 from kinlint.suppression.directive import Directive, directives
-from kinlint.suppression.scope import SuppressionScopes
+from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.suppression.suppression_faults import (
     FAULTS,
     UNUSED,
@@ -27,6 +27,7 @@ from kinlint.suppression.suppression_faults import (
     faults,
 )
 from kinlint.terms import Term
+from kinlint.text import Span
 
 if TYPE_CHECKING:
     from datetime import date
@@ -96,17 +97,21 @@ def _silence(
     out, used = [], set()
     on_node: dict[Term, list[Directive]] = {}
     in_file: dict[str, list[Directive]] = {}
+    extents: dict[str, list[tuple[Span, Directive]]] = {}
     for one in stated:
         if one.whole_file:
             in_file.setdefault(one.document.location(one.span).source.name, []).append(one)
         else:
             on_node.setdefault(one.node, []).append(one)
-    within = SuppressionScopes.from_directives(stated)
+            if one.extent is not None:
+                extents.setdefault(one.extent.source.name, []).append((one.extent.span, one))
+    within = {name: IntervalIndex.from_spans(found) for name, found in extents.items()}
     for finding in findings:
+        nest = within.get(finding.location.source.name)
         candidates = [
             *on_node.get(finding.focus, ()),
             *on_node.get(about.get(finding.focus, ""), ()),
-            *within.covering(finding.location),
+            *(() if nest is None else nest.containing(finding.location.span)),
             *in_file.get(finding.location.source.name, ()),
         ]
         meant = [one for one in candidates if one.active and finding.rule.code in one.codes]
