@@ -12,9 +12,8 @@ from typing import NamedTuple
 from kinlint.document import Document
 from kinlint.formats.xacro.definitions import OWN
 from kinlint.formats.xacro.dom import Element, Text, Watch
-from kinlint.formats.xacro.expansion_error import Malformed
 from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
-from kinlint.formats.xacro.xacro_parser import parse
+from kinlint.formats.xacro.xacro_parser import Malformed, parse
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.text import Location, SourceText, Span
 

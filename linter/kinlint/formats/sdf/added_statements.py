@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import cast
 
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats.source_layer import SourceLayer
@@ -35,23 +37,6 @@ class _Triples(Mapping[Triple, Span]):
         return len(self.written) + len(self.added)
 
 
-class _Nodes(Mapping[Term, NodeSpans]):
-    """The places of nodes together with those of further ones."""
-
-    def __init__(self, written: Mapping[Term, NodeSpans], added: Mapping[Term, NodeSpans]) -> None:
-        self.written, self.added = written, added
-
-    def __getitem__(self, node: Term) -> NodeSpans:
-        return self.added[node] if node in self.added else self.written[node]
-
-    def __iter__(self) -> Iterator[Term]:
-        yield from self.written
-        yield from self.added
-
-    def __len__(self) -> int:
-        return len(self.written) + len(self.added)
-
-
 def with_statements(
     document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()
 ) -> Document:
@@ -59,7 +44,7 @@ def with_statements(
     if not layer.triples and not triples:
         return document
     added: dict[Triple, Span | None] = {**dict.fromkeys(triples), **layer.triples}
-    nodes = _Nodes(document.map.nodes, layer.nodes)
+    nodes = ChainMap(layer.nodes, cast("dict[Term, NodeSpans]", document.map.nodes))
     places = SourceMap(_Triples(document.map.triples, added, nodes), nodes)
     return replace(document, statements=[*document.statements, *added], map=places)
 

@@ -25,8 +25,7 @@ from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.formats.xacro import yaml_table
 from kinlint.formats.xacro.dom import Element, Text, Watch
-from kinlint.formats.xacro.expansion import Expansion, Remark
-from kinlint.formats.xacro.expansion_error import Failure, expansion_fault
+from kinlint.formats.xacro.expansion import Expansion, Failure, Remark, expansion_fault
 from kinlint.formats.xacro.expansion_limits import Bounds, Refused, TooMuch
 from kinlint.formats.xacro.expression import Members, evaluate
 from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from kinlint.files.bounded_read import SIZE, Unreadable, contents
-from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.dependencies.included_text import included_text, keep
 from kinlint.formats.options import ReadOptions
@@ -90,11 +89,3 @@ def table(path: Path, near: Path) -> bytes:
     if path.suffix.lower() not in TABLES:
         raise Unreadable(f"'{shown(path)}' is not called a YAML file")
     return contents(path, near, TABLE_SIZE)
-
-
-def file_path(name: str) -> Path:
-    """Return the path of the file called *name*.
-
-    That of standard input is in the working directory.
-    """
-    return absolute(name)

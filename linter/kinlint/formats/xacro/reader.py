@@ -8,6 +8,7 @@ from dataclasses import replace
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.errors import SourceError
+from kinlint.files.pathglob import absolute
 from kinlint.formats import registry
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
@@ -16,11 +17,10 @@ from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xacro.definitions import state_definitions
 from kinlint.formats.xacro.expanded_text import write
-from kinlint.formats.xacro.expansion import Expansion
-from kinlint.formats.xacro.expansion_error import MALFORMED, Fault
+from kinlint.formats.xacro.expansion import MALFORMED, Expansion, Fault
 from kinlint.formats.xacro.expansion_session import Session
 from kinlint.formats.xacro.format import XACRO
-from kinlint.formats.xacro.included_files import Pieces, file_path
+from kinlint.formats.xacro.included_files import Pieces
 from kinlint.formats.xacro.source_mapping import Mapped, Places
 from kinlint.formats.xacro.xacro_parser import Parsed
 from kinlint.formats.xml.xml_recognition import sniff
@@ -42,7 +42,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     A file that does not expand, or only defines what others use, has only the latter.
     """
-    pieces = Pieces(source, file_path(source.name), options)
+    pieces = Pieces(source, absolute(source.name), options)
     packages = options.packages_of(source.name)
     session = Session(pieces, options.xacro_arguments_of(source.name), packages)
     expansion = session.expand()

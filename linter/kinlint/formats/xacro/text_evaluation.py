@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from kinlint.files.bounded_read import Unreadable
-from kinlint.formats.xacro.expansion_error import Failure, Malformed, message
+from kinlint.formats.xacro.expansion import Failure, message
 from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
 from kinlint.formats.xacro.expression import evaluate
 from kinlint.formats.xacro.substitution import Unknown
+from kinlint.formats.xacro.xacro_parser import Malformed
 
 TOKEN = re.compile(
     r"(?P<escape>\$\$+[{(])|\$\{(?P<expression>[^}]*)\}|\$\((?P<substitution>[^)]*)\)"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from xml.parsers import expat
 
 from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text, Watch
-from kinlint.formats.xacro.expansion_error import Malformed
 from kinlint.formats.xacro.origin import Origin
 from kinlint.text import SourceText
 
@@ -13,6 +12,15 @@ SEPARATOR = "\x1f"
 """Separator of namespace and name; no XML has it."""
 DEPTH = 256
 PARTS = 3
+
+
+class Malformed(Exception):
+    """A text is no XML that xacro reads, from `offset` of `source` on."""
+
+    def __init__(self, reason: str, source: SourceText, offset: int) -> None:
+        super().__init__(reason)
+        self.source = source
+        self.offset = offset
 
 
 class Parsed:

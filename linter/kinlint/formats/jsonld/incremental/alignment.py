@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from kinlint.formats.json_text.json_parser import Element, element
 from kinlint.formats.json_text.json_values import Object
+from kinlint.formats.jsonld.incremental.part import Arrangement
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
-from kinlint.formats.jsonld.incremental.part_order import Arrangement
 from kinlint.text import SourceText, Span
 
 

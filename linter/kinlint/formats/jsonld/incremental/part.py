@@ -1,9 +1,11 @@
-"""Element of the outermost graph, with its statements."""
+"""Parts of a file: elements of the outermost graph with their statements, and their order."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TypeAlias
 
 from kinlint.document import NodeSpans
@@ -172,3 +174,33 @@ def _renamed(loss: Loss, names: Names) -> Loss:
     node = names.get(loss.node, loss.node) if loss.node is not None else None
     details = tuple(each._replace(value=names.get(each.value, each.value)) for each in loss.details)
     return replace(loss, node=node, details=details)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Arrangement:
+    """Parts in the order of the file; each has moved by one of `shifts` since it was read."""
+
+    parts: Sequence[Part]
+    shifts: Sequence[int]
+
+    def end_of(self, number: int) -> int:
+        """Return the end of a part."""
+        return self.parts[number].whole.end + self.shifts[number]
+
+    def first_to(self, end: int) -> int:
+        """Return the first part that ends at *end* or later; as many as there are if none does."""
+        return bisect_left(range(len(self.parts)), end, key=self.end_of)
+
+    def replaced(self, first: int, rest: int, between: Arrangement, by: int) -> Arrangement:
+        """Return the *first* parts, others *between*, and the *rest*, which moves *by*."""
+        moved = (each + by for each in self.shifts[rest:])
+        return Arrangement(
+            [*self.parts[:first], *between.parts, *self.parts[rest:]],
+            [*self.shifts[:first], *between.shifts, *moved],
+        )
+
+    def notes(self) -> Iterator[Notes]:
+        """Yield the notes of the parts, moved to their present places."""
+        for part, by in zip(self.parts, self.shifts, strict=True):
+            if part.notes is not NOTHING:
+                yield part.notes.moved(partial(shifted, by=by)) if by else part.notes

@@ -9,11 +9,9 @@ from kinlint.formats.json_text.json_parser import Element, parse
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS
 from kinlint.formats.jsonld.incremental.alignment import aligned, difference
-from kinlint.formats.jsonld.incremental.blank_labels import Named
-from kinlint.formats.jsonld.incremental.document_assembly import Assembly, assembled
-from kinlint.formats.jsonld.incremental.part import Part
+from kinlint.formats.jsonld.incremental.document_assembly import Assembly, Named, assembled
+from kinlint.formats.jsonld.incremental.part import Arrangement, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
-from kinlint.formats.jsonld.incremental.part_order import Arrangement
 from kinlint.formats.jsonld.incremental.part_statements import Stating
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
