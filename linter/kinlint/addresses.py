@@ -28,7 +28,7 @@ def document_iri(name: str) -> Term:
 
 
 def is_address(node: str) -> bool:
-    """Whether *node*, an IRI with or without its brackets, is an address."""
+    """Tell whether *node*, an IRI with or without its brackets, is an address."""
     return node.startswith((_TERM, _DOCUMENT))
 
 
@@ -93,7 +93,7 @@ def sibling(node: Term, tag: str, name: str) -> Term:
 
 
 def is_repeated(node: Term) -> bool:
-    """Whether *node* is an element that is not the first of its kind and name."""
+    """Tell whether *node* is an element that is not the first of its kind and name."""
     return unordered(node[:-1]) != node[:-1]
 
 
@@ -136,7 +136,7 @@ def enclosing(node: Term) -> Iterator[Term]:
 
 
 def is_element(node: Term) -> bool:
-    """Whether *node* is the address of an element other than the root of its document."""
+    """Tell whether *node* is the address of an element other than the root of its document."""
     return "#/" in node
 
 
@@ -156,7 +156,7 @@ def way_out(element: Term, elements: Container[Term]) -> Iterator[tuple[str, str
 
 
 def is_within(node: Term, element: Term) -> bool:
-    """Whether *node* lies in *element*, by their paths."""
+    """Tell whether *node* lies in *element*, by their paths."""
     return node.startswith(f"{element[:-1]}/")
 
 

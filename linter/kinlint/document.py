@@ -15,13 +15,13 @@ from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC
 
 FROM = iri(f"{SRC}from")
-"""What leads from a node that was lifted to the elements that it was made of."""
+"""Property from a lifted node to the elements that it was made of."""
 
 ABOUT, NAME = (iri(f"{SRC}node"), iri(f"{SRC}subject")), iri(f"{SRC}name")
 
 
 class NodeSpans(NamedTuple):
-    """Where a node is written: its whole description, and its identifier if it has one."""
+    """Place of a node: its whole description, and its identifier if it has one."""
 
     whole: Span
     identifier: Span | None = None

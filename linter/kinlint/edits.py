@@ -19,7 +19,7 @@ class Edit(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Delta:
-    """What a document no longer says and what it says instead, both without what stays.
+    """Change of a document: statements that go and statements that come, both without what stays.
 
     `removed` are triples of the document as it spells them. New nodes of `added` are blank.
     """
@@ -46,7 +46,7 @@ def applied(text: str, edits: Iterable[Edit]) -> str:
 
 
 def overlap(one: Sequence[Edit], other: Sequence[Edit]) -> bool:
-    """Whether two groups of edits touch the same characters, or insert at the same place."""
+    """Tell whether two groups of edits touch the same characters, or insert at the same place."""
     return any(
         a.span == b.span or (a.span.start < b.span.end and b.span.start < a.span.end)
         for a in one

@@ -1,4 +1,4 @@
-"""Everything kinlint raises on purpose.
+"""Exceptions that kinlint raises on purpose.
 
     KinlintError
     ├── UsageError          an option, selector, configuration key or path is wrong

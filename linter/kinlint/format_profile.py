@@ -1,7 +1,7 @@
-"""What a format does to every model in it: the symptoms that its authors cannot avoid.
+"""Format profiles: the symptoms of a format that authors of models in it cannot avoid.
 
-The tables are Turtle files, `shapes/profiles/*.ttl`. They say of which elements and attributes a
-model shows a symptom, and nothing else decides.
+The tables are Turtle files, `shapes/profiles/*.ttl`. They name the elements and attributes by which
+a model shows a symptom, and nothing else decides.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Symptom:
 
 @dataclass(frozen=True, slots=True)
 class FormatProfile:
-    """What is inherent in a format, in the order of the anti-patterns.
+    """Symptoms that are inherent in a format, in the order of the anti-patterns.
 
     What is below the elements that `passed_over` name does not count.
     """
@@ -50,7 +50,7 @@ class Shown:
 
 @cache
 def profile(form: str) -> FormatProfile:
-    """What is inherent in the format *form*; nothing if that is none of those with a table."""
+    """Return the symptoms inherent in the format *form*; none if it has no table."""
     import pyoxigraph as ox  # noqa: PLC0415  a native module
 
     path = resources.data("shapes") / "profiles" / f"{form}.ttl"
@@ -86,7 +86,7 @@ def shown(document: Document) -> Iterator[Shown]:
 
 
 def _counts(document: Document, passed_over: frozenset[Term]) -> Counter[Term]:
-    """How often each property is used, elements before those below them."""
+    """Return how often each property is used, elements before those below them."""
     counts: Counter[Term] = Counter()
     below: set[Term] = set()
     for subject, predicate, value in document.statements:
@@ -105,7 +105,7 @@ def _name(term: Term) -> str:
 
 
 def lines(documents: Iterable[Document]) -> Iterator[str]:
-    """One line for each symptom of each of *documents*."""
+    """Yield a line for each symptom of each of *documents*."""
     for document in documents:
         for each in shown(document):
             counted = ", ".join(f"{count} {name}" for name, count in each.counts)

@@ -12,7 +12,7 @@ VARIABLE = re.compile(rf"(?:(\w+) )?('?){PLACEHOLDER.pattern}('?)")
 
 
 def filled(template: str, words: Mapping[str, str]) -> str:
-    """*template* with *words* for its variables; its quotes go where a word has none."""
+    """Return *template* with *words* for its variables; its quotes go where a word has none."""
 
     def word(match: re.Match[str]) -> str:
         before, opening, name, closing = match.groups()
@@ -27,12 +27,12 @@ def filled(template: str, words: Mapping[str, str]) -> str:
 
 
 def bare(word: str) -> str:
-    """*word* without the quotes around it."""
+    """Return *word* without the quotes around it."""
     return word[1:-1] if len(word) > 1 and word[0] == word[-1] == "'" else word
 
 
 def counted(message: str, count: int) -> str:
-    """*message* with the number of places that it holds for, if they are several."""
+    """Return *message* with the number of places that it holds for, if they are several."""
     if count < 2:  # noqa: PLR2004  one is no number worth saying
         return message
     return f"{message.removesuffix('.')} ({count} such places)."

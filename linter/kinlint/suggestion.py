@@ -50,7 +50,10 @@ def _shared(one: str, other: str) -> int:
 
 
 def distance(one: str, other: str) -> int:
-    """How many insertions, deletions, replacements and swaps of neighbours lie between."""
+    """Return the edit distance: insertions, deletions, replacements and swaps of neighbours.
+
+    Known as optimal string alignment (Damerau 1964, restricted).
+    """
     before: list[int] = []
     last = list(range(len(other) + 1))
     for i, a in enumerate(one, 1):

@@ -47,7 +47,7 @@ COMPONENT = re.compile(r"-[1-9][0-9]*$")
 
 
 LONGEST, TAIL = 160, 40
-"""How much of a term a message repeats, and how much of that is its end."""
+"""Most characters of a term that a message repeats, and how many of them are its end."""
 
 NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
 
@@ -66,7 +66,7 @@ class TermFormatter:
     kinds: Collection[str] = field(default=(), repr=False)
 
     def term(self, term: Term) -> str:
-        """*term* without the quotes, brackets and datatypes of N-Triples, in one line."""
+        """Return *term* without the quotes, brackets and datatypes of N-Triples, in one line."""
         if is_blank(term):
             return "an anonymous node"
         if is_literal(term):
@@ -112,7 +112,7 @@ class TermFormatter:
         return frozenset(name for name, count in counts.items() if count > 1)
 
     def triple(self, triple: Triple) -> str:
-        """*triple* as a phrase."""
+        """Return *triple* as a phrase."""
         subject, predicate, value = triple
         if predicate == RDF_TYPE:
             return f"{self.term(subject)} is {article(self.term(value))}"
@@ -120,14 +120,14 @@ class TermFormatter:
 
 
 def article(noun: str) -> str:
-    """*noun* with its indefinite article."""
+    """Return *noun* with its indefinite article."""
     sound = noun.lower()
     vowel = sound.startswith(("a", "e", "i", "o", "u")) and not sound.startswith(("uni", "use"))
     return f"{'an' if vowel else 'a'} {noun}"
 
 
 def _short(text: str) -> str:
-    """*text* with its control characters as escapes, its middle left out if it is very long."""
+    """Return *text* with escaped control characters, without its middle if it is very long."""
     if len(text) > LONGEST:
         text = f"{text[: LONGEST - TAIL]}…{text[-TAIL:]}"
     if text.isprintable():

@@ -44,17 +44,17 @@ def literal(value: str, datatype: str = "", language: str = "") -> Term:
 
 
 def is_iri(term: Term) -> bool:
-    """Whether *term* is an IRI."""
+    """Tell whether *term* is an IRI."""
     return term.startswith("<")
 
 
 def is_blank(term: Term) -> bool:
-    """Whether *term* is a blank node."""
+    """Tell whether *term* is a blank node."""
     return term.startswith("_:")
 
 
 def is_literal(term: Term) -> bool:
-    """Whether *term* is a literal."""
+    """Tell whether *term* is a literal."""
     return term.startswith('"')
 
 

@@ -1,1 +1,1 @@
-"""From results of an engine to findings: what they say, where, and which are told as one."""
+"""Findings from results of an engine: their messages, places and groups."""

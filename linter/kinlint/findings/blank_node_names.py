@@ -18,7 +18,7 @@ class AnonymousNodes:
 
     @cached_property
     def _ways(self) -> dict[Term, tuple[Term, str]]:
-        """From which node, and on which way, each blank node is first reached."""
+        """Node from which each blank node is first reached, and the path to it."""
         ways: dict[Term, tuple[Term, str]] = {}
         siblings: dict[tuple[Term, Term], int] = {}
         for subject, predicate, value in self._document.statements:

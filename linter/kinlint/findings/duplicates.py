@@ -1,4 +1,4 @@
-"""When two findings are one."""
+"""Identity of findings: when two of them are the same."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from kinlint.finding import Finding
 
 
 def identity(finding: Finding) -> tuple[object, ...]:
-    """What findings that say the same of one place have in common."""
+    """Return a key that findings have in common if they say the same of one place."""
     where = (finding.location.source.name, finding.location.span)
     # One line of text may make several nodes.
     about = None if is_address(finding.iri) else finding.focus

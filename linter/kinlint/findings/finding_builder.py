@@ -51,7 +51,7 @@ ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot",
 def findings(
     results: Iterable[Result], documents: Sequence[Document], store: Store, rulebook: Rulebook
 ) -> list[Finding]:
-    """One finding for each of *results*, in their order; what says the same twice comes once."""
+    """Return a finding for each of *results*, in their order; duplicates come once."""
     builder = FindingBuilder(results, documents, store, rulebook)
     return list(map(builder.detailed, builder.brief()))
 
@@ -147,13 +147,13 @@ def _number(term: Term | None) -> int:
 
 
 def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
-    """What placeholders of a message may stand for, by name."""
+    """Yield the terms that placeholders of a message stand for, by name."""
     yield from result.bindings.items()
     yield from (("this", result.focus), ("path", result.path), ("value", result.value))
 
 
 def _meant(term: Term | None, display: TermFormatter) -> str:
-    """What *term* stands for, whatever it is called; the name of a file of elements is left out."""
+    """Return a spelling of *term* that does not depend on prefixes or on the name of its file."""
     if term is None:
         return ""
     if not is_iri(term):
@@ -164,14 +164,14 @@ def _meant(term: Term | None, display: TermFormatter) -> str:
 
 
 def _severity(constraint: Constraint, rule: Rule) -> Severity:
-    """That of the constraint where it stands in the rule itself, and not in a shape within."""
+    """Return the severity of a constraint that stands in the rule itself, or else of the rule."""
     if constraint.shape != iri(rule.iri):
         return rule.severity
     return SEVERITIES.get(constraint.severity, rule.severity)
 
 
 def _said(result: Result, rule: Rule) -> str:
-    """What to say for a shape without a message."""
+    """Return the message for a shape without one."""
     broken = re.split(r"[#/]", result.constraint.component)[-1].removesuffix(CONSTRAINT)
     what = "'{?value}' of '{$this}'" if result.value not in (None, result.focus) else "'{$this}'"
     return f"{what} breaks {broken} of shape {rule.name}."

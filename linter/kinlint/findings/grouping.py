@@ -1,4 +1,4 @@
-"""One finding for many: those of one group by `kl:groupBy`, or of one text that is used often."""
+"""Groups of findings: by `kl:groupBy`, or of one text that is used often."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ def grouped(
     detailed: Callable[[Finding], Finding] = lambda finding: finding,
     reused: Collection[str] = (),
 ) -> list[Finding]:
-    """*findings* with each group as one, which has the others as related.
+    """Return *findings* with each group as one, which has the others as related.
 
-    That is the first by place of those that count most.
+    That is the first by place of the most severe ones.
 
-    A group lies in one model and is what one rule finds there with the same values of the
-    variables that the rule groups by. Suppressed places make groups of their own. What is told
-    goes through *detailed*, which the others are spared.
+    A group lies in one model and is what one rule finds there with the same values of the variables
+    that the rule groups by. Suppressed places make groups of their own. What is reported goes
+    through *detailed*, which the others are spared.
 
-    *reused* are the names of texts that may stand in a robot several times, such as macros: what
-    a rule finds at one place of them is told once, too.
+    *reused* are the names of texts that may stand in a robot several times, such as macros: what a
+    rule finds at one place of them is reported once, too.
     """
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for finding in findings:

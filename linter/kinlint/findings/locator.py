@@ -33,7 +33,7 @@ from kinlint.vocabulary import QUDT, SRC
 OWN = iri(f"{SRC}ownNamespace")
 UNIT = iri(f"{QUDT}unit")
 COMPONENT = re.compile(r"-\d+>$")
-"""How the properties end that have one of several numbers: `at:xyz-1`."""
+"""End of the properties that have one of several numbers: `at:xyz-1`."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Locator:
         return homes
 
     def node(self, node: Term) -> Location | None:
-        """Where *node* is described; what was lifted, where the element is that it is from."""
+        """Return the place where *node* is described, or for a lifted one, its element."""
         found = self._spans(node)
         return found[0].location(found[1].best) if found is not None else None
 
@@ -127,7 +127,7 @@ class Locator:
     def triple(
         self, subject: Term, predicate: Term | None, value: Term
     ) -> tuple[Location, Term] | None:
-        """Where *value* is written as a value of *subject*, and of which predicate.
+        """Return the place of *value* as a value of *subject*, and the predicate there.
 
         No *predicate* means any.
         """
@@ -141,7 +141,7 @@ class Locator:
         return next(iter(self.places(self.provenance.trace(triple))), None)
 
     def premise(self, triple: Triple) -> Location | None:
-        """Where *triple* is written, or what it was lifted from; a unit that it implies nowhere."""
+        """Return the place of *triple*, or of what it was lifted from; None for implied units."""
         subject, predicate, value = triple
         if (said := self.triple(subject, predicate, value)) is not None:
             return said[0]
@@ -201,7 +201,7 @@ class Locator:
         return found
 
     def may_be_inferred(self, constraint: Constraint) -> bool:
-        """Whether something that *constraint* matches may have been inferred."""
+        """Tell whether something that *constraint* matches may have been inferred."""
         if constraint not in self._judged:
             self._judged[constraint] = any(
                 self.store.infers(p if PLAIN.fullmatch(p) else None, o if is_iri(o) else None)
@@ -246,7 +246,7 @@ class Locator:
         return self._by_source.get(id(location.source))
 
     def display(self, location: Location) -> TermFormatter:
-        """How the file of *location* abbreviates."""
+        """Return the formatter of terms with the prefixes of the file of *location*."""
         document = self.document(location)
         if document is None:
             return TermFormatter(kinds=self.kinds)

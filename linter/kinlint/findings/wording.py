@@ -36,7 +36,7 @@ FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 """The IRI of a computed node: its kind and number."""
 
 TEXT = f"<{SRC}text"
-"""How the property of the text of an element begins, and those of the words in it."""
+"""Beginning of the property of the text of an element, and those of the words in it."""
 
 NUMERIC = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 """A number as attributes hold it."""
@@ -53,7 +53,7 @@ DIGITS = 6
 
 @dataclass(frozen=True)
 class Wording:
-    """How the finding at `location` about `focus` speaks of terms."""
+    """Words for the terms of the finding at `location` about `focus`."""
 
     locator: Locator
     location: Location
@@ -65,9 +65,9 @@ class Wording:
         return self.locator.display(self.location)
 
     def words(self, template: str, terms: Mapping[str, Term | None]) -> dict[str, str]:
-        """What stands for the variables of *template*: names in quotes, numbers without.
+        """Return the words for the variables of *template*: names in quotes, numbers without.
 
-        A kind that the template says before the variable is left out: joint '{?joint}'.
+        A kind that the template names before the variable is left out: joint '{?joint}'.
         """
         before: dict[str, str] = {}
         for match in VARIABLE.finditer(template):
@@ -92,7 +92,10 @@ class Wording:
         return self.word(term)
 
     def word(self, term: Term) -> str:
-        """*term* in the words of its file: `'rob:elbow'`, `2.5`, `<limit> of joint 'elbow'`."""
+        """Return *term* in the words of its file.
+
+        `'rob:elbow'`, `2.5`, `<limit> of joint 'elbow'`.
+        """
         if is_number(term):
             return brief(self.display.term(term))
         if self.in_xml and is_literal(term) and NUMERIC.fullmatch(literal_value(term)):
@@ -170,12 +173,12 @@ class Wording:
 
 
 def is_number(term: Term | None) -> TypeGuard[Term]:
-    """Whether *term* is a literal with a numeric datatype."""
+    """Tell whether *term* is a literal with a numeric datatype."""
     return term is not None and is_literal(term) and literal_datatype(term) in NUMBERS
 
 
 def brief(number: str) -> str:
-    """*number* with so many digits as one reads; all of them where they are few."""
+    """Return *number* to a few digits; to all of them where they are few."""
     try:
         value = float(number)
     except ValueError:

@@ -1,1 +1,1 @@
-"""The kinematic structure of robots, as the store of an examination has it."""
+"""Kinematic structure of robots, as the store of an analysis has it."""

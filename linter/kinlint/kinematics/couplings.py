@@ -17,7 +17,7 @@ LEADER, FOLLOWER = kin("leader"), kin("follower")
 
 
 class Couplings:
-    """The couplings of a closed model, by the joint that follows."""
+    """Couplings of a closed model, by the joint that follows."""
 
     def __init__(self, scan: PredicateIndex, locator: Locator, numbers: JointNumbers) -> None:
         self.scan = scan
@@ -33,7 +33,7 @@ class Couplings:
         return found
 
     def of(self, joint: Term) -> Iterator[Coupling]:
-        """Those that make *joint* move."""
+        """Yield the couplings that make *joint* move."""
         for node in self._following.get(joint, ()):
             for leader in self.scan.table(LEADER).of(node):
                 yield Coupling(

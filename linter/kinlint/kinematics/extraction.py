@@ -1,4 +1,4 @@
-"""Makes the structures of robots of what a store says."""
+"""Extraction of the structures of robots from a store."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ from kinlint.terms import Term, literal_value
 def structures(
     store: Store, documents: Sequence[Document], findings: Iterable[Finding] = ()
 ) -> tuple[Structure, ...]:
-    """The robots that *documents*, loaded into *store* and closed, describe, in text order.
+    """Return the robots that *documents*, loaded into *store* and closed, describe, in text order.
 
-    Each tells which of its parts *findings* are about. Takes time linear in joints.
+    Each knows which of its parts *findings* are about. Takes time linear in joints.
     """
     return Extraction(store, documents, findings).structures()
 
 
 class Extraction:
-    """The parts of all robots in one store."""
+    """Parts of all robots in one store."""
 
     def __init__(
         self, store: Store, documents: Sequence[Document], findings: Iterable[Finding]
@@ -52,7 +52,7 @@ class Extraction:
         self.roots = frozenset(self.trees.roots)
 
     def structures(self) -> tuple[Structure, ...]:
-        """All robots; each knows the owners of all that the findings are about and that is its."""
+        """Return all robots; each knows its parts that findings are about."""
         robots = RobotGroups(self.scan, self.mechanism, self.trees.edges)
         chains: dict[Term, list[Term]] = {}
         for chain, joints in robots.chains.items():
@@ -92,7 +92,10 @@ class Extraction:
         )
 
     def _whole(self, parts: Sequence[Term], longest: tuple[Term, int] | None, joints: int) -> Term:
-        """What stands for a robot: its element, the chain of all its joints, or its first part."""
+        """Return the node for a whole robot.
+
+        Its element, the chain of all its joints, or its first part.
+        """
         models = {model_of(part) for part in parts if is_address(part)}
         if models:
             inner = {each for each in models if last_tag(each) == "model"}
@@ -107,7 +110,7 @@ class Extraction:
 
     @cached_property
     def _owned(self) -> Mapping[Term, list[Term]]:
-        """What findings are about, by the part that it belongs to."""
+        """Entities that findings are about, by the part that each belongs to."""
         parts = {*self.mechanism.bodies, *self.mechanism.joints}
         owners = FindingOwners(self.store, parts, frozenset(self.mechanism.joints)).of(
             self.findings

@@ -1,4 +1,4 @@
-"""Which link or joint a finding is about, so that a picture can mark it."""
+"""Links and joints that findings are about, which pictures mark."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from kinlint.terms import RDF_TYPE, Term, is_literal
 from kinlint.vocabulary import FACT, KIN, KL, METAMODELS, REFERENCE, RULE, SRC
 
 REACH, MOST = 4, 400
-"""How many statements away an owner may be, and how many nodes are looked at on the way."""
+"""Most statements between an entity and its owner, and most nodes that are visited on the way."""
 SHARED = tuple(
     f"<{each}"
     for each in (
@@ -24,13 +24,13 @@ SHARED = tuple(
         *("http://qudt.org/", "http://www.w3.org/"),
     )
 )
-"""How the terms of vocabularies begin, by which nothing belongs to anybody."""
+"""Beginnings of the terms of vocabularies, which belong to no part of a robot."""
 SPREADING = frozenset({ATTACHMENTS[1:-1], JOINTS[1:-1]})
-"""Properties that lead from what is one thing's to what is another's."""
+"""Properties that lead from one part of a robot to another."""
 
 
 class FindingOwners:
-    """The parts of all robots, and the way to them from what findings are about."""
+    """Parts of all robots, and the paths to them from what findings are about."""
 
     def __init__(self, store: Store, parts: Collection[Term], joints: Collection[Term]) -> None:
         self.store = store
@@ -38,7 +38,7 @@ class FindingOwners:
         self.joints = joints
 
     def of(self, findings: Iterable[Finding]) -> Mapping[Term, Term]:
-        """The part of each entity that *findings*, and those told with them, are about."""
+        """Return the part that each entity of *findings*, and of their members, belongs to."""
         told = (one for finding in findings for one in (finding, *finding.members))
         focuses = dict.fromkeys(finding.focus for finding in told)
         found = {focus: self._owner(focus) for focus in focuses}
@@ -52,11 +52,11 @@ class FindingOwners:
         )
 
     def _above(self, node: Term) -> Term | None:
-        """The part that *node*, in a file of elements, lies in, by its address."""
+        """Return the part that *node*, in a file of elements, lies in, by its address."""
         return next((each for each in enclosing(lifted(node)) if each in self.parts), None)
 
     def _named(self, element: Term) -> Iterator[Term]:
-        """What an element, or one right below it, refers to by name."""
+        """Yield what an element, or one right below it, refers to by name."""
         for level in range(2):
             below = [element] if not level else list(self._inside(element))
             for each in below:
@@ -70,7 +70,10 @@ class FindingOwners:
         return islice((value for value in values if is_within(value, element)), MOST)
 
     def _nearest(self, focus: Term) -> Term | None:
-        """The part that the fewest statements lead to, either way; a link rather than a joint."""
+        """Return the part that the fewest statements lead to, either way.
+
+        A link rather than a joint.
+        """
         seen, ring = {focus}, [focus]
         for _ in range(REACH):
             met = [node for node in ring if node in self.parts]
@@ -100,7 +103,7 @@ class FindingOwners:
 
 
 def _shared(node: Term) -> bool:
-    """Whether *node* is a term of a vocabulary or an address, by which nothing belongs to one."""
+    """Tell whether *node* is a term of a vocabulary or an address, which belong to no part."""
     return node.startswith(SHARED) or is_address(node)
 
 

@@ -1,4 +1,4 @@
-"""Where joints are, which way they move and how far: what a picture says of them in numbers."""
+"""Poses, axes and limits of joints as numbers in SI units."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ SEQUENCE = kin("axes-sequence")
 BASIS = tuple(geom(f"vector-{axis}") for axis in "xyz")
 UNITS: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 NEEDED = (*RELATIONS, *RANGES, DIRECTION, *BASIS)
-"""The properties and classes that this is worked out from."""
+"""Properties and classes that these numbers are computed from."""
 
 
 class JointNumbers:
-    """The numbers of a closed model, in SI, by joint."""
+    """Numbers of a closed model in SI units, by joint."""
 
     def __init__(self, scan: PredicateIndex, mechanism: Mechanism) -> None:
         self.scan = scan
@@ -54,7 +54,7 @@ class JointNumbers:
         return found
 
     def origin(self, edge: Edge) -> Origin | None:
-        """Where the joint is on its parent, as far as one relation to a frame there says it."""
+        """Return the pose of a joint on its parent, if one relation to a frame there states it."""
         near = self.mechanism.near(edge.joint, edge.parent) if edge.parent else None
         if near is None:
             return None
@@ -79,7 +79,7 @@ class JointNumbers:
         return Origin(xyz, rpy) if xyz is not None or rpy is not None else None
 
     def _written(self, node: Term) -> Vector | None:
-        """The angles of *node* as they stand, if they are roll, pitch and yaw."""
+        """Return the angles of *node* as they are written, if they are roll, pitch and yaw."""
         alpha, beta, gamma = (angles.get(node) for angles in self.angles)
         if alpha is None or beta is None or gamma is None or node not in self._extrinsic:
             return None
@@ -91,7 +91,7 @@ class JointNumbers:
         return self.scan.instances(kin("Extrinsic"))
 
     def axis(self, joint: Term) -> Vector | None:
-        """The direction in which, or about which, a joint moves, as its own frame sees it."""
+        """Return the unit vector in which, or about which, a joint moves, in its own frame."""
         if (written := self._placements.axes.get(joint)) is not None:
             return written
         direction = self.scan.single(DIRECTION).get(joint)
@@ -106,7 +106,7 @@ class JointNumbers:
         return Placements(self.scan)
 
     def limits(self, joint: Term) -> tuple[float | None, float | None]:
-        """The least and the greatest position of a joint, in rad or m."""
+        """Return the least and the greatest position of a joint, in rad or m."""
         return self._limits.get(joint, (None, None))
 
     @cached_property
@@ -120,15 +120,19 @@ class JointNumbers:
         return found
 
     def si(self, node: Term, numbers: Mapping[Term, float]) -> float | None:
-        """What *numbers* has for *node*, in SI; None where the unit is not known."""
+        """Return the number of *node* among *numbers* in SI units.
+
+        None where the unit is not known.
+        """
         unit, number = self.units.only(node), numbers.get(node)
         return unit.si(number) if unit is not None and number is not None else None
 
 
 def roll_pitch_yaw(turn: Matrix) -> Vector:
-    """The angles in rad about the fixed axes x, y and z, in this order, that make *turn*.
+    """Return the angles in rad about the fixed axes x, y and z, in this order, that make *turn*.
 
-    Where only the sum of roll and yaw is known, roll is zero.
+    These are the rpy of URDF and SDF (REP-103). In gimbal lock, where only the sum or difference of
+    roll and yaw is known, roll is zero.
     """
     (a, b, _), (d, e, _), (g, h, i) = turn
     across = math.hypot(a, d)

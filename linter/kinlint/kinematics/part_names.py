@@ -1,4 +1,4 @@
-"""What the parts of robots are called: by their files, and as short as still tells them apart."""
+"""Names of the parts of robots, as short as still tells them apart."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ NAMELESS = "(anonymous)"
 
 
 class PartNames:
-    """Names of nodes, as the file that describes each abbreviates."""
+    """Names of nodes, as the file that describes each abbreviates them."""
 
     def __init__(self, locator: Locator) -> None:
         self.locator = locator
 
     def of(self, nodes: Sequence[Term]) -> Mapping[Term, str]:
-        """The names of *nodes*, less the prefix that all of them that have one share."""
+        """Return the names of *nodes*, less a prefix that all of them share."""
         found = {node: self._name(node) for node in nodes}
         written = [name for node, name in found.items() if not (is_address(node) or is_blank(node))]
         prefixes = {name.partition(":")[0] for name in written if ":" in name}
@@ -40,14 +40,14 @@ class PartNames:
         return self.locator.display(location).term(node)
 
     def _unplaced(self, node: Term) -> str:
-        """The name of what no file describes, by the first file that abbreviates it."""
+        """Return the name of a node without a place, by the first file that abbreviates it."""
         displays = (TermFormatter(document.prefixes) for document in self.locator.documents)
         names = (display.iri(node[1:-1]) for display in displays)
         return next((name for name in names if name != node[1:-1]), node[1:-1])
 
 
 def element_name(node: Term, kinds: Collection[str]) -> str:
-    """The name in the address of what was made of an element, with the models that it is in.
+    """Return the name in the address of a lifted element, with the models that it is in.
 
     But for the outermost, as SDF writes it: `tool::hand`.
     """

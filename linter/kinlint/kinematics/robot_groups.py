@@ -1,4 +1,4 @@
-"""Which links and joints make one robot, where files and graphs hold several."""
+"""Links and joints grouped by robot, where files and graphs hold several."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from kinlint.terms import Term
 
 
 class RobotGroups:
-    """The parts of a closed model in groups: each is connected, or one model of one file."""
+    """Parts of a closed model in groups: each is connected, or one model of one file."""
 
     def __init__(self, scan: PredicateIndex, mechanism: Mechanism, edges: Sequence[Edge]) -> None:
         self.scan = scan
@@ -38,7 +38,7 @@ class RobotGroups:
 
     @cached_property
     def chains(self) -> Mapping[Term, Sequence[Term]]:
-        """The joints of each kinematic chain that no element was made into."""
+        """Joints of each kinematic chain that no element was made into."""
         known = {each.joint for each in self.edges}
         return {
             chain: named
@@ -48,7 +48,7 @@ class RobotGroups:
 
     @cached_property
     def _models(self) -> Mapping[Term, Sequence[Term]]:
-        """The parts in each robot of URDF, and in each model of SDF that is in no other."""
+        """Parts of each robot of URDF, and of each model of SDF that is in no other."""
         found: dict[Term, list[Term]] = {}
         for part in (*self.mechanism.bodies, *(each.joint for each in self.edges)):
             if is_address(part):
@@ -56,7 +56,10 @@ class RobotGroups:
         return found
 
     def _alone(self) -> Iterator[Sequence[Term]]:
-        """Bodies that nothing is joined to: with the one robot of their file, or by themselves."""
+        """Yield bodies that nothing is joined to.
+
+        With the one robot of their file, or by themselves.
+        """
         joined = {end for each in self.edges for end in each.ends}
         loose: dict[int, list[Term]] = {}
         for body in self.mechanism.bodies:
@@ -74,7 +77,7 @@ class RobotGroups:
             yield (*robots, *bodies) if len(robots) == 1 else bodies
 
     def groups(self) -> Sequence[tuple[Sequence[Term], Sequence[Edge]]]:
-        """The bodies and the edges of each robot, all in the order of the text."""
+        """Return the bodies and the edges of each robot, all in the order of the text."""
         bodies: dict[Term, list[Term]] = {}
         edges: dict[Term, list[Edge]] = {}
         for body in self.mechanism.bodies:

@@ -1,4 +1,4 @@
-"""What a run has to ask for, so that the store has all that structures are made of."""
+"""Terms that a run has to ask for, so that the store has all that structures are made of."""
 
 from __future__ import annotations
 
@@ -15,4 +15,4 @@ ASKED = frozenset(
         *(kin("multiplier"), kin("TwoAxisJoint"), *(kind for kind, _ in KINDS), *NEEDED),
     }
 )
-"""The properties and classes."""
+"""Properties and classes."""

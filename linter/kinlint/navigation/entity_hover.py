@@ -1,4 +1,4 @@
-"""What to show of an entity: its name, what it is, and what the model or kinlint say of it."""
+"""Hover text of an entity: its name, its types, and what the model or kinlint states of it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from kinlint.terms import Term, is_iri
 from kinlint.text import Location
 
 MOST = 4
-"""How many entities at one place, and nodes made of one element, are shown."""
+"""Most entities at one place, and nodes made of one element, that are shown."""
 
 
 class EntityPages:
@@ -79,7 +79,7 @@ class EntityPages:
         yield from known
 
     def _element(self, element: Term, descriptions: Descriptions) -> Iterator[str]:
-        """What was made of *element*: the node that stands for it, or else all of them."""
+        """Yield the description of the node that stands for *element*, or of all made of it."""
         made = self._model.made.get(element, ())
         own = lifted(element)
         itself = [each for each in (own, f"{own[:-1]}/frame>") if each in made][:1]

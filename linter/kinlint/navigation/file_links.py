@@ -1,4 +1,4 @@
-"""What of a text names a file or a page: includes, contexts, meshes and textures."""
+"""Links from a text to files and pages: includes, contexts, meshes and textures."""
 
 from __future__ import annotations
 

@@ -16,15 +16,15 @@ from kinlint.terms import Term, Triple
 from kinlint.vocabulary import EXTENSION
 
 PROPERTIES = tuple(f"<{each}" for each in (*ELEMENTS, EXTENSION))
-"""How properties begin whose values are elements, each called like its tag."""
+"""Beginnings of the properties whose values are elements, each called like its tag."""
 OWNED = tuple(
     f"#{name}>" for name in ("of-joint", "of-body", "of-inertia", "of-actuator", "actuates")
 )
-"""How properties end of what belongs to another node, such as the limits of a joint."""
+"""Ends of the properties of what belongs to another node, such as the limits of a joint."""
 
 
 class GraphModel:
-    """What *documents* mean together, worked out when it is first asked for.
+    """Graph of *documents* together, computed when it is first asked for.
 
     A run that lints lifts and computes only what its rules ask for; people ask for anything.
     """
@@ -34,12 +34,12 @@ class GraphModel:
 
     @cached_property
     def lifted(self) -> Sequence[Triple]:
-        """What was made of the elements of XML formats."""
+        """Triples that were lifted from the elements of XML formats."""
         return tuple(self._lifted.store.lifted())
 
     @cached_property
     def store(self) -> Store:
-        """Everything."""
+        """Store with all that was lifted, inferred and computed."""
         demand = Demand.for_everything(self.rulebook)
         return run_stages("facts", self._lifted, Inputs(self.documents), demand, first="closure")
 
@@ -71,7 +71,7 @@ class GraphModel:
 
     @cached_property
     def owned(self) -> Mapping[Term, Sequence[Term]]:
-        """What belongs to each node and is described as a node of its own."""
+        """Nodes that belong to each node and are described as nodes of their own."""
         found: dict[Term, list[Term]] = {}
         said = (each for document in self.documents for each in document.statements)
         for subject, predicate, value in (*said, *self.lifted):

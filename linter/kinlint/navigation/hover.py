@@ -1,4 +1,4 @@
-"""What to show about a place of a text: the rule that is broken or ignored there, or the entity."""
+"""Hover text of a place: the rule that is broken or ignored there, or the entity."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Hover(NamedTuple):
 
 
 def on_findings(findings: Sequence[Finding]) -> str:
-    """What *findings* at one place say, each with the page of its rule."""
+    """Return the messages of *findings* at one place, each with the page of its rule."""
     parts: list[str] = []
     told: set[str] = set()
     for finding in findings:
@@ -40,7 +40,7 @@ def on_findings(findings: Sequence[Finding]) -> str:
 
 
 def on_ignore(directive: Directive, rules: Sequence[Rule]) -> str:
-    """What *directive* silences: the pages of *rules*."""
+    """Return the pages of *rules*, which *directive* silences."""
     why = f": {directive.reason}" if directive.reason else ""
     until = f", until {directive.until}" if directive.until else ""
     if not rules:

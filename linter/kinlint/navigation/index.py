@@ -1,4 +1,4 @@
-"""All that is named in a model, by its place and by what it is."""
+"""Index of all that is named in a model, by place and by entity."""
 
 from __future__ import annotations
 
@@ -58,10 +58,10 @@ class Index:
         return found
 
     def at(self, name: str, offset: int) -> Sequence[Occurrence]:
-        """What is named at *offset* of the text called *name*, by the shortest name there.
+        """Return the occurrences at *offset* of the text called *name*, by the shortest name.
 
-        It may be several things: what a macro writes is there once for each call. The place just
-        behind a name counts as well.
+        These may be several: what a macro writes is there once for each call. The place just behind
+        a name counts as well.
         """
         there = [
             each
@@ -72,7 +72,10 @@ class Index:
         return [each for each in there if _length(each) == least]
 
     def descriptions(self, entities: Iterable[Entity]) -> list[Occurrence]:
-        """Where *entities* are described, the best place first: where a file says what it is."""
+        """Return the descriptions of *entities*, the best place first.
+
+        Where a file states a type.
+        """
         found = [each for each in self._of(entities) if each.role is Role.DESCRIPTION]
         if len(found) > 1:
             found.sort(key=self._is_untyped)

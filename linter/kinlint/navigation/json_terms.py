@@ -69,7 +69,7 @@ def _members(value: Any) -> Iterator[Member]:
 
 
 def _in_context(member: Member) -> bool:
-    """Whether *member* stands in a context."""
+    """Tell whether *member* stands in a context."""
     outer = member.outer
     while outer is not None:
         if outer.key == CONTEXT:

@@ -60,7 +60,7 @@ class Navigator:
         return tuple(links(self._documents, self._options, self._contexts))
 
     def links(self, name: str) -> Sequence[Link]:
-        """What names files and pages in the text called *name*, each place once."""
+        """Return the links to files and pages in the text called *name*, each place once."""
         own = (each for each in self._links if self._is(each.location, name))
         return tuple({each.location.span: each for each in own}.values())
 
@@ -80,7 +80,7 @@ class Navigator:
         )
 
     def definitions(self, name: str, offset: int) -> Sequence[Location]:
-        """Where what is named at *offset* of the text called *name* is described, best first.
+        """Return the descriptions of the entity at *offset* of the text called *name*, best first.
 
         The name of a file leads to its beginning.
         """
@@ -104,7 +104,7 @@ class Navigator:
         return [each for each in found if self._is(each.location, name)]
 
     def hover(self, name: str, offset: int) -> Hover | None:
-        """What to show there: findings and what is ignored before what the model says."""
+        """Return the hover text: findings and ignore directives before what the model states."""
         parts, spans = [], []
         found = self._findings(name, offset)
         if found:
@@ -150,7 +150,7 @@ class Navigator:
         return self._is(place, name) and place.span.start <= offset <= place.span.end
 
     def _is(self, place: Location, name: str) -> bool:
-        """Whether *place* is in the text called *name*."""
+        """Tell whether *place* is in the text called *name*."""
         paths = self._index.paths
         return place.source.name == name or paths[place.source.name] == paths[name]
 

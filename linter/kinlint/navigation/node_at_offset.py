@@ -1,4 +1,4 @@
-"""Which elements and which values lie around a place of a text."""
+"""Elements and values around a place of a text."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class _Cells:
                 self._before.setdefault(value, subject)
 
     def owner(self, node: Term) -> Term:
-        """What has the list that *node* is a cell of, or *node* itself."""
+        """Return the node with the list that *node* is a cell of, or *node* itself."""
         passed: dict[Term, None] = {}
         while node in self._before and node not in passed:
             passed[node] = None

@@ -1,4 +1,4 @@
-"""What a model says of a node, for people: its types, units, frames and values."""
+"""Descriptions of nodes for people: types, units, frames and values."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ TOLD = (
     ("on body", kin("on-body")),
     ("joins", kin("joins-body")),
 )
-"""What is told of every node that has it, in which words: stated, lifted or inferred."""
+"""Labels and properties that are shown of every node: stated, lifted or inferred."""
 BELONGING = ("mass", "lower", "upper")
 """Numbers that are told of what belongs to a node."""
 MOST_VALUES, MOST_LINES, DEEPEST = 8, 16, 2
 LAYERS = tuple(f"<{each}" for each in (SRC, ATTRIBUTE, REFERENCE))
-"""How properties begin that say how something is written."""
+"""Beginnings of the properties that tell how something is written."""
 
 
 class Descriptions:
@@ -45,7 +45,7 @@ class Descriptions:
         return list(dict.fromkeys(map(self.display.term, every)))
 
     def lines(self, node: Term) -> Sequence[str]:
-        """What there is to say of *node* besides its types: items of a list in Markdown."""
+        """Return what is stated of *node* besides its types, as list items in Markdown."""
         told = [f"{words}: {self._listed(v)}" for words, p in TOLD if (v := self._values(node, p))]
         told += self._values_stated(node)
         told += self._belonging(node, DEEPEST)

@@ -9,14 +9,14 @@ from kinlint.terms import Term
 from kinlint.text import Location
 
 Entity: TypeAlias = Term
-"""What is named: a term of the graph or, for what no graph has, its kind and where it comes from.
+"""Named thing: a term of the graph or, for what no graph has, its kind and its origin.
 
 Such are the macros, properties and arguments of xacro (`macro:`, `property:`, `argument:`).
 """
 
 
 class Role(Enum):
-    """What a place does with the entity that it names."""
+    """Relation of a place to the entity that it names."""
 
     DESCRIPTION = auto()
     """It says what the entity is."""

@@ -16,14 +16,14 @@ from kinlint.terms import Term, iri_value, is_blank, is_iri
 from kinlint.text import Location, Span
 
 DEEPEST = 40
-"""How many symbols are put below each other; what hangs deeper is put beside the last one."""
+"""Most levels of symbols; what hangs deeper becomes a sibling of the last one."""
 
 Named: TypeAlias = tuple[Location | None, str]
 """A place where something is named, and the IRI of the frame that it is."""
 
 
 class Sort(Enum):
-    """What a symbol stands for."""
+    """Sort of thing that a symbol stands for."""
 
     ROBOT = auto()
     LINK = auto()
@@ -116,7 +116,7 @@ def _symbol(
 def _others(
     name: str, index: Index, known: set[Span], types: Callable[[Entity], str] | None
 ) -> Iterator[Symbol]:
-    """What else is described in the text: without *types*, only what xacro defines."""
+    """Yield what else is described in the text: without *types*, only what xacro defines."""
     for each in index.occurrences:
         span = each.location.span
         if each.location.source.name != name or each.role is not Role.DESCRIPTION:
@@ -143,7 +143,7 @@ def _frame(entity: Entity) -> str:
 
 
 def _kind(entity: Term) -> str:
-    """What an element is by its address, such as a group; nothing for other nodes."""
+    """Return the tag of an element by its address, such as a group; empty for other nodes."""
     return last_tag(entity)
 
 

@@ -1,4 +1,4 @@
-"""What a document says, by what it says it of."""
+"""Statements of a document, by subject."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from kinlint.text import Location
 from kinlint.vocabulary import SRC
 
 LOSS = iri(f"{SRC}document")
-"""What every statement of the source layer that is a node of its own has."""
+"""Property that every node of the source layer has."""
 
 
 class StatementIndex:
@@ -42,6 +42,6 @@ class StatementIndex:
         return (value for each, value in self.of.get(subject, ()) if each == predicate)
 
     def place(self, subject: Term, predicate: Term, value: Term) -> Location | None:
-        """Where *value* is written as a value of *subject*."""
+        """Return the place of *value* as a value of *subject*."""
         span = self.document.map.triples.get((subject, predicate, value))
         return None if span is None else self.document.location(span)

@@ -1,4 +1,4 @@
-"""One name for each text, however those that include it call it."""
+"""Canonical names of texts, however those that include them call them."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ def symbol(store: Store, unit: Term) -> str:
 
 
 def multiplier(store: Store, unit: Term) -> float | None:
-    """How many of the unit of SI one of *unit* is; None if that is not known."""
+    """Return the factor from *unit* to the SI unit; None if it is not known."""
     return next((numeric(each) for each in store.values(unit, MULTIPLIER)), None)
 
 

@@ -1,4 +1,4 @@
-"""What kinlint knows of terms that no model describes: units, kinds of quantity, classes."""
+"""Hover text of terms that no model describes: units, kinds of quantity, classes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def page(term: Term, store: Store, display: TermFormatter) -> Sequence[str]:
 
 
 def sort(term: Term, store: Store) -> str:
-    """What sort of term *term* is, by how models use it: a word, or nothing."""
+    """Return the sort of *term* by how models use it: a word, or nothing."""
     name = iri_value(term) if is_iri(term) else ""
     if name.startswith(UNIT):
         return "unit"

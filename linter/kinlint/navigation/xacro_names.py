@@ -67,7 +67,10 @@ def _entity(named: Named) -> Entity:
 def _found(
     named: Named, entities: Mapping[tuple[str, str, Element | None], Entity]
 ) -> Entity | None:
-    """What is used; a name in an expression is a parameter of the macro, or else a property."""
+    """Return the entity that is used.
+
+    A name in an expression is a parameter of a macro, or a property.
+    """
     kind, name, _, within = named
     if kind != "property":
         return entities.get((kind, name, None))
