@@ -22,6 +22,7 @@ from kinlint.facts.misspelt_kinds import resemblances
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import stated
+from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import circles, reordered, steps
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
@@ -232,6 +233,7 @@ KINDS = (
     _alone("entailed_types", entailed_types, {"entailed-type": ()}),
     _alone("contradiction", contradictions, {"excluded-type": (), "contradicted": ()}),
     _alone("misspelt_kinds", resemblances, {"resembles": ()}),
+    _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )
 """All kinds of facts that rules may ask for."""
 
