@@ -10,7 +10,7 @@ from support.linting import lint
 
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.findings.grouping import grouped
 from kinlint.formats.registry import decode
 from kinlint.report import Report

@@ -7,7 +7,7 @@ from pyshacl import validate
 from rdflib import Graph
 
 from kinlint.catalogue.rule_file import read_rules
-from kinlint.catalogue.standalone import shacl
+from kinlint.catalogue.shacl_export import shacl
 from kinlint.cli.main import main
 from kinlint.resources import data
 

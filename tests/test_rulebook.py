@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from support.linting import findings
 
-from kinlint.catalogue import compilation, rulebook
+from kinlint.catalogue import rule_compiler, rulebook
 from kinlint.catalogue.compiled_store import KEPT
 from kinlint.engine import lifting
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.formats.records import LIFTED
@@ -82,8 +82,8 @@ def compiled(monkeypatch):
         groups.append([Path(file.name).name for file in graph.files[1:]])
         return compile_one(graph)
 
-    compile_one = compilation.compile_graph
-    monkeypatch.setattr(compilation, "compile_graph", compile_graph)
+    compile_one = rule_compiler.compile_graph
+    monkeypatch.setattr(rule_compiler, "compile_graph", compile_graph)
     return groups
 
 
@@ -147,7 +147,7 @@ def test_axioms_are_compiled_where_a_file_has_some(tmp_path, monkeypatch):
     """Rules that say nothing of the kind leave those of the ontology as they are."""
     rulebook.load(cache=tmp_path / "cache")
     asked = []
-    monkeypatch.setattr(compilation, "compile_axioms", lambda files: asked.append(files) or ())
+    monkeypatch.setattr(rule_compiler, "compile_axioms", lambda files: asked.append(files) or ())
     file = renamed(tmp_path, "ACME001", "unit-left-out")
     rulebook.load([file], cache=tmp_path / "cache")
     assert asked == []

@@ -9,9 +9,9 @@ from support.linting import book
 from kinlint import resources
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.errors import RuleInvalid
-from kinlint.rule_testing import promises
+from kinlint.rule_testing import rule_conformance
 from kinlint.rule_testing.mutants import repeats
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
@@ -51,14 +51,14 @@ rule:space-in-identifier a kl:Rule, sh:NodeShape ;
 @pytest.mark.parametrize("rule", BOOK.rules, ids=lambda rule: rule.name)
 def test_a_rule_keeps_its_promises(rule):
     """Bad examples are found where marked, good ones left alone, the file has the right form."""
-    assert list(promises.failures(rule, BOOK, oracles=False)) == []
+    assert list(rule_conformance.failures(rule, BOOK, oracles=False)) == []
 
 
 @pytest.mark.oracle
 @pytest.mark.parametrize("rule", BOOK.rules, ids=lambda rule: rule.name)
 def test_pyshacl_agrees_with_a_rule_and_each_part_of_it_is_needed(rule):
     """The engines find the same, and an example shows why each part of a query is there."""
-    assert list(promises.failures(rule, BOOK)) == []
+    assert list(rule_conformance.failures(rule, BOOK)) == []
 
 
 def test_every_rule_file_is_one_rule():
@@ -70,7 +70,7 @@ def test_every_rule_file_is_one_rule():
 
 def test_marks_are_taken_out_and_remembered():
     """`[|…|]` marks leave their content, and its place."""
-    text, spans = promises.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
+    text, spans = rule_conformance.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
 
     assert text == '{"a": 1, "b": ["x"]}'
     assert [text[span.start : span.end] for span in spans] == ["1", '"x"']
@@ -87,7 +87,7 @@ def written(tmp_path):
         files = (resources.data("shapes") / rulebook.PREFIXES, file)
         constraints = compile_shapes(files)
         book = replace(BOOK, rules=(rule,), constraints=constraints, shapes=files)
-        return list(promises.failures(rule, book))
+        return list(rule_conformance.failures(rule, book))
 
     return failures
 

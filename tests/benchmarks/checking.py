@@ -20,7 +20,7 @@ from benchmarks.timing import interleaved
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.closure import close
-from kinlint.engine.compiler.graph import read as read_shapes
+from kinlint.engine.compiler.shapes_graph import read as read_shapes
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.literal_spelling import normal

@@ -12,7 +12,7 @@ from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.schema import TEXT, ElementType, Reference, Schema, schema
 from kinlint.rule import Rule
-from kinlint.rule_testing.promises import unmarked
+from kinlint.rule_testing.rule_conformance import unmarked
 from kinlint.terms import iri_value
 
 GOAL = "goal"

@@ -12,7 +12,7 @@ from fenced import ROOT, blocks
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
-from kinlint.rule_testing import promises
+from kinlint.rule_testing import rule_conformance
 
 pytestmark = pytest.mark.slow
 
@@ -106,7 +106,7 @@ def test_the_rule_that_contributing_walks_through_is_a_rule(tmp_path):
     file.write_text(blocks("CONTRIBUTING.md", language="turtle")[0].text, "utf-8")
     book = rulebook.load([tmp_path])
 
-    assert list(promises.failures(book.by_name["space-in-identifier"], book)) == []
+    assert list(rule_conformance.failures(book.by_name["space-in-identifier"], book)) == []
 
 
 def test_the_repair_that_contributing_shows_is_one_of_a_rule():

@@ -10,7 +10,7 @@ from small_graphs import shapes, simple_groups, triples
 from w3c import normal
 
 from kinlint.document import Document, SourceMap
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.evaluate import check
 from kinlint.engine.reference.shacl import check_store
 from kinlint.engine.result import Result

@@ -7,7 +7,7 @@ import json
 import pytest
 from turtle_document import PREFIXES, document, ex
 
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.constraint import FOCUS, Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.result import Result

@@ -15,7 +15,7 @@ from test_engines_agree import BROKEN, CHECKOUT, ONTOLOGY, SHAPES, UNITS, closed
 
 from kinlint import resources
 from kinlint.configuration.settings import Settings
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.evaluate import check
 from kinlint.engine.reference.shacl import check_store
 from kinlint.errors import SourceError

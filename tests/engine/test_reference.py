@@ -10,7 +10,7 @@ from turtle_document import PREFIXES, document, ex, triples
 
 from kinlint import resources
 from kinlint.document import Document
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check as engine_check
 from kinlint.engine.reference.owl import owlrl_closure

@@ -11,7 +11,7 @@ from data import locate_data
 from w3c import Case, cases
 
 from kinlint.document import Document, SourceMap
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.evaluate import check
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store

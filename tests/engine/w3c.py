@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import pyoxigraph as ox
 
-from kinlint.engine.compiler.graph import ShapesGraph, read
+from kinlint.engine.compiler.shapes_graph import ShapesGraph, read
 from kinlint.engine.result import Result
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal_value
 from kinlint.vocabulary import SH

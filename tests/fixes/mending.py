@@ -8,7 +8,7 @@ from support.linting import book as built_in
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.configuration.settings import Settings
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.fixes.rounds import fix_in_rounds, lint_texts
 from kinlint.rule import Applicability
 from kinlint.text import SourceText

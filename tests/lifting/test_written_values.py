@@ -129,7 +129,7 @@ class Lifted:
         composed = any(
             said == value and local(way).startswith(COMPOSED)
             for element in elements
-            for way, said in self.store.said(element)
+            for way, said in self.store.predicate_objects(element)
         )
         assert composed or literal_value(value) in CONSTANT, where
         for element in elements:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kinlint.engine.compiler.graph import ShapesFile
-from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.shapes_graph import ShapesFile
 from kinlint.facts.computation import computed, computed_by
 from kinlint.sparql.tokens import prologue, split
 from kinlint.suggestion import did_you_mean

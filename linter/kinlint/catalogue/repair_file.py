@@ -7,17 +7,17 @@ from functools import cache
 from textwrap import dedent
 
 from kinlint import resources
-from kinlint.engine.compiler.author import located
-from kinlint.engine.compiler.graph import ShapesGraph, read
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.prefixes import namespaces
-from kinlint.engine.compiler.probe import refused_update
+from kinlint.engine.compiler.declared_prefixes import namespaces
+from kinlint.engine.compiler.oxigraph_probe import refused_update
+from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.shapes_graph import ShapesGraph, read
+from kinlint.engine.compiler.user_query import located
 from kinlint.rule import KNOWN, Applicability, Repair
 from kinlint.sparql.ast import Update, render
 from kinlint.sparql.parser import parse_update
 from kinlint.sparql.patterns import template
-from kinlint.sparql.scope import assigned
 from kinlint.sparql.tokens import NotSparql, is_variable, prefixed, tokens
+from kinlint.sparql.variables import assigned
 from kinlint.terms import Term, Triple, blank, iri, is_blank, literal_value
 from kinlint.vocabulary import DASH, KL, RDFS
 

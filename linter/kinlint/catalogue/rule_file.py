@@ -9,8 +9,8 @@ from textwrap import dedent
 
 from kinlint.catalogue.asked_facts import modules
 from kinlint.catalogue.repair_file import prefixes, read_repairs
-from kinlint.engine.compiler.graph import ShapesFile, ShapesGraph, parse
-from kinlint.engine.compiler.names import RULE_CLASS, TYPE, sh
+from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
+from kinlint.engine.compiler.shapes_graph import ShapesFile, ShapesGraph, parse
 from kinlint.errors import RuleInvalid
 from kinlint.rule import Example, Rule, Severity, SeverityFor
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_datatype, literal_value

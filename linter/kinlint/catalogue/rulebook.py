@@ -160,7 +160,7 @@ def _compile(
 
     What the catalogues in *places* have is taken from there.
     """
-    from kinlint.catalogue.compilation import Units  # noqa: PLC0415
+    from kinlint.catalogue.rule_compiler import Units  # noqa: PLC0415
 
     stored = [each for place in places for each in newest(place)[:ASKED]]
     kept = (each for each in map(read_catalogue, stored) if each and "lifting" in each)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint import resources
 from kinlint.cli.argument_parser import Parser
-from kinlint.engine.compiler.graph import parse
+from kinlint.engine.compiler.shapes_graph import parse
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.reporters.summary import plural

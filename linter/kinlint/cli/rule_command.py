@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinlint.catalogue import rulebook
-from kinlint.catalogue.standalone import shacl
+from kinlint.catalogue.shacl_export import shacl
 from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError

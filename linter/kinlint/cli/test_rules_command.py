@@ -13,7 +13,7 @@ from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.summary import plural
-from kinlint.rule_testing import promises
+from kinlint.rule_testing import rule_conformance
 
 
 def parser() -> Parser:
@@ -38,7 +38,7 @@ def run(arguments: Sequence[str]) -> int:
         raise UsageError(f"no rules found in {', '.join(options.paths)}")
     failed = 0
     for rule in rules:
-        problems = list(promises.failures(rule, book))
+        problems = list(rule_conformance.failures(rule, book))
         failed += bool(problems)
         for problem in problems:
             sys.stdout.write(f"{rule.code} {rule.name}: {problem}\n")

@@ -12,7 +12,7 @@ from kinlint import resources
 from kinlint.conversion.published import published
 from kinlint.engine.lifting import Lifting, queries
 from kinlint.formats.xml.schema import ElementType, schema
-from kinlint.sparql.scope import words
+from kinlint.sparql.variables import words
 from kinlint.terms import iri_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 

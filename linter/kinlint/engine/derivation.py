@@ -13,13 +13,13 @@ from itertools import count
 from typing import TypeAlias
 
 from kinlint.document import FROM
+from kinlint.engine.construct_template import Made, trimmed
 from kinlint.engine.lifting import Lifting
-from kinlint.engine.template import Made, trimmed
 from kinlint.formats.records import ELEMENTS
 from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
 from kinlint.sparql.patterns import Pattern, patterns
-from kinlint.sparql.scope import variables
 from kinlint.sparql.tokens import is_variable
+from kinlint.sparql.variables import variables
 from kinlint.terms import RDF_TYPE, Term
 
 _ELEMENTS = tuple(f"<{each}" for each in ELEMENTS)

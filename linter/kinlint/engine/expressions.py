@@ -73,7 +73,7 @@ class Expressions:
         self, kind: Term, relation: Term, of: Term, fresh: Iterator[int]
     ) -> Iterator[Condition]:
         """The conditions of the restriction *kind* of *relation*."""
-        said = self.schema.said(relation)
+        said = self.schema.phrase(relation)
         for value in self._get(kind, "hasValue"):
             yield Condition((self.schema.arc(relation, of, value),), f"has {name(value)} as {said}")
         for filler in self._get(kind, "someValuesFrom"):
@@ -107,7 +107,7 @@ class Expressions:
             for member in self.schema.list(items):
                 yield from self.conclusions(member, of, body, subject)
         for relation in self._get(kind, "onProperty"):
-            said = self.schema.said(relation)
+            said = self.schema.phrase(relation)
             for value in self._get(kind, "hasValue"):
                 arc = self.schema.arc(relation, of, value)
                 yield Axiom(f"{subject} has {name(value)} as {said}", body, arc)

@@ -10,8 +10,8 @@ from typing import Any
 
 import pyoxigraph as ox
 
+from kinlint.engine.construct_template import Made, needed, trimmed, variables_of
 from kinlint.engine.store import ASSERTED_GRAPH, Store
-from kinlint.engine.template import Made, needed, trimmed, variables_of
 from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED

@@ -10,15 +10,15 @@ from typing import Any
 
 from kinlint import resources
 from kinlint.contexts.model_prefixes import customary
-from kinlint.engine.template import Made, made_by, trimmed, variables_of
+from kinlint.engine.construct_template import Made, made_by, trimmed, variables_of
 from kinlint.engine.unfolding import is_reading, unfolded
 from kinlint.errors import RuleInvalid
 from kinlint.formats.records import ELEMENTS
 from kinlint.sparql.ast import Construct, Group
 from kinlint.sparql.ast_json import to_json
 from kinlint.sparql.parser import parse_construct
-from kinlint.sparql.scope import words
 from kinlint.sparql.tokens import NotSparql
+from kinlint.sparql.variables import words
 from kinlint.terms import Term
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, INTERMEDIATE, QUANTITY_KIND, SRC, UNIT
 

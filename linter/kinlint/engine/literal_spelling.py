@@ -23,7 +23,7 @@ class Spelling:
         self._known: dict[tuple[Term, Term], dict[Term, Term]] = {}
         self._by_property: dict[Term, Mapping[Term, Sequence[Term]]] = {}
 
-    def of(self, triple: Triple) -> Triple | None:
+    def as_written(self, triple: Triple) -> Triple | None:
         """The triple that the document has a place for and that says the same, if there is one."""
         if triple in self.document.map.triples:
             return triple
@@ -59,12 +59,12 @@ class Spellings:
         self.documents = documents
         self._known: dict[Term, Spelling] = {}
 
-    def of(self, triple: Triple) -> Iterator[tuple[Document, Triple]]:
+    def written(self, triple: Triple) -> Iterator[tuple[Document, Triple]]:
         """The documents that say *triple*, as they spell it."""
         for document in self._speaking(triple[0]):
             if document.graph not in self._known:
                 self._known[document.graph] = Spelling(document)
-            spelled = self._known[document.graph].of(triple)
+            spelled = self._known[document.graph].as_written(triple)
             if spelled is not None:
                 yield document, spelled
 

@@ -39,7 +39,7 @@ def compile_axioms(files: Iterable[Path]) -> tuple[Axiom, ...]:
 def _properties(schema: Schema) -> Iterator[Axiom]:
     """What follows from a relation between two things about others."""
     for part, whole in schema.pairs(f"<{RDFS}subPropertyOf>"):
-        yield _renamed(schema, part, whole, f"{schema.said(part)} implies {name(whole)}")
+        yield _renamed(schema, part, whole, f"{schema.phrase(part)} implies {name(whole)}")
     for one, other in schema.pairs(f"<{OWL}equivalentProperty>"):
         label = f"{name(one)} means the same as {name(other)}"
         yield _renamed(schema, one, other, label)
@@ -59,7 +59,7 @@ def _properties(schema: Schema) -> Iterator[Axiom]:
         nodes = ["?x", *(f"?y{index}" for index in range(1, len(parts))), "?z"]
         arcs = zip(parts, nodes, nodes[1:], strict=False)
         body = tuple(schema.arc(part, start, end) for part, start, end in arcs)
-        label = f"{', then '.join(map(schema.said, parts))} makes {name(whole)}"
+        label = f"{', then '.join(map(schema.phrase, parts))} makes {name(whole)}"
         yield Axiom(label, body, ("?x", whole, "?z"))
 
 

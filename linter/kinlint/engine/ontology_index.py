@@ -75,7 +75,7 @@ class Schema:
                 return end, inverse, start
         return start, relation, end
 
-    def said(self, relation: Term) -> str:
+    def phrase(self, relation: Term) -> str:
         """*relation* in words."""
         if relation.startswith("_:"):
             return "inverse of " + " or ".join(map(name, self.objects(relation, INVERSE)))

@@ -197,14 +197,14 @@ class Provenance:
         for step in path.split("/") if path else ():
             nodes = [each for node in nodes for each in self._next(node, step)]
         for node in nodes:
-            for property_, value in self.store.said(node):
+            for property_, value in self.store.predicate_objects(node):
                 if property_.startswith(start) and property_[len(start)] in "->":
                     yield from (Written(*e) for e in self.store.written(node, property_, value))
 
     def _next(self, element: Term, step: str) -> list[Term]:
         return [
             value
-            for way, value in self.store.said(element)
+            for way, value in self.store.predicate_objects(element)
             if is_iri(value) and way.startswith(f"<{KINLINT}") and way.endswith(f"#{step}>")
         ]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from typing import Protocol
 
-from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.vocabulary import FACT

@@ -11,8 +11,8 @@ from kinlint.formats.records import ELEMENTS
 from kinlint.sparql.ast import Select
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import Pattern
-from kinlint.sparql.scope import triple_patterns, words
 from kinlint.sparql.tokens import is_variable, tokens
+from kinlint.sparql.variables import triple_patterns, words
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, REFERENCE
 
@@ -37,7 +37,7 @@ def needs(constraint: Constraint) -> tuple[Term, ...] | None:
     """Return the properties and classes that the query of *constraint* speaks of; None for any.
 
     What it rules out counts too: it has to be there to be seen. Of targets, all do, but where the
-    query itself starts from what makes a node one (`kinlint.engine.compiler.narrow`).
+    query itself starts from what makes a node one (`kinlint.engine.compiler.target_narrowing`).
     """
     query = parse(tokens(constraint.select, {}))
     found = triple_patterns(query)

@@ -226,7 +226,7 @@ class Store:
         quads = self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None)
         yield from sorted((token(quad.object) for quad in quads), key=_address)
 
-    def said(self, subject: Term) -> Iterator[tuple[Term, Term]]:
+    def predicate_objects(self, subject: Term) -> Iterator[tuple[Term, Term]]:
         """What documents and vocabulary say of *subject*, sorted by property."""
         yield from self._said(subject, ASSERTED_GRAPH)
 
@@ -274,7 +274,7 @@ class Store:
         were inferred or stand in the vocabulary are written nowhere.
         """
         for each in (predicate,) if predicate else self._between(subject, value):
-            yield from self._spellings.of((subject, each, value))
+            yield from self._spellings.written((subject, each, value))
 
     def _between(self, subject: Term, value: Term) -> list[Term]:
         """The properties that *subject* has *value* for."""

@@ -15,8 +15,8 @@ from itertools import count
 from kinlint.errors import RuleInvalid
 from kinlint.sparql.ast import Bind, Clause, Construct, Element, Expression, Filter, Group, Triples
 from kinlint.sparql.patterns import Pattern, patterns, template
-from kinlint.sparql.scope import certain, variables, visible, words
 from kinlint.sparql.tokens import is_variable
+from kinlint.sparql.variables import certain, variables, visible, words
 from kinlint.terms import Term
 from kinlint.vocabulary import INTERMEDIATE
 
@@ -33,7 +33,7 @@ def unfolded(query: Construct, reading: Construct) -> Construct | None:
     hold further properties, and works out the rest by BIND and FILTER. Raises `RuleInvalid` for
     any other form, and for a record that has several values for one property.
     """
-    return _Unfolding(reading).of(query)
+    return _Unfolding(reading).unfold(query)
 
 
 @dataclass
@@ -44,18 +44,18 @@ class _Unfolding:
     values: dict[str, str] = field(default_factory=dict)
     """What stands for the variables of the shared query."""
 
-    def of(self, query: Construct) -> Construct | None:
-        record, said = _record(self.reading)
+    def unfold(self, query: Construct) -> Construct | None:
+        record, values = _record(self.reading)
         kept: list[Element] = []
         lacking: list[str] = []
         for each in query.group.elements:
             if isinstance(each, Triples):
                 for pattern in patterns(each.tokens, count()):
-                    if not self._matches(pattern, record, said):
+                    if not self._matches(pattern, record, values):
                         return None
                     lacking.append(pattern.object)
             elif isinstance(each, Clause):
-                self._add_optional(each, record, said)
+                self._add_optional(each, record, values)
             else:
                 kept.append(each)
         self._rename(query)
@@ -66,10 +66,10 @@ class _Unfolding:
         group = Group((*self.reading.group.elements, *bound, *made))
         return Construct(Triples(self._words(query.template.tokens)), group, ())
 
-    def _matches(self, pattern: Pattern, record: str, said: Mapping[Term, Sequence[str]]) -> bool:
+    def _matches(self, pattern: Pattern, record: str, values: Mapping[Term, Sequence[str]]) -> bool:
         """Whether the record has what *pattern* asks for; its variable then has that value."""
         (predicate,) = pattern.path
-        known = said.get(predicate, ())
+        known = values.get(predicate, ())
         self._set(pattern.subject, record)
         if not is_variable(pattern.object):
             return pattern.object in known
@@ -84,7 +84,7 @@ class _Unfolding:
             raise RuleInvalid(f"{name} stands for {self.values[name]} and for {value}")
 
     def _add_optional(
-        self, clause: Clause, record: str, said: Mapping[Term, Sequence[str]]
+        self, clause: Clause, record: str, values: Mapping[Term, Sequence[str]]
     ) -> None:
         """Take the properties that the record has; what has all of them unbound matches nothing."""
         if clause.head[0].upper() != "OPTIONAL":
@@ -93,7 +93,7 @@ class _Unfolding:
             if not isinstance(each, Triples):
                 raise RuleInvalid("a shared query has more than triples in OPTIONAL")
             for pattern in patterns(each.tokens, count()):
-                self._matches(pattern, record, said)
+                self._matches(pattern, record, values)
 
     def _rename(self, query: Construct) -> None:
         """Give the variables that *query* has beside the record names that the reading has not."""
@@ -135,10 +135,10 @@ def _record(reading: Construct) -> tuple[str, Mapping[Term, Sequence[str]]]:
     unbound = {o for _, _, o in triples if is_variable(o)} - visible(reading.group)
     if unbound:
         raise RuleInvalid(f"a reading binds no {', '.join(sorted(unbound))}")
-    said: dict[Term, list[str]] = {}
+    values: dict[Term, list[str]] = {}
     for _, predicate, value in triples:
-        said.setdefault(predicate, []).append(value)
-    return triples[0][0], said
+        values.setdefault(predicate, []).append(value)
+    return triples[0][0], values
 
 
 def _bound(name: str) -> Filter:

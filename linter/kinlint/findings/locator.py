@@ -185,7 +185,7 @@ class Locator:
         """Return the place from the first to the last value that *element* has for *property_*."""
         found = [
             said[0]
-            for way, value in self.store.said(element)
+            for way, value in self.store.predicate_objects(element)
             if COMPONENT.sub(">", way) == property_
             and (said := self.triple(element, way, value)) is not None
         ]

@@ -60,7 +60,7 @@ def _rows(store: Store, repair: Repair, bound: Mapping[str, Term]) -> Iterator[d
 
 def _mark(store: Store, node: Term) -> tuple[Term, Term] | None:
     """A property and a value that a blank *node* has, as few others do."""
-    said = [pair for pair in store.said(node) if not is_blank(pair[1])]
+    said = [pair for pair in store.predicate_objects(node) if not is_blank(pair[1])]
     return min(
         said, key=lambda pair: (pair[0] == RDF_TYPE, is_iri(pair[1]), -len(pair[1])), default=None
     )

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.store import Store
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value
 

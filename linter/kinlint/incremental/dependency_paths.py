@@ -20,8 +20,8 @@ from kinlint.sparql.ast import (
 )
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
-from kinlint.sparql.scope import projection
 from kinlint.sparql.tokens import is_variable, tokens
+from kinlint.sparql.variables import projection
 from kinlint.terms import Term
 
 REQUIRED = frozenset({"LATERAL", "GRAPH"})

@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import Pattern
-from kinlint.sparql.scope import iris, triple_patterns
 from kinlint.sparql.tokens import is_variable, tokens
+from kinlint.sparql.variables import iris, triple_patterns
 from kinlint.terms import RDF_TYPE, Term, is_iri
 
 BELOW = (SUBCLASS, "*")

@@ -96,7 +96,7 @@ class TrackedChecking:
             f"VALUES ?this {{ {' '.join(sorted(each for each in nodes if not is_blank(each)))} }}"
         ]
         for node in filter(is_blank, nodes):
-            said = [pair for pair in self.store.said(node) if not is_blank(pair[1])]
+            said = [pair for pair in self.store.predicate_objects(node) if not is_blank(pair[1])]
             if not said:
                 return None
             # No query can name a blank node; what else the same is said of is left out below.

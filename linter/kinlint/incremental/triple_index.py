@@ -11,7 +11,7 @@ from typing import NamedTuple
 import pyoxigraph as ox
 
 from kinlint.document import Document
-from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.store import Store
 from kinlint.file_format import Format

@@ -66,7 +66,7 @@ class FindingOwners:
                         yield token(quad.object)
 
     def _inside(self, element: Term) -> Iterator[Term]:
-        values = (value for _, value in self.store.said(element))
+        values = (value for _, value in self.store.predicate_objects(element))
         return islice((value for value in values if is_within(value, element)), MOST)
 
     def _nearest(self, focus: Term) -> Term | None:

@@ -11,7 +11,7 @@ from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.engine.compiler.names import SUBCLASS
+from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.file_format import Format
 from kinlint.findings.finding_builder import Proofs

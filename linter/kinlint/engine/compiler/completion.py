@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinlint.engine.compiler.names import RULE_CLASS, TYPE, sh
+from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
 from kinlint.formats.records import GRAPHS
 from kinlint.terms import Term, Triple, iri, literal, literal_value
 from kinlint.vocabulary import DASH, KL

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kinlint.engine.compiler.names import CLASS, RULE_CLASS, SUBCLASS, TYPE, sh
-from kinlint.engine.compiler.path import Path, read_path
+from kinlint.engine.compiler.property_path import Path, read_path
+from kinlint.engine.compiler.shacl_terms import CLASS, RULE_CLASS, SUBCLASS, TYPE, sh
 from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_value
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
 
 _KINDS = ("targetNode", "targetClass", "targetSubjectsOf", "targetObjectsOf", "target")
 TARGETS = tuple(sh(kind) for kind in _KINDS)

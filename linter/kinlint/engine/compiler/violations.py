@@ -8,19 +8,19 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler import comparisons, counts
-from kinlint.engine.compiler.conditions import CONDITIONS, condition_violations
-from kinlint.engine.compiler.custom import custom
+from kinlint.engine.compiler.custom_components import custom
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.frame import Frame, Violation, component
-from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, read_shape
-from kinlint.engine.compiler.sparql import sparql
+from kinlint.engine.compiler.shape_scope import ShapeScope, Violation, component
+from kinlint.engine.compiler.sparql_constraints import sparql
+from kinlint.engine.compiler.value_conditions import CONDITIONS, condition_violations
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
     from kinlint.terms import Term
 
-_COMPONENTS: dict[str, Callable[[Frame], Iterator[Violation]]] = {
+_COMPONENTS: dict[str, Callable[[ShapeScope], Iterator[Violation]]] = {
     **{name: partial(condition_violations, name=name) for name in CONDITIONS},
     "MinCount": counts.min_count,
     "MaxCount": counts.max_count,
@@ -47,23 +47,23 @@ _ONCE = (
 """Parameters of which a shape has one value at most."""
 
 
-def violations(frame: Frame) -> Iterator[Violation]:
-    """Every constraint of the shape of *frame*, those of `sh:property` excepted."""
+def violations(scope: ShapeScope) -> Iterator[Violation]:
+    """Every constraint of the shape of *scope*, those of `sh:property` excepted."""
     for name in _ONCE:
-        frame.shape.one(name)
+        scope.shape.one(name)
     for name, found in _COMPONENTS.items():
         try:
-            yield from found(frame)
+            yield from found(scope)
         except Deferred as reason:
             yield Violation(component(name), deferred=str(reason))
     for parameter, name in _BEYOND.items():
-        if frame.shape.values(parameter):
+        if scope.shape.values(parameter):
             yield Violation(component(name), deferred=f"sh:{parameter} is no part of SHACL")
 
 
-def top_frame(shape: Shape, names: count[int], above: tuple[Term, ...]) -> Frame:
-    """The frame in which results of *shape* are reported, reached through shapes *above*."""
-    return Frame(
+def top_frame(shape: Shape, names: count[int], above: tuple[Term, ...]) -> ShapeScope:
+    """The scope in which results of *shape* are reported, reached through shapes *above*."""
+    return ShapeScope(
         shape,
         focus="?this",
         value=f"?k_{next(names)}" if shape.path else "?this",
@@ -96,11 +96,11 @@ def _conforms(
 
     conforms = partial(_conforms, graph, names, (*above, node))
     value = fresh() if shape.path else variable
-    frame = Frame(shape, variable, value, fresh(), fresh(), fresh(), names, above, conforms)
-    absent = [_absent(violation) for violation in violations(frame)]
+    scope = ShapeScope(shape, variable, value, fresh(), fresh(), fresh(), names, above, conforms)
+    absent = [_absent(violation) for violation in violations(scope)]
     for inner in shape.values("property"):
         held = conforms(inner, value)
-        absent.append(_absent(Violation("", frame.each, f"!{held}")))
+        absent.append(_absent(Violation("", scope.value_groups, f"!{held}")))
     return f"({' && '.join(absent)})" if absent else "true"
 
 

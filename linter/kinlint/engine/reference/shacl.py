@@ -10,9 +10,9 @@ import pyshacl
 from rdflib import Graph, URIRef
 
 from kinlint.document import Document
-from kinlint.engine.compiler.graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.shape import messages, read_shape
-from kinlint.engine.compiler.sparql import formats, severity
+from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
+from kinlint.engine.compiler.sparql_constraints import formats, severity
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.ontology_index import Schema
 from kinlint.engine.reference.owl import owlrl_closure

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kinlint.sparql.ast import Bind, Clause, Element, Group, Select, Values, walk
-from kinlint.sparql.scope import projection, words
+from kinlint.sparql.variables import projection, words
 
 OPTIONAL = ("?currentShape", "?shapesGraph")
 """Variables that SHACL lets an engine pre-bind, and sub-selects leave out."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from test_lifting import MODELS, model, named
 
+from kinlint.engine.construct_template import Made, made_by, needed, trimmed
 from kinlint.engine.lifting import lift, queries
-from kinlint.engine.template import Made, made_by, needed, trimmed
 from kinlint.sparql.ast import Group
 from kinlint.sparql.parser import parse_construct
 from kinlint.terms import RDF_TYPE, iri

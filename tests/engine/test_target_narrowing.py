@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from test_demand import compiled
+from test_required_terms import compiled
 from turtle_document import document, ex
 
 from kinlint.engine.evaluate import check

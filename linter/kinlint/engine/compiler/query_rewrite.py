@@ -9,9 +9,9 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import count
 
-from kinlint.engine.compiler.correlated import correlated
-from kinlint.engine.compiler.hoist import hoisted
-from kinlint.engine.compiler.reach import reach
+from kinlint.engine.compiler.invariant_hoisting import with_invariants_first
+from kinlint.engine.compiler.lateral_joins import with_lateral_joins
+from kinlint.engine.compiler.path_rewrite import with_closure_as_minus
 from kinlint.sparql.ast import (
     Bind,
     Clause,
@@ -24,16 +24,16 @@ from kinlint.sparql.ast import (
     Union,
 )
 from kinlint.sparql.patterns import Pattern, patterns
-from kinlint.sparql.scope import certain, projection, variables
 from kinlint.sparql.tokens import is_variable
+from kinlint.sparql.variables import certain, projection, variables
 
 
-def tuned(select: Select, bound: frozenset[str]) -> Select:
+def rewritten_for_oxigraph(select: Select, bound: frozenset[str]) -> Select:
     """*select* with cheaper EXISTS; the variables *bound* have a value from outside."""
     names = count(1000)
     return replace(
         select,
-        group=hoisted(_group(select.group, bound, names), bound, names),
+        group=with_invariants_first(_group(select.group, bound, names), bound, names),
         tail=_expression(select.tail, bound | certain(select.group), names),
     )
 
@@ -41,7 +41,7 @@ def tuned(select: Select, bound: frozenset[str]) -> Select:
 def _group(group: Group, bound: frozenset[str], names: count[int]) -> Group:
     within = bound | certain(group)
     elements = tuple(_element(each, within, bound, names) for each in group.elements)
-    return correlated(reach(Group(elements), bound, certain(group), names))
+    return with_lateral_joins(with_closure_as_minus(Group(elements), bound, certain(group), names))
 
 
 def _element(

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from kinlint.engine.compiler.author import read_query
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.frame import THIS, Frame, Violation, component, shown
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.narrow import stands
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import messages
+from kinlint.engine.compiler.shape_scope import THIS, ShapeScope, Violation, component, shown
+from kinlint.engine.compiler.target_narrowing import runs_without_focus
+from kinlint.engine.compiler.user_query import read_query
 from kinlint.terms import iri_value, literal_value
 from kinlint.vocabulary import KL
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.author import Query
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
+    from kinlint.engine.compiler.user_query import Query
     from kinlint.terms import Term
 
 FORMAT = f"<{KL}format>"
@@ -24,16 +24,16 @@ TARGET_NODE = sh("targetNode")
 VALUE = "?k_value"
 
 
-def sparql(frame: Frame) -> Iterator[Violation]:
+def sparql(scope: ShapeScope) -> Iterator[Violation]:
     """`sh:sparql`: every solution of the author's query is a violation."""
-    shape = frame.shape
+    shape = scope.shape
     for node in shape.values("sparql"):
         if shape.graph.is_true(node, sh("deactivated")):
             continue
         own = messages(shape.graph, node) or shape.messages
         name = shown(shape, shape.node)
         try:
-            query = query_for(frame, node, "select", (THIS,))
+            query = query_for(scope, node, "select", (THIS,))
         except Deferred as reason:
             yield Violation(
                 component("SPARQL"), messages=own, own_messages=True, deferred=str(reason)
@@ -41,15 +41,15 @@ def sparql(frame: Frame) -> Iterator[Violation]:
             continue
         yield Violation(
             component("SPARQL"),
-            (solutions(frame, query, (THIS,)),),
-            shown=said(frame, query),
+            (solutions(scope, query, (THIS,)),),
+            shown=result_variables(scope, query),
             at_value=not shape.path and "?value" not in query.variables,
             messages=own or (f"'{{?this}}' violates '{name}'.",),
             own_messages=True,
             premises=query.premises,
             formats=formats(shape.graph, node),
             severity=severity(shape.graph, node),
-            stands=stands(query.select),
+            without_focus=runs_without_focus(query.select),
         )
 
 
@@ -64,19 +64,19 @@ def severity(graph: ShapesGraph, node: Term) -> str:
     return iri_value(own) if own is not None else ""
 
 
-def query_for(frame: Frame, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:
-    """The author's query of *node*, ready for *frame*, where *prebound* have values."""
-    shape = frame.shape
+def query_for(scope: ShapeScope, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:
+    """The author's query of *node*, ready for *scope*, where *prebound* have values."""
+    shape = scope.shape
     path = shape.path.text if shape.path else None
     query = read_query(shape.graph, node, kind, path, prebound)
-    nodes = (*frame.above, shape.node)
+    nodes = (*scope.above, shape.node)
     if query.may_stay and any(shape.graph.values(each, TARGET_NODE) for each in nodes):
         raise Deferred("a path of no steps may start from a target node outside the graph")
     return query
 
 
 def solutions(
-    frame: Frame, query: Query, prebound: tuple[str, ...], before: tuple[str, ...] = ()
+    scope: ShapeScope, query: Query, prebound: tuple[str, ...], before: tuple[str, ...] = ()
 ) -> str:
     """The group that has the solutions of *query*, each once.
 
@@ -84,15 +84,15 @@ def solutions(
     conformance is asked, none of the author's variables is seen outside.
     """
     names = dict.fromkeys([*prebound, *query.variables])
-    if _has_own_value(frame, query):
+    if _has_own_value(scope, query):
         del names["?value"]
         names[f"(COALESCE(?value, {THIS}) AS {VALUE})"] = None
     inner = f"SELECT DISTINCT {' '.join(names)} WHERE {{ {{ {query.text} }} }}"
-    if frame.top:
+    if scope.top:
         return " LATERAL ".join(f"{{ {group} }}" for group in (*before, inner))
-    groups = (*rename(frame.focus, THIS), *before, inner)
+    groups = (*rename(scope.focus, THIS), *before, inner)
     chain = " LATERAL ".join(f"{{ {group} }}" for group in groups)
-    return f"SELECT {frame.focus} WHERE {{ {chain} }}"
+    return f"SELECT {scope.focus} WHERE {{ {chain} }}"
 
 
 def rename(variable: str, name: str) -> tuple[str, ...]:
@@ -100,13 +100,13 @@ def rename(variable: str, name: str) -> tuple[str, ...]:
     return () if variable == name else (f"BIND({variable} AS {name})",)
 
 
-def said(frame: Frame, query: Query) -> tuple[str, ...]:
+def result_variables(scope: ShapeScope, query: Query) -> tuple[str, ...]:
     """What a result says of a solution of *query*: its variables but `$this`."""
-    own = _has_own_value(frame, query)
+    own = _has_own_value(scope, query)
     names = [name for name in query.variables if name != THIS]
     return tuple(f"({VALUE} AS ?value)" if own and name == "?value" else name for name in names)
 
 
-def _has_own_value(frame: Frame, query: Query) -> bool:
+def _has_own_value(scope: ShapeScope, query: Query) -> bool:
     """Whether *query* may tell a value where a node shape would have its focus node."""
-    return frame.top and not frame.shape.path and "?value" in query.variables
+    return scope.top and not scope.shape.path and "?value" in query.variables

@@ -9,16 +9,21 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.frame import THIS, Frame, Violation
-from kinlint.engine.compiler.literals import constant
-from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.literal_conditions import constant
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import messages
-from kinlint.engine.compiler.sparql import query_for, rename, said, solutions
+from kinlint.engine.compiler.shape_scope import THIS, ShapeScope, Violation
+from kinlint.engine.compiler.sparql_constraints import (
+    query_for,
+    rename,
+    result_variables,
+    solutions,
+)
 from kinlint.sparql.ast import Group, Select, Union, render
 from kinlint.terms import Term, iri_value, is_iri
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
 
 _RESERVED = {"this", "shapesGraph", "currentShape", "path", "PATH", "value"}
 
@@ -32,18 +37,18 @@ class Parameter:
     optional: bool
 
 
-def custom(frame: Frame) -> Iterator[Violation]:
+def custom(scope: ShapeScope) -> Iterator[Violation]:
     """The violations of every declared component whose parameters the shape gives."""
-    graph = frame.shape.graph
+    graph = scope.shape.graph
     for node in graph.subjects():
         if not graph.values(node, sh("parameter")) or not is_iri(node):
             continue
         parameters = _parameters(graph, node)
-        given = [graph.values(frame.shape.node, each.path) for each in parameters]
+        given = [graph.values(scope.shape.node, each.path) for each in parameters]
         required = zip(parameters, given, strict=True)
         if any(not values and not each.optional for each, values in required):
             continue
-        validator = _validator(frame, node)
+        validator = _validator(scope, node)
         if validator is None or not any(given):
             continue
         for values in product(*(_options(each) for each in given)):
@@ -51,7 +56,7 @@ def custom(frame: Frame) -> Iterator[Violation]:
                 each.variable: value for each, value in zip(parameters, values, strict=True)
             }
             try:
-                yield _violation(frame, node, validator, bindings)
+                yield _violation(scope, node, validator, bindings)
             except Deferred as reason:
                 yield Violation(iri_value(node), deferred=str(reason))
 
@@ -73,50 +78,50 @@ def _parameters(graph: ShapesGraph, node: Term) -> list[Parameter]:
     return found
 
 
-def _validator(frame: Frame, node: Term) -> Term | None:
+def _validator(scope: ShapeScope, node: Term) -> Term | None:
     """The validator that SHACL 6.3 chooses for the kind of shape."""
-    special = "propertyValidator" if frame.shape.path else "nodeValidator"
-    found = frame.shape.graph.values(node, sh(special), sh("validator"))
+    special = "propertyValidator" if scope.shape.path else "nodeValidator"
+    found = scope.shape.graph.values(node, sh(special), sh("validator"))
     return found[0] if found else None
 
 
 def _violation(
-    frame: Frame, node: Term, validator: Term, given: dict[str, Term | None]
+    scope: ShapeScope, node: Term, validator: Term, given: dict[str, Term | None]
 ) -> Violation:
-    graph = frame.shape.graph
+    graph = scope.shape.graph
     parameters = tuple(given)
     bound = {name: constant(value) for name, value in given.items() if value is not None}
     binds = tuple(f"BIND({value} AS {name})" for name, value in bound.items())
-    own = frame.shape.messages or messages(graph, validator) or messages(graph, node)
+    own = scope.shape.messages or messages(graph, validator) or messages(graph, node)
     default = (f"'{{?this}}' violates '{iri_value(node)}'.",)
     violation = Violation(
         iri_value(node), shown=tuple(bound), messages=own or default, own_messages=True
     )
     if not graph.values(validator, sh("ask")):
-        query = query_for(frame, validator, "select", (THIS, *parameters))
+        query = query_for(scope, validator, "select", (THIS, *parameters))
         query = replace(query, select=_passing(query.select, parameters))
-        groups = (solutions(frame, query, (THIS, *parameters), binds),)
-        at_value = not frame.shape.path and "?value" not in query.variables
-        shown = tuple(dict.fromkeys([*bound, *said(frame, query)]))
+        groups = (solutions(scope, query, (THIS, *parameters), binds),)
+        at_value = not scope.shape.path and "?value" not in query.variables
+        shown = tuple(dict.fromkeys([*bound, *result_variables(scope, query)]))
         return replace(violation, groups=groups, shown=shown, at_value=at_value)
     prebound = (THIS, "?value", *parameters)
-    query = query_for(frame, validator, "ask", prebound)
+    query = query_for(scope, validator, "ask", prebound)
     held = Select(("SELECT", *prebound), query.select.group, query.select.tail)
     if query.select.tail:
         raise Deferred("an ASK query with solution modifiers")
     body = Group((Union((Group((held,)),)),))
-    return replace(violation, groups=_asked(frame, body, binds), shown=("?value", *bound))
+    return replace(violation, groups=_asked(scope, body, binds), shown=("?value", *bound))
 
 
-def _asked(frame: Frame, body: Group, binds: tuple[str, ...]) -> tuple[str, ...]:
+def _asked(scope: ShapeScope, body: Group, binds: tuple[str, ...]) -> tuple[str, ...]:
     """Groups with a solution for each value node for which *body* has none."""
-    groups = (f"BIND({frame.value} AS ?value)", *binds, f"FILTER NOT EXISTS {render(body)}")
-    if frame.top:
-        return (*frame.each, *groups)
-    hidden = (*rename(frame.focus, THIS), *groups)
+    groups = (f"BIND({scope.value} AS ?value)", *binds, f"FILTER NOT EXISTS {render(body)}")
+    if scope.top:
+        return (*scope.value_groups, *groups)
+    hidden = (*rename(scope.focus, THIS), *groups)
     chain = " LATERAL ".join(f"{{ {group} }}" for group in hidden)
-    names = " ".join(dict.fromkeys([frame.focus, frame.value]))
-    return (*frame.each, f"SELECT {names} WHERE {{ {chain} }}")
+    names = " ".join(dict.fromkeys([scope.focus, scope.value]))
+    return (*scope.value_groups, f"SELECT {names} WHERE {{ {chain} }}")
 
 
 def _passing(select: Select, parameters: tuple[str, ...]) -> Select:

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
-from kinlint.engine.compiler.compile import compile_shapes
-from kinlint.engine.compiler.graph import ShapesGraph
-from kinlint.engine.compiler.graph import read as read_shapes
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.prefixes import declared
+from kinlint.engine.compiler.declared_prefixes import declared
+from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
+from kinlint.engine.compiler.shapes_graph import ShapesGraph
+from kinlint.engine.compiler.shapes_graph import read as read_shapes
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
@@ -38,7 +38,7 @@ Outcome = tuple[tuple[Span, str, str, str], ...]
 
 
 @dataclass(frozen=True)
-class Bench:
+class MutationHarness:
     """The examples of a rule, read and closed, ready for any version of it."""
 
     rule: Rule
@@ -48,8 +48,8 @@ class Bench:
     @classmethod
     def for_rule(
         cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]
-    ) -> Bench:
-        """The bench for the examples *texts* of *rule*."""
+    ) -> MutationHarness:
+        """The harness for the examples *texts* of *rule*."""
         return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
 
     def outcomes(self, constraints: tuple[Constraint, ...]) -> list[Outcome]:
@@ -75,14 +75,14 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
     return documents, run_stages("facts", run, inputs, Demand.for_everything(rulebook))
 
 
-def idle(bench: Bench) -> Iterator[str]:
+def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
     """What could be deleted from the queries of a rule without any example noticing.
 
     Nothing for a rule that only the reference engine can judge, nor for a query that `repeats`.
     """
-    rule = bench.rule
+    rule = harness.rule
     text = Path(rule.path).read_text("utf-8-sig")
-    prefixes = next(file for file in bench.rulebook.shapes if file.name == PREFIXES)
+    prefixes = next(file for file in harness.rulebook.shapes if file.name == PREFIXES)
     graph = read_shapes([prefixes, (rule.path, text)])
 
     def compiled(version: str) -> tuple[Constraint, ...]:
@@ -92,14 +92,16 @@ def idle(bench: Bench) -> Iterator[str]:
     constraints = compiled(text)
     if any(each.deferred is not None for each in constraints):
         return
-    whole = bench.outcomes(constraints)
+    whole = harness.outcomes(constraints)
     for query, known in _queries(graph):
         select = parse(tokens(query, known))
         if repeats(select):
             continue
         for deleted, mutant in mutants(select):
             try:
-                matters = bench.outcomes(compiled(_replaced(text, query, render(mutant)))) != whole
+                matters = (
+                    harness.outcomes(compiled(_replaced(text, query, render(mutant)))) != whole
+                )
             except RuleInvalid:
                 matters = True
             if not matters:

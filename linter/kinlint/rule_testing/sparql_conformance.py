@@ -13,9 +13,9 @@ from pyparsing import ParseException
 from rdflib.plugins.sparql import prepareQuery, prepareUpdate
 
 from kinlint.catalogue.repair_file import prefixes
-from kinlint.engine.compiler.graph import ShapesGraph, parse
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.prefixes import declared
+from kinlint.engine.compiler.declared_prefixes import declared
+from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.shapes_graph import ShapesGraph, parse
 from kinlint.resources import data
 from kinlint.rule import Rule
 from kinlint.terms import literal_value

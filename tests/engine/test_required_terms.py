@@ -15,7 +15,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.closure import close
-from kinlint.engine.compiler.compile import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.lifting import lift
@@ -28,7 +28,7 @@ from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
 from kinlint.missing_files import references
 from kinlint.rule import Rule
-from kinlint.rule_testing import promises
+from kinlint.rule_testing import rule_conformance
 from kinlint.terms import RDF_TYPE, Term
 
 FORMATS = [each.name for each in LIFTED]
@@ -126,7 +126,7 @@ def examples(rule: Rule) -> Iterator[Sequence[Document]]:
     """The models that a rule shows in formats that are lifted, with what is read beside them."""
     for example in rule.examples:
         if example.format in FORMATS:
-            for texts in promises._texts(example):
+            for texts in rule_conformance._texts(example):
                 yield join_companions([read(each, OPTIONS) for each in texts])
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
-from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.terms import Term, Triple, iri_value, is_blank, is_iri
 
 if TYPE_CHECKING:
@@ -17,32 +17,35 @@ THIS = "?this"
 
 
 @dataclass(frozen=True)
-class Frame:
-    """A shape with the variable of its focus node and names for what is found there.
-
-    `value` is the value node: `focus` itself in node shapes. `out`, `path` and `extra` name
-    what a result may say. `above` are the shapes through which this one was reached, from the
-    one with targets on. `conforms` gives the condition that a variable conforms to a shape.
-    `top` says that results are reported, rather than conformance asked.
-    """
+class ShapeScope:
+    """A shape with the SPARQL variables for its focus node, its value nodes and its results."""
 
     shape: Shape
     focus: str
+    """The variable of the focus node."""
     value: str
+    """The variable of the value node: `focus` itself in node shapes."""
     out: str
+    """The variable of the value in a result."""
     path: str
+    """The variable of the path in a result."""
     extra: str
+    """The variable of what values are compared by or with: a language tag, a limit."""
     names: count[int]
+    """Numbers for fresh variables, shared by all scopes of a query."""
     above: tuple[Term, ...]
+    """The shapes through which this one was reached, from the one with targets on."""
     conforms: Callable[[Term, str], str]
+    """Returns the condition that a variable conforms to a shape."""
     top: bool = False
+    """Results are reported, rather than conformance asked."""
 
     @property
-    def each(self) -> tuple[str, ...]:
+    def value_groups(self) -> tuple[str, ...]:
         """The group that binds `value` to each value node; none in node shapes."""
-        return (self.reach(self.value),) if self.shape.path else ()
+        return (self.value_pattern(self.value),) if self.shape.path else ()
 
-    def reach(self, end: str) -> str:
+    def value_pattern(self, end: str) -> str:
         """The group that binds *end* to each value node of a property shape."""
         assert self.shape.path is not None
         return self.shape.path.pattern(self.focus, end, self.names)
@@ -54,28 +57,31 @@ class Frame:
 
 @dataclass(frozen=True)
 class Violation:
-    """How a query finds what breaks one constraint.
-
-    `groups` are evaluated one inside the other, the focus node bound; each solution for which
-    `condition` holds is a violation. `condition` is never an error. `shown` are the variables
-    of a result; `at_value` says that the value node is its value. `path` says that a variable
-    rather than the shape tells the path. `formats` are those it is for, where not all that the
-    rule is for. `severity` is its own, where it is not that of the shape. `stands` says that it
-    finds the same without a focus node, for all of them at once.
-    """
+    """The part of a query that finds the violations of one constraint of a shape."""
 
     component: str
+    """The IRI of the constraint component."""
     groups: tuple[str, ...] = ()
+    """Groups that are evaluated one inside the other, the focus node bound."""
     condition: str = ""
+    """Of the solutions of `groups`, those are violations for which this holds; never an error."""
     shown: tuple[str, ...] = ()
+    """The variables of a result."""
     at_value: bool = False
+    """The value node is the value of the result."""
     messages: tuple[str, ...] = ()
     own_messages: bool = False
+    """The messages are those of the constraint or its component, not of the shape."""
     premises: tuple[Triple, ...] = ()
+    """Patterns that every violation matches."""
     deferred: str | None = None
+    """The reason why the reference engine has to judge the constraint."""
     formats: tuple[str, ...] = ()
+    """The formats that it is for, where not all that the rule is for."""
     severity: str = ""
-    stands: bool = False
+    """Its own severity, where that is not the severity of the shape."""
+    without_focus: bool = False
+    """The groups find the same with no focus node bound, for all nodes at once."""
 
     @property
     def body(self) -> str:

@@ -13,10 +13,10 @@ from kinlint.sparql.ast import (
     Union,
 )
 from kinlint.sparql.patterns import patterns
-from kinlint.sparql.scope import variables, visible
+from kinlint.sparql.variables import variables, visible
 
 
-def hoisted(group: Group, bound: frozenset[str], names: count[int]) -> Group:
+def with_invariants_first(group: Group, bound: frozenset[str], names: count[int]) -> Group:
     """*group* with its EXISTS filters that see nothing but *bound* evaluated first.
 
     Such a filter holds for all solutions of *group* or for none, so it may stand before them:

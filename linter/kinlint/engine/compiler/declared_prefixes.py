@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kinlint.engine.compiler.names import IMPORTS, sh
+from kinlint.engine.compiler.shacl_terms import IMPORTS, sh
 from kinlint.terms import Term, is_literal, literal_value
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
 
 
 def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:

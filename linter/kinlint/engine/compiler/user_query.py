@@ -6,22 +6,22 @@ from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
+from kinlint.engine.compiler.declared_prefixes import declared
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.dialect import tuned
-from kinlint.engine.compiler.forbidden import OPTIONAL, forbidden
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.prefixes import declared
-from kinlint.engine.compiler.probe import refused_query, try_call
+from kinlint.engine.compiler.oxigraph_probe import refused_query, try_call
+from kinlint.engine.compiler.prebinding import OPTIONAL, forbidden
+from kinlint.engine.compiler.query_rewrite import rewritten_for_oxigraph
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.errors import RuleInvalid
 from kinlint.sparql.ast import Clause, Group, Select, Triples, Union, render, walk
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns, premises
-from kinlint.sparql.scope import projection, with_names
 from kinlint.sparql.tokens import NotSparql, is_variable, tokens
+from kinlint.sparql.variables import projection, with_names
 from kinlint.terms import is_literal, literal_value
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
     from kinlint.terms import Term, Triple
 
 PATH = "?PATH"
@@ -77,7 +77,7 @@ def read_query(
     if "*" in select.head and "(" not in select.head:
         select = with_names(select, names)
     return Query(
-        tuned(select, frozenset(prebound)),
+        rewritten_for_oxigraph(select, frozenset(prebound)),
         tuple(names),
         _premises(select.group),
         _may_stay(select, prebound),

@@ -7,11 +7,11 @@ from dataclasses import replace
 from itertools import count
 from typing import TYPE_CHECKING
 
-from kinlint.engine.compiler.frame import THIS
-from kinlint.engine.compiler.names import SUBCLASS, TYPE
+from kinlint.engine.compiler.shacl_terms import SUBCLASS, TYPE
+from kinlint.engine.compiler.shape_scope import THIS
 from kinlint.sparql.ast import Bind, Clause, Element, Filter, Group, Select, Triples
 from kinlint.sparql.patterns import patterns
-from kinlint.sparql.scope import variables, words
+from kinlint.sparql.variables import variables, words
 
 if TYPE_CHECKING:
     from kinlint.engine.compiler.target import Target
@@ -21,7 +21,7 @@ _AGGREGATES = {"COUNT", "SUM", "MIN", "MAX", "AVG", "SAMPLE", "GROUP_CONCAT"}
 _CUTS = {"LIMIT", "OFFSET", "ORDER"}
 
 
-def implied(target: Target, premises: Sequence[Triple]) -> tuple[Triple, ...]:
+def implying_premises(target: Target, premises: Sequence[Triple]) -> tuple[Triple, ...]:
     """Those of *premises*, which every violation matches, that make `$this` one of *target*.
 
     None if it takes more to be one.
@@ -45,14 +45,14 @@ def implied(target: Target, premises: Sequence[Triple]) -> tuple[Triple, ...]:
 
 def narrowed(target: Target, premises: Sequence[Triple]) -> Target:
     """*target*, looked for by what of *premises* makes a node one."""
-    found = implied(target, premises)
+    found = implying_premises(target, premises)
     if not found:
         return target
     text = " . ".join(" ".join(each) for each in found)
     return replace(target, all=f"{{ SELECT DISTINCT {THIS} WHERE {{ {text} }} }}")
 
 
-def stands(select: Select) -> bool:
+def runs_without_focus(select: Select) -> bool:
     """Whether *select* finds the same if nothing binds `$this` before.
 
     So it is where its own patterns bind it first and hang together, and everything after these

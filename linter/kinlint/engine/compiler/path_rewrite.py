@@ -16,13 +16,15 @@ from kinlint.sparql.ast import (
     Union,
 )
 from kinlint.sparql.patterns import Pattern, patterns
-from kinlint.sparql.scope import projection, variables, words
 from kinlint.sparql.tokens import is_variable
+from kinlint.sparql.variables import projection, variables, words
 
 _PLAIN = (Triples, Bind, Union, Filter)
 
 
-def reach(group: Group, bound: frozenset[str], certain: frozenset[str], names: count[int]) -> Group:
+def with_closure_as_minus(
+    group: Group, bound: frozenset[str], certain: frozenset[str], names: count[int]
+) -> Group:
     """*group* with `FILTER NOT EXISTS { ?a p* ?b }` as a MINUS, where that means the same.
 
     As a filter, the closure is followed once for each pair of `?a` and `?b`. One of them must

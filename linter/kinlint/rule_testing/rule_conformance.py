@@ -22,7 +22,7 @@ from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.rule import Example, Rule
-from kinlint.rule_testing.bench import Bench, idle
+from kinlint.rule_testing.mutation_harness import MutationHarness, unneeded_parts
 from kinlint.sparql.tokens import tokens
 from kinlint.text import SourceText, Span
 
@@ -64,11 +64,11 @@ def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterato
         yield from _repaired(rule, rulebook)
     if oracles and not found:
         examples = (each for example in rule.examples for each in _texts(example))
-        yield from idle(Bench.for_rule(rule, rulebook, examples))
+        yield from unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
 
 
 def _nonstandard(rule: Rule) -> Iterator[str]:
-    from kinlint.rule_testing.standard import nonstandard  # noqa: PLC0415  it loads rdflib
+    from kinlint.rule_testing.sparql_conformance import nonstandard  # noqa: PLC0415  it loads rdflib
 
     yield from nonstandard(rule)
 
@@ -84,7 +84,7 @@ def _uncomputed(rule: Rule) -> Iterator[str]:
     """Yield the facts that *rule* asks for and nothing computes."""
     from kinlint.catalogue.asked_facts import uncomputed  # noqa: PLC0415  it loads all that computes
     from kinlint.catalogue.repair_file import prefixes  # noqa: PLC0415
-    from kinlint.engine.compiler.graph import parse  # noqa: PLC0415
+    from kinlint.engine.compiler.shapes_graph import parse  # noqa: PLC0415
 
     yield from uncomputed(parse(Path(rule.path)), prefixes())
 
@@ -129,7 +129,7 @@ def _disputed(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 
 def _repaired(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
-    from kinlint.rule_testing.repairs import shown  # noqa: PLC0415  few rules have repairs
+    from kinlint.rule_testing.repair_examples import shown  # noqa: PLC0415  few rules have repairs
 
     only, settings = _alone(rule, rulebook, "oxigraph")
     with ExitStack() as stack:
@@ -250,7 +250,7 @@ def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 def form(rule: Rule) -> Iterator[str]:
     """What the rule's file says against `shapes/rule.ttl`."""
-    from kinlint.engine.compiler.compile import compile_shapes  # noqa: PLC0415
+    from kinlint.engine.compiler.shapes_compiler import compile_shapes  # noqa: PLC0415
 
     shapes = compile_shapes([resources.data("shapes") / "rule.ttl"])
     source = decode(rule.path, Path(rule.path).read_bytes())

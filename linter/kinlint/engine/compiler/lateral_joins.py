@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from kinlint.sparql.ast import Bind, Clause, Element, Filter, Group, Triples, Union
-from kinlint.sparql.scope import variables, visible
+from kinlint.sparql.variables import variables, visible
 
 _BLOCK = (Triples, Filter)
 
 
-def correlated(group: Group) -> Group:
+def with_lateral_joins(group: Group) -> Group:
     """*group* with LATERAL before the patterns that would else be matched from nothing.
 
     Oxigraph orders the patterns of one block well, but joins one block with another by matching

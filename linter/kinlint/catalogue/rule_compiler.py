@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from kinlint.catalogue.rule_file import stated_rules
-from kinlint.engine.compiler.compile import compile_graph
-from kinlint.engine.compiler.graph import FIRST, REST, ShapesFile, ShapesGraph, labels, parse
-from kinlint.engine.compiler.names import IMPORTS, SUBCLASS, TYPE, sh
+from kinlint.engine.compiler.shacl_terms import IMPORTS, SUBCLASS, TYPE, sh
+from kinlint.engine.compiler.shapes_compiler import compile_graph
+from kinlint.engine.compiler.shapes_graph import FIRST, REST, ShapesFile, ShapesGraph, labels, parse
 from kinlint.engine.lifting import compiled_queries
 from kinlint.engine.ontology import compile_axioms
 from kinlint.terms import RDF, Term, is_iri

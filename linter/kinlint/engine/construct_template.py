@@ -11,8 +11,8 @@ from kinlint.document import FROM
 from kinlint.engine.required_terms import ANY_CLASS
 from kinlint.sparql.ast import Bind, Clause, Element, Group, Triples, Union
 from kinlint.sparql.patterns import template
-from kinlint.sparql.scope import variables, words
 from kinlint.sparql.tokens import is_variable
+from kinlint.sparql.variables import variables, words
 from kinlint.terms import RDF_TYPE, Term
 
 

@@ -8,19 +8,19 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
-from kinlint.engine.compiler.graph import ShapesGraph, Source, read
-from kinlint.engine.compiler.names import sh
-from kinlint.engine.compiler.narrow import implied, narrowed
-from kinlint.engine.compiler.probe import try_out
+from kinlint.engine.compiler.oxigraph_probe import try_out
+from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, target_shapes
+from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.target import Target, target
+from kinlint.engine.compiler.target_narrowing import implying_premises, narrowed
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
 from kinlint.engine.required_terms import needs
 from kinlint.sparql.patterns import literal_token
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.frame import Frame, Violation
+    from kinlint.engine.compiler.shape_scope import ShapeScope, Violation
     from kinlint.terms import Triple
 
 ROOT = "?root"
@@ -54,13 +54,13 @@ class _Walk:
     def constraints(self, shape: Shape, above: tuple[Shape, ...]) -> Iterator[Constraint]:
         nodes = tuple(each.node for each in above)
         names = count(1)
-        frame = top_frame(shape, names, nodes)
-        found = list(violations(frame))
+        scope = top_frame(shape, names, nodes)
+        found = list(violations(scope))
         # pySHACL's results tell shape and component, so a component is deferred as a whole.
         reasons = {each.component: each.deferred for each in found if each.deferred}
         for violation in found:
             whole = replace(violation, deferred=reasons.get(violation.component))
-            yield self._constraint(frame, whole, above)
+            yield self._constraint(scope, whole, above)
         for inner in properties(shape):
             if inner.node in (*nodes, shape.node):
                 yield self._deferred(inner, "the shape refers to itself")
@@ -68,9 +68,9 @@ class _Walk:
                 yield from self.constraints(inner, (*above, shape))
 
     def _constraint(
-        self, frame: Frame, violation: Violation, above: tuple[Shape, ...]
+        self, scope: ShapeScope, violation: Violation, above: tuple[Shape, ...]
     ) -> Constraint:
-        shape = frame.shape
+        shape = scope.shape
         advanced = shape.graph.values(self.root.node, sh("target"))
         reason = "sh:target is no part of SHACL" if advanced else violation.deferred
         messages = violation.messages
@@ -88,7 +88,7 @@ class _Walk:
         )
         if reason is not None:
             return common
-        return _compiled(common, frame, violation, _chain(self.root, frame, above))
+        return _compiled(common, scope, violation, _chain(self.root, scope, above))
 
     def _deferred(self, shape: Shape, reason: str) -> Constraint:
         return Constraint(
@@ -114,24 +114,26 @@ class _Chain:
     premises: tuple[Triple, ...]
 
 
-def _chain(root: Shape, frame: Frame, above: tuple[Shape, ...]) -> _Chain:
+def _chain(root: Shape, scope: ShapeScope, above: tuple[Shape, ...]) -> _Chain:
     steps = [shape for shape in above if shape.path]
     nodes = [ROOT, *(f"?k_up{at}" for at in range(1, len(steps))), "?this"]
     nodes = nodes if steps else ["?this"]
     groups, premises = [], []
     for shape, start, end in zip(steps, nodes, nodes[1:], strict=False):
         assert shape.path is not None
-        groups.append(shape.path.pattern(start, end, frame.names))
-        premises += shape.path.steps(start, end, frame.names)
+        groups.append(shape.path.pattern(start, end, scope.names))
+        premises += shape.path.steps(start, end, scope.names)
     targets = target(root, nodes[0])
     return _Chain(nodes[0], targets, tuple(groups), (*targets.premises, *premises))
 
 
-def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Chain) -> Constraint:
+def _compiled(
+    common: Constraint, scope: ShapeScope, violation: Violation, chain: _Chain
+) -> Constraint:
     shown = [chain.root if chain.root == ROOT else f"({chain.root} AS {ROOT})"]
     shown.append("?this")
     if violation.at_value:
-        shown.append(f"({frame.value} AS ?value)")
+        shown.append(f"({scope.value} AS ?value)")
     shown += [name for name in violation.shown if name not in ("?this", ROOT)]
 
     def query(*start: str) -> str:
@@ -139,12 +141,12 @@ def _compiled(common: Constraint, frame: Frame, violation: Violation, chain: _Ch
         return f"SELECT {' '.join(shown)} WHERE {{ {outer}{violation.body} }}"
 
     premises: list[Triple] = [*chain.premises]
-    if violation.at_value and frame.value in violation.body and frame.shape.path:
-        premises += frame.shape.path.steps("?this", "?value", count(3000))
+    if violation.at_value and scope.value in violation.body and scope.shape.path:
+        premises += scope.shape.path.steps("?this", "?value", count(3000))
     premises += violation.premises
-    own = () if chain.groups or frame.shape.path else violation.premises
+    own = () if chain.groups or scope.shape.path else violation.premises
     everywhere = query(narrowed(chain.target, own).all)
-    if violation.stands and implied(chain.target, own):
+    if violation.without_focus and implying_premises(chain.target, own):
         everywhere = query()
     try:
         try_out(everywhere)

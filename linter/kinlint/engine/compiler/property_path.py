@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from itertools import count, pairwise
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from kinlint.engine.compiler.graph import FIRST
-from kinlint.engine.compiler.names import sh
+from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.shapes_graph import FIRST
 from kinlint.terms import Term, Triple, is_iri
 
 if TYPE_CHECKING:
-    from kinlint.engine.compiler.graph import ShapesGraph
+    from kinlint.engine.compiler.shapes_graph import ShapesGraph
 
 Kind: TypeAlias = Literal["predicate", "inverse", "sequence", "alternative", "*", "+", "?"]
 

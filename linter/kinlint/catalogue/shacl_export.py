@@ -8,7 +8,7 @@ from pathlib import Path
 import pyoxigraph as ox
 
 from kinlint import resources
-from kinlint.engine.compiler.graph import read
+from kinlint.engine.compiler.shapes_graph import read
 from kinlint.terms import iri
 from kinlint.vocabulary import KL
 
