@@ -14,7 +14,7 @@ import pytest
 from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.formats import incremental_reader
-from kinlint.formats.incremental_reader import Rereader
+from kinlint.formats.incremental_reader import IncrementalReader
 from kinlint.formats.jsonld.incremental import reader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -49,7 +49,7 @@ class Session:
     def __init__(self, name: str = "robot.jsonld") -> None:
         self.name = name
         self.options = ReadOptions()
-        self.rereader = Rereader()
+        self.rereader = IncrementalReader()
 
     def write(self, text: str) -> bool:
         """Whether *text* could be read; it says the same both times."""
@@ -163,7 +163,7 @@ def test_typing(sooner: Callable[[], None]) -> None:
     ends = range(len(written) + 1)
     readable = [end for end in ends if session.write(text[:at] + written[:end] + text[at:])]
     assert readable == [0, len(written)]
-    again = Rereader()
+    again = IncrementalReader()
     options = session.options
     again.read(SourceText(session.name, text), options)
     sooner()
@@ -173,7 +173,7 @@ def test_typing(sooner: Callable[[], None]) -> None:
 
 @pytest.mark.parametrize("after", [BEFORE[1:], [*BEFORE, node("d", foo=1)], []])
 def test_elements_are_not_read_again(after: list[Any], sooner: Callable[[], None]) -> None:
-    rereader, options = Rereader(), ReadOptions()
+    rereader, options = IncrementalReader(), ReadOptions()
     rereader.read(SourceText("a.jsonld", model(*BEFORE)), options)
     sooner()
     expected = {"<https://example.org/#" + str(each["@id"])[3:] + ">" for each in after}
@@ -182,7 +182,7 @@ def test_elements_are_not_read_again(after: list[Any], sooner: Callable[[], None
 
 
 def test_options_and_names() -> None:
-    rereader, text = Rereader(), model(*BEFORE)
+    rereader, text = IncrementalReader(), model(*BEFORE)
     for name in ("a.jsonld", "b.jsonld"):
         for options in (ReadOptions(), ReadOptions(base="https://example.org/base/")):
             source = SourceText(name, text.replace("ex:b", "b"))
@@ -190,7 +190,7 @@ def test_options_and_names() -> None:
 
 
 def test_earlier_documents_stay_as_they_are() -> None:
-    rereader, options = Rereader(), ReadOptions()
+    rereader, options = IncrementalReader(), ReadOptions()
     texts = [model(*BEFORE[:number], node("x"), *BEFORE[number:]) for number in range(4)]
     sources = [SourceText("a.jsonld", text) for text in texts]
     documents = [rereader.read(source, options) for source in sources]
@@ -199,7 +199,7 @@ def test_earlier_documents_stay_as_they_are() -> None:
 
 
 def test_nothing_changed() -> None:
-    rereader, options, text = Rereader(), ReadOptions(), model(*BEFORE)
+    rereader, options, text = IncrementalReader(), ReadOptions(), model(*BEFORE)
     first = rereader.read(SourceText("a.jsonld", text), options)
     again = rereader.read(SourceText("a.jsonld", "".join(text)), options)
     assert again is first

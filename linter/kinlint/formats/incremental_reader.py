@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from kinlint.formats.jsonld.incremental.reader import Reading
 
 
-class Rereader:
+class IncrementalReader:
     """Reads the texts that one file has, one after the other.
 
     What it reads is what `registry.read` does, but sooner, if little has changed since a text

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from kinlint.document import Document
 from kinlint.formats.xacro.definitions import OWN
-from kinlint.formats.xacro.dom import Element, Text, Watch
-from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
+from kinlint.formats.xacro.dom import Element, Text, VisitRecord
+from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.xacro_parser import Malformed, parse
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.text import Location, SourceText, Span
@@ -85,8 +85,8 @@ def _root(source: SourceText) -> Element | None:
     if "xacro" not in source.text:
         return None
     try:
-        return parse(source, Watch(Bounds())).root
-    except (Malformed, TooMuch):
+        return parse(source, VisitRecord(Limits())).root
+    except (Malformed, LimitExceeded):
         return None
 
 

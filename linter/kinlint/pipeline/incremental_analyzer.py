@@ -15,7 +15,7 @@ from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import Constraint
 from kinlint.file_format import Format
 from kinlint.findings.finding_builder import Proofs
-from kinlint.formats.incremental_reader import Rereader
+from kinlint.formats.incremental_reader import IncrementalReader
 from kinlint.formats.options import ReadOptions
 from kinlint.incremental.inference import followable
 from kinlint.incremental.triple_index import (
@@ -59,7 +59,7 @@ class IncrementalAnalyzer(Analyzer):
 
     def __init__(self, settings: Settings, rulebook: Rulebook) -> None:
         super().__init__(settings, rulebook)
-        self._readers: dict[str, Rereader] = {}
+        self._readers: dict[str, IncrementalReader] = {}
         self._kept: dict[Key, Kept] = {}
         self._inquiries: dict[tuple[tuple[tuple[str, Format], ...], bool], RuleSelection] = {}
         self._asked: RuleSelection | None = None
@@ -70,7 +70,7 @@ class IncrementalAnalyzer(Analyzer):
         """Read *source*, or what changed of it."""
         if not self._can_follow:
             return super()._read(source, options)
-        return self._readers.setdefault(source.name, Rereader()).read(source, options)
+        return self._readers.setdefault(source.name, IncrementalReader()).read(source, options)
 
     def _run(
         self, inputs: Inputs, selection: RuleSelection, spent: Phases, ask: Callable[[], None]

@@ -11,7 +11,7 @@ import pytest
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.schema import schema, version
-from kinlint.formats.xml.value_reading import Form, reading
+from kinlint.formats.xml.value_reading import Form, value_reader
 from kinlint.terms import literal_value
 
 
@@ -95,7 +95,7 @@ def test_what_a_schema_refers_to_is_there(form: Format) -> None:
 def test_a_value_is_of_its_kind_or_none(
     kinds: tuple[str, ...], *, infinite: bool, written: str, value: str | tuple[str, ...] | None
 ) -> None:
-    found = reading(Form(kinds, infinite))[written]
+    found = value_reader(Form(kinds, infinite))[written]
     if isinstance(found, tuple):
         assert tuple(map(literal_value, found)) == value
     else:
@@ -117,7 +117,7 @@ def test_a_value_is_of_its_kind_or_none(
     ],
 )
 def test_a_wrong_value_has_a_reason(kinds: tuple[str, ...], written: str, reason: str) -> None:
-    assert reading(Form(kinds)).reason(written) == reason
+    assert value_reader(Form(kinds)).reason(written) == reason
 
 
 def test_reading_a_robot_imports_no_other_front_end(tmp_path: Path) -> None:

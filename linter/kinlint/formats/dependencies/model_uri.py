@@ -24,32 +24,32 @@ LOCAL = ("", "file", "model", "package")
 
 
 @dataclass(frozen=True)
-class Missing:
+class MissingModel:
     """Why there is no file to include."""
 
     reason: str
 
 
-def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Missing:
+def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | MissingModel:
     """Return the SDF file that *uri* names in the last file of *chain*.
 
     The files of the chain include each other.
     """
     scheme = urlsplit(uri).scheme if "://" in uri else ""
     if scheme not in LOCAL:
-        return Missing("it is on the network")
+        return MissingModel("it is on the network")
     candidates = _candidates(uri, scheme, chain[-1].parent, packages)
     found = next((each for each in candidates if each in chain or kind(each)), None)
     if found is None:
-        return Missing("there is no such file or model")
+        return MissingModel("there is no such file or model")
     if kind(found) != "directory":
         return found
     inner = _named_by_manifest(found)
     if inner is None:
-        return Missing(f"the directory has no {MANIFESTS[0]}")
+        return MissingModel(f"the directory has no {MANIFESTS[0]}")
     if kind(inner) == "file":
         return inner
-    return Missing(f"its {MANIFESTS[0]} names {inner.name}, which is not there")
+    return MissingModel(f"its {MANIFESTS[0]} names {inner.name}, which is not there")
 
 
 def _candidates(uri: str, scheme: str, near: Path, packages: Packages) -> Iterator[Path]:

@@ -14,7 +14,7 @@ from kinlint.formats.json_text.json_values import (
     Key,
     Member,
     Object,
-    Parsed,
+    ParsedJson,
     Real,
     Text,
 )
@@ -38,7 +38,7 @@ _COLON = re.compile(r"[ \t\n\r]*:[ \t\n\r]*")
 _LITERALS = {"t": ("true", True), "f": ("false", False), "n": ("null", None)}
 
 
-def parse(source: SourceText) -> Parsed:
+def parse(source: SourceText) -> ParsedJson:
     """Parse the JSON value of *source*.
 
     Raises SourceError with line and column when it is none.
@@ -46,7 +46,7 @@ def parse(source: SourceText) -> Parsed:
     return _Parser(source).document()
 
 
-class Element(NamedTuple):
+class ArrayElement(NamedTuple):
     """An element of an array, where it stands, and the objects in it with repeated keys.
 
     `closing` tells that it is none, but the bracket that ends the array.
@@ -58,7 +58,7 @@ class Element(NamedTuple):
     closing: bool = False
 
 
-def element(source: SourceText, at: int, *, first: bool, depth: int) -> Element:
+def element(source: SourceText, at: int, *, first: bool, depth: int) -> ArrayElement:
     """Parse the next element of an array.
 
     *depth* counts the arrays and objects around it, the array itself included. *at* is behind the
@@ -79,7 +79,7 @@ class _Parser:
         place = self.source.position(at)
         raise SourceError(self.source.name, cause, place.line, place.column)
 
-    def document(self) -> Parsed:
+    def document(self) -> ParsedJson:
         text = self.text
         at = self.space(0)
         if at == len(text):
@@ -91,7 +91,7 @@ class _Parser:
         rest = self.space(end)
         if rest != len(text):
             self.fail(f"not JSON: {self.shown(rest)} after the end of the value", rest)
-        return Parsed(value, Span(at, end), self.repeats)
+        return ParsedJson(value, Span(at, end), self.repeats)
 
     def space(self, at: int) -> int:
         match = _SPACE.match(self.text, at)
@@ -155,19 +155,19 @@ class _Parser:
                 self.add(current, key, value, at, end)
                 at = end
 
-    def element(self, at: int, *, first: bool, depth: int) -> Element:
+    def element(self, at: int, *, first: bool, depth: int) -> ArrayElement:
         """Return the next element of an array, or its closing bracket."""
         at = self.space(at) if first else at
         follows = None if first else _NEXT_ELEMENT.match(self.text, at)
         if self.text.startswith("]", at) if first else follows is None:
             end = self.close(Array(at), at)
-            return Element(None, Span(end - 1, end), [], closing=True)
+            return ArrayElement(None, Span(end - 1, end), [], closing=True)
         at = follows.end() if follows else at
         if self.text[at : at + 1] in ("{", "["):
             value, end = self.container(at, depth)
         else:
             value, end = self.scalar(at)
-        return Element(value, Span(at, end), self.repeats)
+        return ArrayElement(value, Span(at, end), self.repeats)
 
     def close(self, current: Array | Object, at: int) -> int:
         at = self.space(at)

@@ -98,7 +98,7 @@ class Object(Placed, dict[str, Any]):
 Value: TypeAlias = Text | Integer | Real | Array | Object | bool | None
 
 
-class Parsed(NamedTuple):
+class ParsedJson(NamedTuple):
     """A JSON text: its value, where that stands, and the objects with repeated keys."""
 
     value: Value

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
 from kinlint.formats.jsonld.context_cache import ContextCache, unplaced
 from kinlint.formats.jsonld.context_resolver import Resolved
-from kinlint.formats.jsonld.expansion_record import Problem, Record, Shadow
+from kinlint.formats.jsonld.expansion_record import ContextProblem, ExpansionRecord, ShadowedTerm
 from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
 from kinlint.formats.jsonld.uri_schemes import REGISTERED
 from kinlint.text import Span
@@ -37,7 +37,7 @@ class ActiveContexts:
     the place of the `@context` at work.
     """
 
-    record: Record
+    record: ExpansionRecord
 
     def __init__(self, memory: ContextCache, *, strict: bool) -> None:
         self.strict = strict
@@ -45,7 +45,7 @@ class ActiveContexts:
         self.resolver = memory.resolver
         self.site: Span | None = None
         # Results with their problem, and the keys' objects, which must live as long as their ids.
-        self._known: dict[Any, tuple[Context, Problem | None, Any]] = {}
+        self._known: dict[Any, tuple[Context, ContextProblem | None, Any]] = {}
 
     def _clone_active_context(self, active_ctx: Context) -> Context:
         clone = _Lenient(super()._clone_active_context(active_ctx))  # type: ignore[misc]
@@ -109,7 +109,7 @@ class ActiveContexts:
 
     def _processed(
         self, active: Context, entry: Any, process: _Process, options: Any, *, shared: bool
-    ) -> tuple[Context, Problem | None]:
+    ) -> tuple[Context, ContextProblem | None]:
         span = getattr(entry, "span", None) or self.site or Span(0, 0)
         iri = str(entry) if isinstance(entry, str) else None
         try:
@@ -122,13 +122,13 @@ class ActiveContexts:
         except FAULTS as fault:
             if self.strict:
                 raise
-            problem = Problem("InvalidContext", iri, _reason(fault), span)
+            problem = ContextProblem("InvalidContext", iri, _reason(fault), span)
             return self._salvaged(active, entry, process, problem)
         missing = next((context.missing for context in found if context.missing), None)
         if isinstance(entry, Object):
             self._datatypes(entry, result)
         if missing:
-            return _blind(result), Problem("UnresolvedContext", iri, missing, span)
+            return _blind(result), ContextProblem("UnresolvedContext", iri, missing, span)
         return result, None
 
     def _datatypes(self, entry: Object, result: Context) -> None:
@@ -143,8 +143,8 @@ class ActiveContexts:
                     self.record.undefine(written)
 
     def _salvaged(
-        self, active: Context, entry: Any, process: _Process, problem: Problem
-    ) -> tuple[Context, Problem]:
+        self, active: Context, entry: Any, process: _Process, problem: ContextProblem
+    ) -> tuple[Context, ContextProblem]:
         """Extend *active* by the terms that can be defined, and return the first problem."""
         try:
             found: list[Resolved] = self.resolver.resolve(active, entry, "")
@@ -187,7 +187,9 @@ class ActiveContexts:
                 old = (before["mappings"].get(term) or {}).get("@id")
                 new = (after["mappings"].get(term) or {}).get("@id")
                 if old and new and old != new:
-                    self.record.redefine(Shadow(str(term), str(entry), owners[term], new, old))
+                    self.record.redefine(
+                        ShadowedTerm(str(term), str(entry), owners[term], new, old)
+                    )
             owners[str(term)] = str(entry)
 
 

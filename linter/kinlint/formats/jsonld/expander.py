@@ -6,10 +6,18 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
-from kinlint.formats.json_text.json_values import Array, Integer, Key, Object, Parsed, Real, Text
+from kinlint.formats.json_text.json_values import (
+    Array,
+    Integer,
+    Key,
+    Object,
+    ParsedJson,
+    Real,
+    Text,
+)
 from kinlint.formats.jsonld.active_context import ActiveContexts, Context
 from kinlint.formats.jsonld.context_cache import ContextCache
-from kinlint.formats.jsonld.expansion_record import Record
+from kinlint.formats.jsonld.expansion_record import ExpansionRecord
 from kinlint.formats.jsonld.pyld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 from kinlint.formats.jsonld.traced_values import (
     RELATIVE,
@@ -45,7 +53,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     ) -> None:
         ActiveContexts.__init__(self, memory, strict=strict)
         JsonLdProcessor.__init__(self, on_property_dropped=self._on_dropped)
-        self.record = Record()
+        self.record = ExpansionRecord()
         self.trail: list[Origin] = []
         self.repeated: dict[int, Origin] = {}
         self.on_node: Callable[[Any], None] | None = None
@@ -60,7 +68,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         self._kept: list[Context] = []
         memory.begin(self._get_initial_context(self.options))
 
-    def expand_document(self, parsed: Parsed, context: Any = None) -> list[Any]:
+    def expand_document(self, parsed: ParsedJson, context: Any = None) -> list[Any]:
         """Return the expanded form of a JSON text; *context* is in force from the start.
 
         Raises JsonLdError where the text breaks the rules of JSON-LD outside of contexts.

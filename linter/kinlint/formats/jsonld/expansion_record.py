@@ -11,7 +11,7 @@ from kinlint.formats.jsonld.traced_values import Origin, Reach, Resolution
 from kinlint.text import Span
 
 
-class Drop(NamedTuple):
+class DroppedKey(NamedTuple):
     """A key that no context in force maps, and what it means instead."""
 
     key: Text
@@ -19,7 +19,7 @@ class Drop(NamedTuple):
     resolution: Resolution
 
 
-class Stray(NamedTuple):
+class StrayValue(NamedTuple):
     """A value without effect: a would-be keyword where an IRI belongs, or a value of nothing."""
 
     kind: str
@@ -30,7 +30,7 @@ class Stray(NamedTuple):
     key: str | None = None
 
 
-class Problem(NamedTuple):
+class ContextProblem(NamedTuple):
     """A context that is missing or broken: its IRI if it has one, and where it is named."""
 
     kind: str
@@ -39,7 +39,7 @@ class Problem(NamedTuple):
     span: Span
 
 
-class Shadow(NamedTuple):
+class ShadowedTerm(NamedTuple):
     """A term of one context document that a later document in the same array redefines."""
 
     term: str
@@ -50,26 +50,26 @@ class Shadow(NamedTuple):
 
 
 @dataclass
-class Record:
+class ExpansionRecord:
     """The notes of one file."""
 
-    drops: dict[int, Drop] = field(default_factory=dict)
+    drops: dict[int, DroppedKey] = field(default_factory=dict)
     uses: dict[int, Text] = field(default_factory=dict)
-    problems: dict[tuple[int, int], Problem] = field(default_factory=dict)
-    shadows: dict[str, Shadow] = field(default_factory=dict)
-    shadow_uses: dict[Shadow, Text] = field(default_factory=dict)
+    problems: dict[tuple[int, int], ContextProblem] = field(default_factory=dict)
+    shadows: dict[str, ShadowedTerm] = field(default_factory=dict)
+    shadow_uses: dict[ShadowedTerm, Text] = field(default_factory=dict)
     prefixes: dict[str, str] = field(default_factory=dict)
-    strays: dict[Span, Stray] = field(default_factory=dict)
+    strays: dict[Span, StrayValue] = field(default_factory=dict)
     unprefixed: dict[int, Text] = field(default_factory=dict)
 
     def drop(self, key: Text, origin: Origin, resolution: Resolution) -> None:
         """Note that *key* in *origin* means nothing, as *resolution* says."""
-        self.drops.setdefault(key.start, Drop(key, origin, resolution))
+        self.drops.setdefault(key.start, DroppedKey(key, origin, resolution))
 
     def reserve(self, value: Text, origin: Origin) -> None:
         """Record *value*, which should be an IRI, but is a word that JSON-LD reserves."""
         reason = "JSON-LD reserves words that begin with an at sign"
-        stray = Stray("MalformedIri", value.span, origin, value, reason, _key(origin, value))
+        stray = StrayValue("MalformedIri", value.span, origin, value, reason, _key(origin, value))
         self.strays.setdefault(value.span, stray)
 
     def float(self, value: Any, span: Span) -> None:
@@ -77,7 +77,7 @@ class Record:
         reason = "it is the value of no property"
         plain = isinstance(value, (str, int, float))
         written = f"{value}" if plain and not isinstance(value, bool) else "value"
-        self.strays.setdefault(span, Stray("LostValue", span, None, written, reason))
+        self.strays.setdefault(span, StrayValue("LostValue", span, None, written, reason))
 
     def undefine(self, datatype: Text) -> None:
         """Record a *datatype* with an unknown prefix, which a context in the file gives a term."""
@@ -88,7 +88,7 @@ class Record:
         if isinstance(entry, Text):
             self.uses[entry.start] = entry
 
-    def problem(self, problem: Problem) -> None:
+    def problem(self, problem: ContextProblem) -> None:
         """Record that a context cannot be used."""
         self.problems.setdefault(problem.span, problem)
 
@@ -98,7 +98,7 @@ class Record:
             if mapping and mapping.get("_prefix"):
                 self.prefixes.setdefault(term, str(mapping["@id"]))
 
-    def redefine(self, shadow: Shadow) -> None:
+    def redefine(self, shadow: ShadowedTerm) -> None:
         """Record that a term changes its meaning within one array of contexts."""
         self.shadows[shadow.term] = shadow
 

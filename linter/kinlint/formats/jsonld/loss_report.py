@@ -10,8 +10,8 @@ from kinlint.formats.json_text.json_values import Key, Object, Text
 from kinlint.formats.jsonld.active_context import FAULTS, Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
-from kinlint.formats.jsonld.expansion_record import Record, Shadow, Stray
-from kinlint.formats.jsonld.losses import Detail, Loss, LossWatch, text_details
+from kinlint.formats.jsonld.expansion_record import ExpansionRecord, ShadowedTerm, StrayValue
+from kinlint.formats.jsonld.losses import Detail, Loss, LossObserver, text_details
 from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
@@ -76,7 +76,7 @@ LOOKED_UP = 1_000
 """Number of lost words that are compared with the terms of their contexts."""
 
 
-class Comparison:
+class ReleaseComparison:
     """Comparison of lost words with the terms of their contexts, and of other releases."""
 
     def __init__(self, options: ReadOptions) -> None:
@@ -110,7 +110,11 @@ class LossReport:
     """All losses of one file, or of a part of one that *compared* knows more of."""
 
     def __init__(
-        self, record: Record, watch: LossWatch, triples: Triples, compared: Comparison
+        self,
+        record: ExpansionRecord,
+        watch: LossObserver,
+        triples: Triples,
+        compared: ReleaseComparison,
     ) -> None:
         self._record = record
         self._watch = watch
@@ -205,7 +209,7 @@ class LossReport:
         return losses
 
 
-def shadowed(uses: Iterable[tuple[Shadow, Span]]) -> list[Loss]:
+def shadowed(uses: Iterable[tuple[ShadowedTerm, Span]]) -> list[Loss]:
     """Return the terms whose meaning differs from an earlier context, at their first places."""
     losses = []
     for shadow, span in uses:
@@ -250,5 +254,5 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
     return losses
 
 
-def _in(stray: Stray) -> dict[str, str]:
+def _in(stray: StrayValue) -> dict[str, str]:
     return {} if stray.key is None else {"key": stray.key}

@@ -70,7 +70,7 @@ class Nested(NamedTuple):
     slot: Slot
 
 
-class LossWatch:
+class LossObserver:
     """Notices IRIs that are not what their author meant, on their way into the graph.
 
     Nothing is said of names that a context would explain which could not be read.

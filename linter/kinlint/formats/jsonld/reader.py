@@ -13,13 +13,18 @@ from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_parser import parse
-from kinlint.formats.json_text.json_values import Object, Parsed
+from kinlint.formats.json_text.json_values import Object, ParsedJson
 from kinlint.formats.jsonld.active_context import FAULTS, complaint
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
-from kinlint.formats.jsonld.loss_report import Comparison, LossReport, state_losses, state_uses
-from kinlint.formats.jsonld.losses import LossWatch
+from kinlint.formats.jsonld.loss_report import (
+    LossReport,
+    ReleaseComparison,
+    state_losses,
+    state_uses,
+)
+from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
@@ -48,7 +53,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     processor = Processor(
         ContextCache.from_options(options, options.contexts.release), options.base
     )
-    graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossWatch()
+    graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossObserver()
     triples = Triples(blanks, watch)
     processor.on_node = lambda node: triples.add([node], parsed.span)
     _state(triples, processor, parsed, source)
@@ -60,7 +65,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
-    report = LossReport(record, watch, triples, Comparison(options))
+    report = LossReport(record, watch, triples, ReleaseComparison(options))
     state_losses(layer, report.losses(parsed.repeats, processor.repeated))
 
     spans = triples.spans
@@ -70,7 +75,7 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     return Document(source, graph, tuple(spans), places, record.prefixes, format=JSONLD)
 
 
-def _check_contexts(parsed: Parsed, source: SourceText) -> None:
+def _check_contexts(parsed: ParsedJson, source: SourceText) -> None:
     """Refuse a file whose outermost `@context` is a number, or true, or false."""
     outermost = parsed.value if isinstance(parsed.value, list) else [parsed.value]
     for node in outermost:
@@ -82,7 +87,7 @@ def _check_contexts(parsed: Parsed, source: SourceText) -> None:
             raise SourceError(source.name, cause, place.line, place.column)
 
 
-def _state(triples: Triples, processor: Processor, parsed: Parsed, source: SourceText) -> None:
+def _state(triples: Triples, processor: Processor, parsed: ParsedJson, source: SourceText) -> None:
     """State what the file says; some of what PyLD lets pass cannot be stated."""
     try:
         triples.add(processor.expand_document(parsed), parsed.span)
@@ -91,7 +96,7 @@ def _state(triples: Triples, processor: Processor, parsed: Parsed, source: Sourc
         raise SourceError(source.name, _cause(fault), place.line, place.column) from fault
 
 
-def _blamed(fault: BaseException, processor: Processor, parsed: Parsed) -> int:
+def _blamed(fault: BaseException, processor: Processor, parsed: ParsedJson) -> int:
     """Return the offset of the value that PyLD refuses, or of the object it was at."""
     details = getattr(fault, "details", None) or {}
     start = getattr(details.get("value"), "start", None)

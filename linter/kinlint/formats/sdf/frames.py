@@ -11,7 +11,7 @@ from itertools import dropwhile
 from typing import TypeAlias
 
 from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
-from kinlint.formats.sdf.scopes import WORLD, Scopes, Unknown
+from kinlint.formats.sdf.scopes import WORLD, Scopes, UnknownName
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.suggestion import nearest
 
@@ -20,7 +20,7 @@ Found: TypeAlias = SdfElement | None
 
 
 @dataclass(frozen=True)
-class Problem:
+class FrameProblem:
     """A reference that leads nowhere: `carrier` says *written* as its attribute or text `role`.
 
     `members` are what else is on the cycle, if it is one.
@@ -40,7 +40,7 @@ class Frames:
     """The frames in *scopes*; `problems` are what was met on the way."""
 
     scopes: Scopes
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[FrameProblem] = field(default_factory=list)
     _bases: dict[SdfElement, Found] = field(default_factory=dict)
     _bodies: dict[SdfElement, Found] = field(default_factory=dict)
     _places: dict[SdfElement, Transform | None] = field(default_factory=dict)
@@ -52,7 +52,7 @@ class Frames:
 
     def _checked(
         self,
-        found: SdfElement | Unknown,
+        found: SdfElement | UnknownName,
         name: str,
         owner: SdfElement,
         carrier: SdfElement,
@@ -63,7 +63,7 @@ class Frames:
         if found.certain and (carrier, role) not in self._told:
             self._told.add((carrier, role))
             near = nearest(name, found.known)
-            self.problems.append(Problem("UndefinedName", owner, carrier, role, name, near))
+            self.problems.append(FrameProblem("UndefinedName", owner, carrier, role, name, near))
         return None
 
     # Poses
@@ -212,7 +212,7 @@ class Frames:
             if reason is not None:
                 carrier, role, name = reason
                 others = tuple(other for other in order if other is not each)
-                problem = Problem("CircularReference", each, carrier, role, name, None, others)
+                problem = FrameProblem("CircularReference", each, carrier, role, name, None, others)
                 if (carrier, role) not in self._told:
                     self._told.add((carrier, role))
                     self.problems.append(problem)

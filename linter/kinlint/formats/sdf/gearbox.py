@@ -22,7 +22,7 @@ ALIGNED = 1e-6
 Ends: TypeAlias = tuple[SdfElement | None, SdfElement | None]
 
 
-class Gear(NamedTuple):
+class GearCoupling(NamedTuple):
     """A gearbox: `follower` turns with `leader` if `sense` times minus the ratio is positive."""
 
     gearbox: SdfElement
@@ -31,7 +31,7 @@ class Gear(NamedTuple):
     sense: float
 
 
-def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[Gear]:
+def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[GearCoupling]:
     """Yield the couplings of gearboxes among *joints* whose axes two hinges turn about."""
     every = [*joints]
     boxes = [each for each in every if each.attributes.get("type") == "gearbox"]
@@ -56,7 +56,7 @@ def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[Gear]:
             for tag, hinge in (("axis", leader), ("axis2", follower))
         ]
         if 0.0 not in senses:
-            yield Gear(box, leader, follower, senses[0] * senses[1])
+            yield GearCoupling(box, leader, follower, senses[0] * senses[1])
 
 
 def _ends(frames: Frames, joint: SdfElement) -> Ends:

@@ -22,7 +22,7 @@ _OFFSET, _ROOT = f"<{SRC}offset>", f"<{SDF}sdf>"
 
 
 @dataclass(frozen=True)
-class Graft:
+class IncludedDocument:
     """An included `document`, the node of the `include`, and where its text begins."""
 
     document: Document
@@ -92,7 +92,7 @@ class Graft:
 class _Joined(Mapping[K, V], Generic[K, V]):
     """Mapping of a document together with those of the documents that are grafted onto it."""
 
-    def __init__(self, base: Mapping[K, V], grafts: Sequence[Graft]) -> None:
+    def __init__(self, base: Mapping[K, V], grafts: Sequence[IncludedDocument]) -> None:
         self.base, self.grafts = base, grafts
 
     def __getitem__(self, key: K) -> V:
@@ -107,7 +107,7 @@ class _Joined(Mapping[K, V], Generic[K, V]):
     def __len__(self) -> int:
         return sum(1 for _ in self)
 
-    def _in(self, graft: Graft, key: K) -> V | None:
+    def _in(self, graft: IncludedDocument, key: K) -> V | None:
         raise NotImplementedError
 
     def __contains__(self, key: Any) -> bool:
@@ -115,7 +115,7 @@ class _Joined(Mapping[K, V], Generic[K, V]):
 
 
 class _Triples(_Joined[Triple, Span]):
-    def _in(self, graft: Graft, key: Triple) -> Span | None:
+    def _in(self, graft: IncludedDocument, key: Triple) -> Span | None:
         own = graft.inner_triple(key)
         span = graft.document.map.triples.get(own) if own else None
         return graft.outer_span(span) if span else None
@@ -127,7 +127,7 @@ class _Triples(_Joined[Triple, Span]):
 
 
 class _Nodes(_Joined[Term, NodeSpans]):
-    def _in(self, graft: Graft, key: Term) -> NodeSpans | None:
+    def _in(self, graft: IncludedDocument, key: Term) -> NodeSpans | None:
         own = graft.inner_name(key)
         spans = graft.document.map.nodes.get(own) if own else None
         if spans is None:
@@ -152,11 +152,11 @@ def text_length(document: Document) -> int:
 
 def with_includes(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
     """Return *document* with each of the documents *included* at the node of its include."""
-    grafts: list[Graft] = []
+    grafts: list[IncludedDocument] = []
     pieces: list[tuple[int, SourceText]] = list(document.pieces or [(0, document.source)])
     end = text_length(document) + 1
     for include, each in included:
-        grafts.append(Graft(each, include, document.graph, end))
+        grafts.append(IncludedDocument(each, include, document.graph, end))
         own = each.pieces or [(0, each.source)]
         pieces += [(end + start, text) for start, text in own]
         end += text_length(each) + 1

@@ -14,11 +14,11 @@ from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.dependencies.included_text import included_text
-from kinlint.formats.dependencies.model_uri import Missing, locate
+from kinlint.formats.dependencies.model_uri import MissingModel, locate
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.sdf.added_statements import value_span, with_statements
 from kinlint.formats.sdf.format import SDF
-from kinlint.formats.sdf.frames import Problem
+from kinlint.formats.sdf.frames import FrameProblem
 from kinlint.formats.sdf.included_statements import with_includes
 from kinlint.formats.sdf.resolution import resolve_names
 from kinlint.formats.sdf.sdf_elements import SdfElement, tree
@@ -89,22 +89,22 @@ class _Inclusion:
             layer.add_node(kind, span, *details)
         return with_includes(with_statements(document, layer), found)
 
-    def _included(self, uri: str, chain: tuple[Path, ...]) -> tuple[str, Document | Missing]:
+    def _included(self, uri: str, chain: tuple[Path, ...]) -> tuple[str, Document | MissingModel]:
         unread = "UnresolvedInclude"
         path = locate(uri, chain, self.packages)
-        if isinstance(path, Missing):
+        if isinstance(path, MissingModel):
             return unread, path
         if path in chain:
-            return "CircularInclude", Missing(f"{path.name} includes itself")
+            return "CircularInclude", MissingModel(f"{path.name} includes itself")
         self.count += 1
         if excess := self._excess(len(chain)):
-            return unread, Missing(excess)
+            return unread, MissingModel(excess)
         try:
             return unread, self.read(self._text(path), (*chain, path))
         except SourceError as error:
-            return unread, Missing(f"{path.name} cannot be read: {error.cause}")
+            return unread, MissingModel(f"{path.name} cannot be read: {error.cause}")
         except Unreadable as error:
-            return unread, Missing(str(error))
+            return unread, MissingModel(str(error))
 
     def _excess(self, depth: int) -> str:
         """Return the reason why nothing more is included; empty if there is none."""
@@ -131,7 +131,7 @@ def _includes(root: SdfElement) -> Iterator[SdfElement]:
 
 
 def _with_names(
-    document: Document, triples: Sequence[Triple], problems: Sequence[Problem]
+    document: Document, triples: Sequence[Triple], problems: Sequence[FrameProblem]
 ) -> Document:
     """Return *document* with what was derived from it."""
     layer = SourceLayer(document.graph, BlankNodes(f"{document.source.name}#names"))

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
-from kinlint.formats.sdf.frames import Frames, Problem, transform_of
+from kinlint.formats.sdf.frames import FrameProblem, Frames, transform_of
 from kinlint.formats.sdf.gearbox import gears
 from kinlint.formats.sdf.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.scopes import FRAMES, Scopes
@@ -27,7 +27,7 @@ COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 def resolve_names(
     root: SdfElement, statements: Sequence[Triple]
-) -> tuple[list[Triple], list[Problem]]:
+) -> tuple[list[Triple], list[FrameProblem]]:
     """Return the triples and the problems that follow from *root* and all elements below it.
 
     The *statements* of the document have the names by which elements refer to others.

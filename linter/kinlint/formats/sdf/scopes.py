@@ -29,7 +29,7 @@ class SdfScope:
 
 
 @dataclass(frozen=True)
-class Unknown:
+class UnknownName:
     """A name that stands for nothing; `certain` tells that no unread file may define it."""
 
     certain: bool
@@ -88,7 +88,7 @@ class Scopes:
                 elif file is None:
                     scope.unread.add(None if merged else name or None)
 
-    def find(self, name: str, user: SdfElement) -> SdfElement | Unknown:
+    def find(self, name: str, user: SdfElement) -> SdfElement | UnknownName:
         """Return the element that *name* refers to where *user*, an element in a scope, uses it."""
         scope = self.enclosing[user]
         if name == WORLD and name not in scope.names and scope.element.tag != "model":
@@ -102,11 +102,11 @@ class Scopes:
             scope = scope.outer
         return scope.element
 
-    def find_inside(self, name: str, model: SdfElement) -> SdfElement | Unknown:
+    def find_inside(self, name: str, model: SdfElement) -> SdfElement | UnknownName:
         """Return the element that *name* refers to inside *model*."""
         return self._found(name, self.own[model], model)
 
-    def _found(self, name: str, scope: SdfScope, home: SdfElement) -> SdfElement | Unknown:
+    def _found(self, name: str, scope: SdfScope, home: SdfElement) -> SdfElement | UnknownName:
         while True:
             if name == MODEL and home.tag == "model":
                 return home
@@ -116,5 +116,5 @@ class Scopes:
             model = scope.names.get(first)
             if not separator or model is None or model.tag != "model":
                 certain = None not in scope.unread and first not in scope.unread
-                return Unknown(certain, tuple(scope.names))
+                return UnknownName(certain, tuple(scope.names))
             name, scope, home = rest, self.own[model], model

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.xacro.dom import Element, Text
-from kinlint.formats.xacro.xacro_parser import Parsed
+from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.terms import literal
 from kinlint.text import SourceText, Span
 
@@ -60,7 +60,7 @@ class Macro:
         return any(each.tagName in OPEN for each in self.inside)
 
 
-def state_definitions(layer: SourceLayer, files: Mapping[int, Parsed], at: At) -> None:
+def state_definitions(layer: SourceLayer, files: Mapping[int, ParsedXacro], at: At) -> None:
     """State in *layer* what is wrong with the definitions in *files*, the main one first."""
     roots = [parsed.root for parsed in files.values() if parsed.root is not None]
     macros = [macro for root in roots for macro in _macros(root)]

@@ -11,15 +11,15 @@ from typing import ClassVar
 from xml.dom import Node as Kinds
 from xml.dom import NotFoundErr
 
-from kinlint.formats.xacro.expansion_limits import Bounds
+from kinlint.formats.xacro.expansion_limits import Limits
 from kinlint.formats.xacro.origin import Origin
 from kinlint.text import Span
 
 
-class Watch:
+class VisitRecord:
     """Record of what xacro looked at last, to locate a failure. It counts nodes made."""
 
-    def __init__(self, bounds: Bounds) -> None:
+    def __init__(self, bounds: Limits) -> None:
         self.element: Element | None = None
         self.attribute: str | None = None
         self.text: Text | None = None
@@ -52,7 +52,7 @@ class Character(Node):
 
     __slots__ = ("_data", "watch", "written")
 
-    def __init__(self, data: str, origin: Origin, watch: Watch) -> None:
+    def __init__(self, data: str, origin: Origin, watch: VisitRecord) -> None:
         super().__init__(origin)
         watch.made()
         self.written = self._data = data
@@ -156,7 +156,9 @@ class Element(Node):
     )
     nodeType = Kinds.ELEMENT_NODE  # noqa: N815
 
-    def __init__(self, tag: str, values: dict[str, str], origin: Origin, watch: Watch) -> None:
+    def __init__(
+        self, tag: str, values: dict[str, str], origin: Origin, watch: VisitRecord
+    ) -> None:
         super().__init__(origin)
         watch.made()
         self.tagName = self.nodeName = tag

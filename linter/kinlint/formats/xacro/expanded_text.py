@@ -8,13 +8,13 @@ from xml.sax.saxutils import escape
 from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text
 from kinlint.formats.xacro.included_files import Pieces
 from kinlint.formats.xacro.origin import Origin
-from kinlint.formats.xacro.source_mapping import Leaf, Mapped
+from kinlint.formats.xacro.source_mapping import MappedRange, MappedText
 from kinlint.formats.xacro.text_evaluation import Traced
-from kinlint.formats.xacro.xacro_parser import Parsed
+from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.text import Span
 
 
-def write(parsed: Parsed, pieces: Pieces) -> Mapped:
+def write(parsed: ParsedXacro, pieces: Pieces) -> MappedText:
     """Return the text of the document *parsed*, whose nodes are from *pieces*."""
     writer = _Writer(pieces)
     for node in parsed.before:
@@ -23,7 +23,7 @@ def write(parsed: Parsed, pieces: Pieces) -> Mapped:
     writer.tree(parsed.root)
     for node in parsed.after:
         writer.node(node)
-    return Mapped("".join(writer.parts), tuple(writer.leaves))
+    return MappedText("".join(writer.parts), tuple(writer.leaves))
 
 
 class _Said(NamedTuple):
@@ -42,7 +42,7 @@ class _Said(NamedTuple):
 class _Writer:
     def __init__(self, pieces: Pieces) -> None:
         self.parts: list[str] = []
-        self.leaves: list[Leaf] = []
+        self.leaves: list[MappedRange] = []
         self._pieces = pieces
         self._at = 0
 
@@ -55,7 +55,7 @@ class _Writer:
             return
         begin = self._pieces.begin(origin.source)
         self.parts.append(text)
-        self.leaves.append(Leaf(self._at, begin + span.start, begin + span.end, exact))
+        self.leaves.append(MappedRange(self._at, begin + span.start, begin + span.end, exact))
         self._at += len(text)
 
     def _copy(self, origin: Origin, span: Span) -> None:

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import FrameType, TracebackType
 
-from kinlint.formats.xacro.dom import Element, Watch
+from kinlint.formats.xacro.dom import Element, VisitRecord
 from kinlint.formats.xacro.expansion_limits import Refused
-from kinlint.formats.xacro.substitution import Unknown
-from kinlint.formats.xacro.xacro_parser import Malformed, Parsed
+from kinlint.formats.xacro.substitution import UnknownSubstitution
+from kinlint.formats.xacro.xacro_parser import Malformed, ParsedXacro
 from kinlint.text import SourceText, Span
 
 STRANGE = "the macro has no parameter"
@@ -94,8 +94,8 @@ class Expansion:
     had files included, each with one of them.
     """
 
-    parsed: Parsed
-    files: Mapping[int, Parsed]
+    parsed: ParsedXacro
+    files: Mapping[int, ParsedXacro]
     includes: list[tuple[Element, SourceText]] = field(default_factory=list)
     remarks: list[Remark] = field(default_factory=list)
     fault: Fault | None = None
@@ -116,7 +116,7 @@ def message(error: BaseException) -> str:
     return text
 
 
-def expansion_fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
+def expansion_fault(error: Exception, watch: VisitRecord, main: SourceText) -> Fault:
     """Return the fault of *error*, which ended an expansion of *main*, with its place."""
     if isinstance(error, Malformed):
         end = min(error.offset + 1, len(error.source.text))
@@ -129,7 +129,7 @@ def expansion_fault(error: Exception, watch: Watch, main: SourceText) -> Fault:
     if calls and calls[-1] is _blamed(frames, watch):
         calls.pop()
     reason = message(error) + _through(calls)
-    known = error if isinstance(error, Unknown | Failure) else Failure("")
+    known = error if isinstance(error, UnknownSubstitution | Failure) else Failure("")
     return Fault(reason, source, span, known.kind, known.name)
 
 
@@ -145,7 +145,7 @@ def _calls(frames: list[FrameType]) -> list[Element]:
     return [node for node in found if isinstance(node, Element)]
 
 
-def _blamed(frames: list[FrameType], watch: Watch) -> Element | None:
+def _blamed(frames: list[FrameType], watch: VisitRecord) -> Element | None:
     """Return the element that the failing function worked on, or else the last one looked at."""
     if frames and frames[-1].f_code.co_name in CALLING:
         node = frames[-1].f_locals["node"]
@@ -154,7 +154,7 @@ def _blamed(frames: list[FrameType], watch: Watch) -> Element | None:
 
 
 def _place(
-    frames: list[FrameType], watch: Watch, main: SourceText, reason: str = ""
+    frames: list[FrameType], watch: VisitRecord, main: SourceText, reason: str = ""
 ) -> tuple[SourceText, Span]:
     """Return the place that the function that failed worked on, or else the one looked at last."""
     if frames and frames[-1].f_code.co_name == "eval_default_arg":
@@ -178,7 +178,7 @@ def _at(element: Element, attribute: str | None) -> tuple[SourceText, Span]:
     return element.origin.source, element.span_of(attribute)
 
 
-def _endless(calls: list[Element], watch: Watch, main: SourceText) -> Fault:
+def _endless(calls: list[Element], watch: VisitRecord, main: SourceText) -> Fault:
     if not calls:
         source, span = _place([], watch, main)
         return Fault("definitions refer to each other without end", source, span)

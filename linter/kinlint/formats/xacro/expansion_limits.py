@@ -20,12 +20,12 @@ class Refused(Exception):
     """An expression asks for what no robot description needs."""
 
 
-class TooMuch(Exception):
+class LimitExceeded(Exception):
     """An expansion goes beyond what any robot needs."""
 
 
 @dataclass
-class Bounds:
+class Limits:
     """Remaining allowances. Counts decide, so that results are the same everywhere.
 
     The clock covers cases that no count foresees.
@@ -43,23 +43,23 @@ class Bounds:
         """Count another element, text or comment."""
         self.nodes -= 1
         if self.nodes < 0:
-            raise TooMuch("it expands to far more elements than any robot has")
+            raise LimitExceeded("it expands to far more elements than any robot has")
 
     def step(self) -> None:
         """Count another step of evaluation."""
         self.steps -= 1
         if self.steps < 0:
-            raise TooMuch("evaluating its expressions takes far longer than for any robot")
+            raise LimitExceeded("evaluating its expressions takes far longer than for any robot")
         if not self.steps & 0xFFF and monotonic() > self._until:
-            raise TooMuch(f"expanding it takes longer than {self.seconds:g} seconds")
+            raise LimitExceeded(f"expanding it takes longer than {self.seconds:g} seconds")
 
     def text(self, text: str) -> str:
         """Return *text*, which is counted."""
         if len(text) > CHARACTERS:
-            raise TooMuch(f"a text of more than {CHARACTERS} characters")
+            raise LimitExceeded(f"a text of more than {CHARACTERS} characters")
         self.characters -= len(text)
         if self.characters < 0:
-            raise TooMuch("it expands to far more text than any robot has")
+            raise LimitExceeded("it expands to far more text than any robot has")
         return text
 
     def check_operation(self, kind: ast.operator, left: Any, right: Any) -> None:

@@ -24,17 +24,17 @@ from kinlint.files.environment import listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.formats.xacro import yaml_table
-from kinlint.formats.xacro.dom import Element, Text, Watch
+from kinlint.formats.xacro.dom import Element, Text, VisitRecord
 from kinlint.formats.xacro.expansion import Expansion, Failure, Remark, expansion_fault
-from kinlint.formats.xacro.expansion_limits import Bounds, Refused, TooMuch
+from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits, Refused
 from kinlint.formats.xacro.expression import Members, evaluate
 from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize
 from kinlint.formats.xacro.included_files import Pieces, table
 from kinlint.formats.xacro.kept_comments import comment_remover, inherit
 from kinlint.formats.xacro.origin import Origin
 from kinlint.formats.xacro.substitution import Substitution
-from kinlint.formats.xacro.text_evaluation import Texts
-from kinlint.formats.xacro.xacro_parser import Parsed, parse
+from kinlint.formats.xacro.text_evaluation import TextEvaluator
+from kinlint.formats.xacro.xacro_parser import ParsedXacro, parse
 from kinlint.text import SourceText
 
 INCLUDES = 40
@@ -50,13 +50,13 @@ class Session:
     pieces: Pieces
     arguments: Mapping[str, str]
     packages: Packages
-    bounds: Bounds = field(default_factory=Bounds)
+    bounds: Limits = field(default_factory=Limits)
 
     def __post_init__(self) -> None:
         self._xacro = _package()
-        self._watch = Watch(self.bounds)
+        self._watch = VisitRecord(self.bounds)
         self._open = [self.pieces.path]
-        self._files: dict[int, Parsed] = {}
+        self._files: dict[int, ParsedXacro] = {}
         self._remarks: list[Remark] = []
         self._includes: list[tuple[Element, SourceText]] = []
         self._including = self._watch.element
@@ -66,12 +66,12 @@ class Session:
             self._directory,
             lambda expression, names: evaluate(expression, {**self._known, **names}, self.bounds),
         )
-        self._texts = Texts(self.bounds, self._substitution.value)
+        self._texts = TextEvaluator(self.bounds, self._substitution.value)
         self._known = symbols(self.bounds, self._own())
 
     def expand(self) -> Expansion:
         """Return the robot that the file stands for."""
-        result = Expansion(Parsed(), self._files, self._includes, self._remarks)
+        result = Expansion(ParsedXacro(), self._files, self._includes, self._remarks)
         with _ONE_AT_A_TIME, _replaced(self._xacro, self._replacements()):
             try:
                 result.parsed = parse(self.pieces.main, self._watch)
@@ -177,7 +177,7 @@ class Session:
         path = Path(name)
         if len(self._xacro.filestack) > INCLUDES:
             ring = name in self._xacro.filestack[:-1]
-            raise TooMuch(
+            raise LimitExceeded(
                 f"'{path.name}' includes itself" if ring else "files include files without end"
             )
         try:
@@ -199,8 +199,8 @@ class Session:
             inherit(root, parsed)
         return _Included(root)
 
-    def _copy(self, parsed: Parsed) -> Parsed:
-        copy = Parsed()
+    def _copy(self, parsed: ParsedXacro) -> ParsedXacro:
+        copy = ParsedXacro()
         copy.root = None if parsed.root is None else parsed.root.cloneNode(deep=True)
         return copy
 

@@ -12,7 +12,7 @@ import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
-from kinlint.formats.xacro.expansion_limits import Bounds, Refused
+from kinlint.formats.xacro.expansion_limits import Limits, Refused
 
 _Made = TypeVar("_Made")
 
@@ -96,7 +96,7 @@ class Scope(dict[str, Any]):
         return self._below[name]
 
 
-def evaluate(expression: str, names: Mapping[str, Any], bounds: Bounds) -> Any:
+def evaluate(expression: str, names: Mapping[str, Any], bounds: Limits) -> Any:
     """Return the value of *expression*, in which *names* are known.
 
     Raises what Python would, and Refused for what no robot description needs.
@@ -108,7 +108,7 @@ def evaluate(expression: str, names: Mapping[str, Any], bounds: Bounds) -> Any:
 
 
 class _Evaluation:
-    def __init__(self, bounds: Bounds) -> None:
+    def __init__(self, bounds: Limits) -> None:
         self._bounds = bounds
 
     def value(self, node: ast.expr, names: Mapping[str, Any]) -> Any:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinlint.formats.xacro.expansion_limits import Bounds, Refused
+from kinlint.formats.xacro.expansion_limits import Limits, Refused
 from kinlint.formats.xacro.expression import Entries, Members
 
 KINDS = (int, float, str, bool, list, dict, tuple, set, frozenset, complex, type(None))
@@ -44,7 +44,7 @@ class Namespace(Members):
             raise NameError(f"name '{self._name}.{name}' is not defined") from None
 
 
-def symbols(bounds: Bounds, own: Mapping[str, Any]) -> dict[str, Any]:
+def symbols(bounds: Limits, own: Mapping[str, Any]) -> dict[str, Any]:
     """Return the symbols of every expression.
 
     *own* are those of xacro itself, such as `load_yaml`.
@@ -66,7 +66,7 @@ def symbols(bounds: Bounds, own: Mapping[str, Any]) -> dict[str, Any]:
 class _Python:
     """Functions of Python that could be asked for too much."""
 
-    bounds: Bounds
+    bounds: Limits
 
     @property
     def values(self) -> Mapping[str, Any]:
@@ -114,7 +114,7 @@ class _Python:
         return list(filter(function, self.bounds.items(items)))
 
 
-def _mathematics(bounds: Bounds) -> dict[str, Any]:
+def _mathematics(bounds: Limits) -> dict[str, Any]:
     values = {name: value for name, value in vars(math).items() if not name.startswith("_")}
     for name in GROWING:
         values[name] = _small(values[name])

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 
 from kinlint.formats.xacro.dom import Comment, Element, Node, Text
-from kinlint.formats.xacro.xacro_parser import Parsed
+from kinlint.formats.xacro.xacro_parser import ParsedXacro
 
 OURS = re.compile(r"\s*kinlint:")
 WHOLE_FILE = re.compile(r"\s*kinlint:\s*file-ignore\b")
@@ -40,7 +40,7 @@ def _is_one_line_end(text: str) -> bool:
     return text.isspace() and text.count("\n") <= 1
 
 
-def inherit(root: Element, parsed: Parsed) -> None:
+def inherit(root: Element, parsed: ParsedXacro) -> None:
     """Put into *root*, the only part of *parsed* to be included, what speaks for the whole file."""
     first = root.firstChild
     for node in parsed.before:

@@ -21,8 +21,8 @@ from kinlint.formats.xacro.expansion import MALFORMED, Expansion, Fault
 from kinlint.formats.xacro.expansion_session import Session
 from kinlint.formats.xacro.format import XACRO
 from kinlint.formats.xacro.included_files import Pieces
-from kinlint.formats.xacro.source_mapping import Mapped, Places
-from kinlint.formats.xacro.xacro_parser import Parsed
+from kinlint.formats.xacro.source_mapping import MappedPlaces, MappedText
+from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.formats.xml.xml_recognition import sniff
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
@@ -68,7 +68,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     )
 
 
-def _is_robot(parsed: Parsed) -> bool:
+def _is_robot(parsed: ParsedXacro) -> bool:
     """Tell whether there is a robot, and not only definitions for files that include this one.
 
     The latter have a root without name, or without elements of a robot.
@@ -119,7 +119,7 @@ def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Spa
 
 
 def _moved(
-    robot: Document, source: SourceText, written: Mapped, layer: SourceLayer, pieces: Pieces
+    robot: Document, source: SourceText, written: MappedText, layer: SourceLayer, pieces: Pieces
 ) -> Document:
     """Return *robot* with its places in *pieces*, and the statements of *layer*."""
     others = [(start, pieces.append(text) - start) for start, text in robot.pieces[1:]]
@@ -148,8 +148,8 @@ def _moved(
     known = set(layer.triples) - set(robot.statements) if layer.triples else set()
     own |= {triple: span for triple, span in layer.triples.items() if triple in known}
     statements += [triple for triple in layer.triples if triple in known]
-    nodes = Places(robot.map.nodes, back_to_node, layer.nodes)
-    places = SourceMap(Places(robot.map.triples, back, own), nodes)
+    nodes = MappedPlaces(robot.map.nodes, back_to_node, layer.nodes)
+    places = SourceMap(MappedPlaces(robot.map.triples, back, own), nodes)
     form = XACRO if robot.format == URDF else robot.format
     return Document(
         source, robot.graph, statements, places, robot.prefixes, pieces=pieces.listed, format=form

@@ -14,7 +14,7 @@ _Key = TypeVar("_Key")
 _Place = TypeVar("_Place")
 
 
-class Leaf(NamedTuple):
+class MappedRange(NamedTuple):
     """A part of an expanded text from `at` on, written from `start` to `end`.
 
     *exact*: character by character.
@@ -27,11 +27,11 @@ class Leaf(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Mapped:
+class MappedText:
     """An expanded text; `leaves` cover all of it, in order."""
 
     text: str
-    leaves: tuple[Leaf, ...]
+    leaves: tuple[MappedRange, ...]
 
     @cached_property
     def _starts(self) -> tuple[int, ...]:
@@ -50,19 +50,19 @@ class Mapped:
             return Span(start, end)
         return Span(start, max(start, first.end))
 
-    def _leaf(self, offset: int) -> Leaf:
+    def _leaf(self, offset: int) -> MappedRange:
         return self.leaves[max(0, bisect_right(self._starts, offset) - 1)]
 
     @staticmethod
-    def _start(leaf: Leaf, offset: int) -> int:
+    def _start(leaf: MappedRange, offset: int) -> int:
         return min(leaf.start + offset - leaf.at, leaf.end) if leaf.exact else leaf.start
 
     @staticmethod
-    def _end(leaf: Leaf, offset: int) -> int:
+    def _end(leaf: MappedRange, offset: int) -> int:
         return min(leaf.start + offset - leaf.at, leaf.end) if leaf.exact else leaf.end
 
 
-class Places(Mapping[_Key, _Place]):
+class MappedPlaces(Mapping[_Key, _Place]):
     """The places of *inner* as *back* moves them, each when it is asked for, and *own* ones."""
 
     def __init__(

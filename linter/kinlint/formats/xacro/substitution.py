@@ -11,7 +11,7 @@ from kinlint.files.environment import variable
 from kinlint.formats.xacro.expansion_limits import Refused
 
 
-class Unknown(Exception):
+class UnknownSubstitution(Exception):
     """Error: the name in a substitution is not known here; it may be elsewhere."""
 
     def __init__(self, kind: str, name: str) -> None:
@@ -66,18 +66,18 @@ class Substitution:
         try:
             return self.arguments[name]
         except KeyError:
-            raise Unknown("argument", name) from None
+            raise UnknownSubstitution("argument", name) from None
 
     def _find(self, name: str) -> str:
         found = self.find(name)
         if found is None:
-            raise Unknown("package", name)
+            raise UnknownSubstitution("package", name)
         return str(found)
 
     def _env(self, name: str) -> str:
         found = variable(name)
         if found is None:
-            raise Unknown("environment variable", name)
+            raise UnknownSubstitution("environment variable", name)
         return found
 
     def _eval(self, expression: str) -> str:

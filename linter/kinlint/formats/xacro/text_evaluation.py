@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from kinlint.files.bounded_read import Unreadable
 from kinlint.formats.xacro.expansion import Failure, message
-from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
+from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.expression import evaluate
-from kinlint.formats.xacro.substitution import Unknown
+from kinlint.formats.xacro.substitution import UnknownSubstitution
 from kinlint.formats.xacro.xacro_parser import Malformed
 
 TOKEN = re.compile(
@@ -41,10 +41,10 @@ class Traced(str):
 
 
 @dataclass
-class Texts:
+class TextEvaluator:
     """Evaluates texts of one expansion; `substitute` knows what `$(…)` stands for."""
 
-    bounds: Bounds
+    bounds: Limits
     substitute: Callable[[str], str]
 
     def evaluate(self, text: str, symbols: Any) -> Any:
@@ -74,7 +74,7 @@ class Texts:
             inside = match["substitution"]
             try:
                 return self.substitute(str(self.evaluate(inside, symbols)))
-            except (Unknown, Failure, TooMuch, RecursionError):
+            except (UnknownSubstitution, Failure, LimitExceeded, RecursionError):
                 raise
             except Exception as error:  # noqa: BLE001  of any kind
                 raise Failure(
@@ -86,7 +86,7 @@ class Texts:
         try:
             text = self.evaluate(expression, symbols)
             return evaluate(text, symbols, self.bounds) if isinstance(text, str) else text
-        except (Failure, Unknown, TooMuch, Malformed, RecursionError):
+        except (Failure, UnknownSubstitution, LimitExceeded, Malformed, RecursionError):
             raise
         except Unreadable as error:
             raise Failure(str(error)) from None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from xml.parsers import expat
 
-from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text, Watch
+from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text, VisitRecord
 from kinlint.formats.xacro.origin import Origin
 from kinlint.text import SourceText
 
@@ -23,7 +23,7 @@ class Malformed(Exception):
         self.offset = offset
 
 
-class Parsed:
+class ParsedXacro:
     """The root element of a file, and what stands before and after it."""
 
     def __init__(self) -> None:
@@ -32,7 +32,7 @@ class Parsed:
         self.after: list[Node] = []
 
 
-def parse(source: SourceText, watch: Watch) -> Parsed:
+def parse(source: SourceText, watch: VisitRecord) -> ParsedXacro:
     """Return the tree of *source*.
 
     Raises Malformed where it is not well-formed XML with namespaces declared, has a document type,
@@ -42,14 +42,14 @@ def parse(source: SourceText, watch: Watch) -> Parsed:
 
 
 class _Parser:
-    def __init__(self, source: SourceText, watch: Watch) -> None:
+    def __init__(self, source: SourceText, watch: VisitRecord) -> None:
         self._source = source
         self._watch = watch
         self._data = source.text.encode("utf-8", "surrogatepass")
         self._ascii = len(self._data) == len(source.text)
         self._byte = self._offset = 0
         self._open: list[Element] = []
-        self._result = Parsed()
+        self._result = ParsedXacro()
         self._last: Element | Character | None = None
         self._pending: list[str] = []
         self._namespaces: dict[str, str] = {}
@@ -69,7 +69,7 @@ class _Parser:
         parser.StartDoctypeDeclHandler = self._doctype
         self._parser = parser
 
-    def parsed(self) -> Parsed:
+    def parsed(self) -> ParsedXacro:
         try:
             self._parser.Parse(self._data, True)  # noqa: FBT003
         except expat.ExpatError as error:

@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from kinlint.files.bounded_read import Unreadable
-from kinlint.formats.xacro.expansion_limits import Bounds, TooMuch
+from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.expression_symbols import dotted
 
 MERGED = 10_000
@@ -23,7 +23,7 @@ UNITS = {
 }
 
 
-def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Bounds) -> Any:
+def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Limits) -> Any:
     """Load the YAML *data* of the file *name*, tables with entries to be named with a dot.
 
     A value with a unit is an expression that *evaluate* knows.
@@ -38,7 +38,7 @@ def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Bounds)
                     return
             super().flatten_mapping(node)
             if len(node.value) > MERGED:
-                raise TooMuch(f"'{name}' merges more than {MERGED} entries")
+                raise LimitExceeded(f"'{name}' merges more than {MERGED} entries")
 
     def with_unit(loader: yaml.SafeLoader, tag: str, node: yaml.Node) -> float:
         return float(evaluate(str(loader.construct_scalar(node)))) * UNITS["!" + tag]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from kinlint.addresses import child_address, repeated_address, root_of
 from kinlint.formats.xml.schema import ANY, ElementType, Schema
 from kinlint.formats.xml.schema_diagnostics import Diagnostics
-from kinlint.formats.xml.value_reading import SPACE, Form, reading
+from kinlint.formats.xml.value_reading import SPACE, Form, value_reader
 from kinlint.terms import XSD, Term, Triple, iri_value, literal
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 
@@ -28,10 +28,10 @@ Frame: TypeAlias = tuple[str, Term, ElementType, int, dict[str, int]]
 
 _ORDER = f"<{SRC}order>"
 _TEXT = f"<{SRC}text>"
-_STRINGS = reading(Form(("text",)))
+_STRINGS = value_reader(Form(("text",)))
 
 
-class TooMuch(Exception):
+class TooLarge(Exception):
     """A file is larger or deeper than any robot, as is seen at `byte`."""
 
     def __init__(self, cause: str, byte: int) -> None:
@@ -120,7 +120,7 @@ class Elements:
                 add((node, _ORDER, f'"{order}"^^<{XSD}integer>'))
 
             if len(attributes) > MOST_ATTRIBUTES:
-                raise TooMuch(f"more than {MOST_ATTRIBUTES} attributes", starts[number])
+                raise TooLarge(f"more than {MOST_ATTRIBUTES} attributes", starts[number])
             if attributes:
                 slots = type_.attributes
                 for key, written in attributes.items():
@@ -150,7 +150,7 @@ class Elements:
                 remarks.check_element(number, type_, attributes)
             frames.append((address, node, type_, number, {}))
             if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
-                raise TooMuch(_excess(len(frames), address), starts[number])
+                raise TooLarge(_excess(len(frames), address), starts[number])
 
         return start
 

@@ -9,7 +9,7 @@ from xml.parsers import expat
 from xml.parsers.expat import errors
 
 from kinlint.errors import SourceError
-from kinlint.formats.xml.elements import Elements, TooMuch
+from kinlint.formats.xml.elements import Elements, TooLarge
 from kinlint.formats.xml.recovery import RecoveredText, SyntaxFlaw, is_sound, recovered
 from kinlint.formats.xml.span_lookup import NAME, Offsets
 from kinlint.formats.xml.suppression_comments import Comments
@@ -83,7 +83,7 @@ def _parsed(source: SourceText, text: RecoveredText, elements: Elements) -> Expa
     fatal = None
     try:
         parser.Parse(text.text.encode("utf-8", "surrogatepass"), True)  # noqa: FBT003
-    except TooMuch as error:
+    except TooLarge as error:
         place = source.position(offset(error.byte))
         raise SourceError(source.name, str(error), place.line, place.column) from None
     except expat.ExpatError as error:

@@ -11,7 +11,7 @@ from functools import cache
 
 from kinlint import resources
 from kinlint.file_format import Format
-from kinlint.formats.xml.value_reading import Form, Reading, reading
+from kinlint.formats.xml.value_reading import Form, ValueReader, value_reader
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
 
@@ -26,14 +26,14 @@ class Slot:
     """A place for a value: an attribute, or the text of an element."""
 
     predicate: Term
-    reading: Reading
+    reading: ValueReader
     _stem: str
     _components: list[Term] = field(default_factory=list)
 
     @classmethod
     def from_iri(cls, iri_: str, form: Form) -> Slot:
         """Return the slot whose property is *iri_*."""
-        return cls(iri(iri_), reading(form), iri_)
+        return cls(iri(iri_), value_reader(form), iri_)
 
     def components(self, count: int) -> list[Term]:
         """Return the properties of *count* components."""

@@ -29,7 +29,7 @@ MOST_KEPT = 100_000
 LONGEST_KEPT = 200
 
 
-class Reading(dict[str, Value]):
+class ValueReader(dict[str, Value]):
     """Values by how they are written, each made out once; subclasses know one kind of value."""
 
     expected = "text"
@@ -51,7 +51,7 @@ class Reading(dict[str, Value]):
         return f"not {self.expected}" if written.strip(SPACE) else "empty"
 
 
-class Numbers(Reading):
+class NumberReader(ValueReader):
     """Numbers: as many as one of `counts` says, or any if it is empty."""
 
     def __init__(self, counts: tuple[int, ...], *, vector: bool, infinite: bool) -> None:
@@ -95,7 +95,7 @@ class Numbers(Reading):
         return None
 
 
-class Integers(Reading):
+class IntegerReader(ValueReader):
     """Whole numbers."""
 
     expected = "a whole number"
@@ -108,7 +108,7 @@ class Integers(Reading):
         return f'"{part}"^^<{XSD}integer>' if INTEGER.fullmatch(part) else None
 
 
-class Truths(Reading):
+class BooleanReader(ValueReader):
     """True or false, in words or as a digit."""
 
     expected = "true or false"
@@ -128,15 +128,19 @@ class Form:
 
 
 @cache
-def reading(form: Form) -> Reading:
+def value_reader(form: Form) -> ValueReader:
     """Return the reader of values of *form*; cached, since files repeat each other."""
     kinds = form.kinds
     if kinds[0] in _PLAIN:
         return _PLAIN[kinds[0]]()
     if kinds[0] == "number":
-        return Numbers((1,), vector=False, infinite=form.infinite)
+        return NumberReader((1,), vector=False, infinite=form.infinite)
     counts = tuple(sorted(int(kind.removeprefix("vector")) for kind in kinds if kind != "vectors"))
-    return Numbers(counts, vector=True, infinite=form.infinite)
+    return NumberReader(counts, vector=True, infinite=form.infinite)
 
 
-_PLAIN: Mapping[str, type[Reading]] = {"text": Reading, "integer": Integers, "boolean": Truths}
+_PLAIN: Mapping[str, type[ValueReader]] = {
+    "text": ValueReader,
+    "integer": IntegerReader,
+    "boolean": BooleanReader,
+}

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS, Context
-from kinlint.formats.jsonld.editing.tracing import Scope, Tracing
+from kinlint.formats.jsonld.editing.tracing import ContextScope, Tracing
 from kinlint.formats.jsonld.editing.value_objects import Item
 from kinlint.formats.jsonld.traced_values import Origin
 
@@ -25,17 +25,19 @@ class Member(NamedTuple):
 class Compaction:
     """Writes IRIs and values as a file would; `needed` are prefixes that it lacks for that."""
 
-    def __init__(self, processor: Tracing, prefixes: Callable[[Scope], Mapping[str, str]]) -> None:
+    def __init__(
+        self, processor: Tracing, prefixes: Callable[[ContextScope], Mapping[str, str]]
+    ) -> None:
         self._processor: Any = processor
         self._known = prefixes
         self._options = {**processor.options, "link": {}, "compactArrays": True}
         self.needed: dict[str, str] = {}
 
-    def within(self, outer: Context, key: str | None, skeleton: Mapping[str, Any]) -> Scope:
+    def within(self, outer: Context, key: str | None, skeleton: Mapping[str, Any]) -> ContextScope:
         """Return the contexts at a new object with the types of *skeleton*, the value of *key*."""
         return self.scope(self._processor.entering(outer, key), skeleton)
 
-    def scope(self, outer: Context, skeleton: Mapping[str, Any]) -> Scope:
+    def scope(self, outer: Context, skeleton: Mapping[str, Any]) -> ContextScope:
         """Return the contexts at an object with the contexts and types of *skeleton*."""
         processor = self._processor
         processor.trail.append(Origin(Object(0), None, None))
@@ -47,13 +49,13 @@ class Compaction:
             raise NotExpressible("the contexts of its types cannot be combined") from fault
         finally:
             processor.trail.pop()
-        return Scope(outer, keys, types)
+        return ContextScope(outer, keys, types)
 
     def keyword(self, context: Context, name: str) -> str:
         """Return the keyword *name*, or the alias that the file has for it."""
         return str(self._processor._compact_iri(context, name))  # noqa: SLF001
 
-    def type(self, scope: Scope, iri: str) -> str:
+    def type(self, scope: ContextScope, iri: str) -> str:
         """Return the class *iri* as a type."""
         name = self._iri(scope.types, iri, vocab=True)
         base = self._processor.options["base"]
@@ -80,7 +82,7 @@ class Compaction:
             raise NotExpressible(f"no way to write {iri} under the contexts of the file") from fault
 
     def member(
-        self, scope: Scope, prop: str, items: list[Item], agrees: Callable[[Item], bool]
+        self, scope: ContextScope, prop: str, items: list[Item], agrees: Callable[[Item], bool]
     ) -> Member:
         """Return a member that states that *prop* has the value of which *items* are the forms.
 
@@ -100,7 +102,7 @@ class Compaction:
         return best._replace(key=self._prefixed(scope, prop)) if best.key == prop else best
 
     def member_for_key(  # noqa: PLR0913
-        self, scope: Scope, key: str, prop: str, items: list[Item],
+        self, scope: ContextScope, key: str, prop: str, items: list[Item],
         agrees: Callable[[Item], bool], *, listed: bool = False,
     ) -> Member | None:  # fmt: skip
         """Return such a member for a given *key*, as an element of its list if *listed*.
@@ -121,13 +123,13 @@ class Compaction:
                 return Member(key, value)
         return None
 
-    def _is_map(self, scope: Scope, key: str) -> bool:
+    def _is_map(self, scope: ContextScope, key: str) -> bool:
         """Tell whether objects under *key* are maps."""
         container = self._processor.get_context_value(scope.keys, key, "@container") or ()
         return not _MAPS.isdisjoint(container)
 
     def has_value(
-        self, scope: Scope, key: str, prop: str, value: Any, agrees: Callable[[Item], bool]
+        self, scope: ContextScope, key: str, prop: str, value: Any, agrees: Callable[[Item], bool]
     ) -> bool:
         """Tell whether *value* under *key* expands to one item that *agrees* accepts."""
         try:
@@ -136,7 +138,7 @@ class Compaction:
             return False
         return len(expanded) == 1 and agrees(expanded[0])
 
-    def _value(self, scope: Scope, key: str, item: Item) -> Any:
+    def _value(self, scope: ContextScope, key: str, item: Item) -> Any:
         processor, options = self._processor, self._options
         if "@list" not in item:
             value = processor._compact(scope.keys, key, item, options)  # noqa: SLF001
@@ -144,17 +146,17 @@ class Compaction:
         elements = [self._value(scope, key, element) for element in item["@list"]]
         return self._in_list(scope, key, *elements)
 
-    def _in_list(self, scope: Scope, key: str, *elements: Any) -> Any:
+    def _in_list(self, scope: ContextScope, key: str, *elements: Any) -> Any:
         container = self._processor.get_context_value(scope.keys, key, "@container") or ()
         written = list(elements)
         return written if "@list" in container else {self.keyword(scope.keys, "@list"): written}
 
-    def _expanded(self, scope: Scope, key: str, prop: str, value: Any) -> list[Any]:
+    def _expanded(self, scope: ContextScope, key: str, prop: str, value: Any) -> list[Any]:
         """Return the values of *prop* that `{key: value}` expands to at an object of *scope*."""
         values = self.meaning(scope, key, value).get(prop, [])
         return values if isinstance(values, list) else [values]
 
-    def meaning(self, scope: Scope, key: str, value: Any) -> dict[str, Any]:
+    def meaning(self, scope: ContextScope, key: str, value: Any) -> dict[str, Any]:
         """Expand `{key: value}` at an object of *scope*."""
         processor = self._processor
         found: dict[str, Any] = {}
@@ -168,7 +170,7 @@ class Compaction:
             processor.trail.pop()
         return found
 
-    def key_for_node(self, scope: Scope, prop: str, identifier: str | None) -> str:
+    def key_for_node(self, scope: ContextScope, prop: str, identifier: str | None) -> str:
         """Return the key for a value of *prop* that is an object."""
         item = {"@id": identifier or "_:b"}
         key = self._iri(scope.keys, prop, value=item, vocab=True)
@@ -176,14 +178,14 @@ class Compaction:
             raise NotExpressible(f"the term '{key}' cannot hold a node")
         return self._prefixed(scope, prop) if key == prop else key
 
-    def holds_nodes(self, scope: Scope, key: str) -> bool:
+    def holds_nodes(self, scope: ContextScope, key: str) -> bool:
         """Tell whether an object under *key* is a node to which the property points."""
         mapping = scope.keys["mappings"].get(key) or {}
         if mapping.get("reverse") or mapping.get("@nest") or mapping.get("@type") == "@json":
             return False
         return "@list" not in (mapping.get("@container") or ()) and not self._is_map(scope, key)
 
-    def _prefixed(self, scope: Scope, iri: str) -> str:
+    def _prefixed(self, scope: ContextScope, iri: str) -> str:
         """Return an IRI that no context abbreviates, with a prefix that is to be added."""
         for prefix, namespace in self._known(scope).items():
             local = iri[len(namespace) :] if iri.startswith(namespace) else ""

@@ -9,7 +9,7 @@ from typing import Any
 
 from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Array, Object
-from kinlint.formats.jsonld.editing.container_edits import Layout, Piece
+from kinlint.formats.jsonld.editing.container_edits import ContainerLayout, NewChild
 from kinlint.formats.jsonld.editing.style import Style
 from kinlint.formats.jsonld.editing.text_path import Seat, TextTree, children
 from kinlint.text import Span
@@ -44,11 +44,11 @@ class DeletedRanges:
 class _Touched:
     container: Object | Array
     gone: set[int] = field(default_factory=set)
-    new: list[Piece] = field(default_factory=list)
+    new: list[NewChild] = field(default_factory=list)
 
 
 @dataclass
-class Changes:
+class ContainerChanges:
     """Changes of a JSON text.
 
     A value is replaced by its new JSON. Children of a container are removed and added. A container
@@ -80,7 +80,7 @@ class Changes:
         whole = seat.span if isinstance(seat.at, int) else Span(seat.at.start, seat.at.value_end)
         self.cut.add(whole)
 
-    def insert(self, container: Object | Array, piece: Piece) -> None:
+    def insert(self, container: Object | Array, piece: NewChild) -> None:
         """Insert *piece* into *container*, in the place of a removed child if there is one."""
         self._of(container).new.append(piece)
 
@@ -102,7 +102,7 @@ class Changes:
         Raises Unsayable where one would be within what another takes out.
         """
         self._empty()
-        layout = Layout(self.text, self.tree.root, self.style)
+        layout = ContainerLayout(self.text, self.tree.root, self.style)
         edits: list[Edit] = []
         for span, (before, after) in self._wraps.items():
             edits += layout.wrapped(span, before, after)

@@ -18,7 +18,7 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 _SIBLINGS = 200
 
 
-class Piece(NamedTuple):
+class NewChild(NamedTuple):
     """A new child: JSON that is yet to be laid out, after child number `after`, -1 if first."""
 
     value: Any
@@ -27,7 +27,7 @@ class Piece(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Layout:
+class ContainerLayout:
     """Lays out changes of `text`, whose outermost value is `root`, in its `style`."""
 
     text: str
@@ -47,7 +47,7 @@ class Layout:
         return [Edit(Span(at, at), text) for at, text in zip(span, (opening, closing), strict=True)]
 
     def contained(
-        self, container: Object | Array, gone: set[int], new: Sequence[Piece]
+        self, container: Object | Array, gone: set[int], new: Sequence[NewChild]
     ) -> list[Edit]:
         """Return the edits that remove the children *gone* of *container* and insert *new* ones."""
         held = children(container)
@@ -69,7 +69,7 @@ class Layout:
         edits += [self._inserted(container, held, kept, piece) for piece in pieces]
         return edits
 
-    def _heir(self, held: list[Child], gone: set[int], piece: Piece) -> int | None:
+    def _heir(self, held: list[Child], gone: set[int], piece: NewChild) -> int | None:
         """Return the removed child whose place *piece* takes; elements keep their order."""
         if piece.key is None:
             return next(
@@ -78,12 +78,12 @@ class Layout:
         alike = (number for number in sorted(gone) if self._alike(held[number], piece))
         return next(alike, min(gone, default=None))
 
-    def _alike(self, old: Child, piece: Piece) -> bool:
+    def _alike(self, old: Child, piece: NewChild) -> bool:
         """Tell whether *piece* has the key or the value of *old*."""
         same = self.text[old.value.start : old.value.end] == self.style.flat(piece.value)
         return same or old.key == piece.key
 
-    def _exchanged(self, old: Child, piece: Piece) -> list[Edit]:
+    def _exchanged(self, old: Child, piece: NewChild) -> list[Edit]:
         indent, used = self.line(old.value.start)
         value = self.style.serialized(piece.value, indent, used=used)
         edits = []
@@ -94,7 +94,7 @@ class Layout:
         return edits
 
     def _emptied(
-        self, container: Object | Array, held: list[Child], pieces: Sequence[Piece]
+        self, container: Object | Array, held: list[Child], pieces: Sequence[NewChild]
     ) -> Edit:
         """Return the edit that replaces all children by *pieces*, or by nothing at all."""
         if not pieces:
@@ -106,7 +106,7 @@ class Layout:
         texts = [self._child(container, piece, indent, spread=spread) for piece in pieces]
         return Edit(Span(first, held[-1].whole.end), joint.join(texts))
 
-    def _filled(self, container: Object | Array, pieces: Sequence[Piece]) -> Edit:
+    def _filled(self, container: Object | Array, pieces: Sequence[NewChild]) -> Edit:
         """Return the edit that gives an empty container its first children."""
         if isinstance(container, Object):
             value: Any = {str(piece.key): piece.value for piece in pieces}
@@ -118,7 +118,7 @@ class Layout:
         return Edit(Span(container.start, container.end), text)
 
     def _inserted(
-        self, container: Object | Array, held: list[Child], kept: list[int], piece: Piece
+        self, container: Object | Array, held: list[Child], kept: list[int], piece: NewChild
     ) -> Edit:
         before = [number for number in kept if number <= piece.after]
         neighbour = before[-1] if before else kept[0]
@@ -134,7 +134,9 @@ class Layout:
         at = held[neighbour].whole.start
         return Edit(Span(at, at), text + joint)
 
-    def _child(self, container: Object | Array, piece: Piece, indent: str, *, spread: bool) -> str:
+    def _child(
+        self, container: Object | Array, piece: NewChild, indent: str, *, spread: bool
+    ) -> str:
         style = self.style
         name = f"{style.text(piece.key)}{self._colon(container)}" if piece.key is not None else ""
         if not spread:

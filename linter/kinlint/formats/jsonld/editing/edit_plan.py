@@ -9,18 +9,18 @@ from kinlint.document import Document
 from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.compaction import Compaction
-from kinlint.formats.jsonld.editing.container_changes import Changes
-from kinlint.formats.jsonld.editing.container_edits import Piece
-from kinlint.formats.jsonld.editing.new_values import Values
+from kinlint.formats.jsonld.editing.container_changes import ContainerChanges
+from kinlint.formats.jsonld.editing.container_edits import NewChild
+from kinlint.formats.jsonld.editing.new_values import ValueWriter
 from kinlint.formats.jsonld.editing.style import Style
-from kinlint.formats.jsonld.editing.target_triples import Goal
-from kinlint.formats.jsonld.editing.tracing import Scope
+from kinlint.formats.jsonld.editing.target_triples import TargetGraph
+from kinlint.formats.jsonld.editing.tracing import ContextScope
 from kinlint.formats.jsonld.editing.triple_places import Place, TriplePlaces
 from kinlint.terms import Term, Triple
 from kinlint.text import Span
 
 
-class Plan(Goal):
+class EditPlan(TargetGraph):
     """The changes of one text that say one delta."""
 
     def __init__(
@@ -34,9 +34,9 @@ class Plan(Goal):
         super().__init__(places, delta)
         self.document = document
         self.compaction = compaction
-        self.changes = Changes(document.source.text, places.tree, style)
-        self.values = Values(self, document.source, compaction)
-        self._scopes: dict[int, Scope] = {}
+        self.changes = ContainerChanges(document.source.text, places.tree, style)
+        self.values = ValueWriter(self, document.source, compaction)
+        self._scopes: dict[int, ContextScope] = {}
 
     def places_of(self, triple: Triple) -> Iterator[Place]:
         """Yield the places of *triple*, except in text that is removed anyway.
@@ -58,7 +58,7 @@ class Plan(Goal):
         """Tell whether all places of *triple* are removed anyway."""
         return all(map(self.is_cut, self.places.spans(triple)))
 
-    def scope(self, element: Object) -> Scope:
+    def scope(self, element: Object) -> ContextScope:
         """Return the contexts at *element* once its types are changed."""
         scope = self._scopes.get(id(element)) or self.places.scope(element)
         if scope is None:
@@ -73,7 +73,7 @@ class Plan(Goal):
         if new.keys is not old.keys:
             self._check_meaning(element, old, new)
 
-    def _check_meaning(self, element: Object, old: Scope, new: Scope) -> None:
+    def _check_meaning(self, element: Object, old: ContextScope, new: ContextScope) -> None:
         """Refuse types with which a member that stays would say something else."""
         node = self.places.subject(element)
         for key, value in element.items():
@@ -109,4 +109,4 @@ class Plan(Goal):
     def add(self, array: Array, values: Iterable[Any]) -> None:
         """Add *values* to the end of *array*."""
         for value in values:
-            self.changes.insert(array, Piece(value, None, len(array) - 1))
+            self.changes.insert(array, NewChild(value, None, len(array) - 1))

@@ -11,13 +11,13 @@ from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.editing.compaction import Compaction
 from kinlint.formats.jsonld.editing.context_edits import declare_prefixes
-from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.edit_plan import EditPlan
 from kinlint.formats.jsonld.editing.list_edits import edit_lists
 from kinlint.formats.jsonld.editing.node_edits import add_nodes, delete_nodes, rename_nodes
 from kinlint.formats.jsonld.editing.property_edits import edit_properties
 from kinlint.formats.jsonld.editing.source_layer_edits import edit_source_layer
 from kinlint.formats.jsonld.editing.style import Style, style
-from kinlint.formats.jsonld.editing.tracing import Scope, trace
+from kinlint.formats.jsonld.editing.tracing import ContextScope, trace
 from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.reader import undisturbed
@@ -52,7 +52,7 @@ class Editor:
 
     def _edits(self, delta: Delta) -> list[Edit]:
         compaction = Compaction(self._places.trace.processor, self._prefixes)
-        plan = Plan(self._document, self._places, self._style, compaction, delta)
+        plan = EditPlan(self._document, self._places, self._style, compaction, delta)
         edit_source_layer(plan)
         rename_nodes(plan)
         delete_nodes(plan)
@@ -63,7 +63,7 @@ class Editor:
         _check(plan)
         return plan.changes.edits()
 
-    def _prefixes(self, scope: Scope) -> Mapping[str, str]:
+    def _prefixes(self, scope: ContextScope) -> Mapping[str, str]:
         """Return the prefixes that could be declared for *scope* in the outermost object."""
         root = self._places.tree.root
         outermost = self._places.scope(root) if isinstance(root, Object) else None
@@ -73,7 +73,7 @@ class Editor:
         return customary() if declared <= scope.keys["mappings"].keys() else {}
 
 
-def _check(plan: Plan) -> None:
+def _check(plan: EditPlan) -> None:
     """Refuse changes that would take away more than the delta, or leave some of it undone."""
     places = plan.places
     for triple in plan.removed:

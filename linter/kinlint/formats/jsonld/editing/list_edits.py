@@ -7,8 +7,8 @@ from typing import Any
 
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array
-from kinlint.formats.jsonld.editing.container_edits import Piece
-from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.container_edits import NewChild
+from kinlint.formats.jsonld.editing.edit_plan import EditPlan
 from kinlint.formats.jsonld.editing.target_triples import LINKS
 from kinlint.formats.jsonld.editing.text_path import Seat
 from kinlint.formats.jsonld.editing.triple_places import Place
@@ -16,7 +16,7 @@ from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import Term, Triple, iri_value
 
 
-def edit_lists(plan: Plan) -> None:
+def edit_lists(plan: EditPlan) -> None:
     """Change elements of the lists that stay, or that another takes the place of."""
     done: set[Triple] = set()
     for triple in plan.removed:
@@ -33,7 +33,7 @@ def edit_lists(plan: Plan) -> None:
                 _change(plan, head)
 
 
-def _head(plan: Plan, cell: Term) -> Triple | None:
+def _head(plan: EditPlan, cell: Term) -> Triple | None:
     """Return the triple that points to the list of *cell*."""
     seen: set[Term] = set()
     while True:
@@ -48,7 +48,7 @@ def _head(plan: Plan, cell: Term) -> Triple | None:
         cell = pointing[0][0]
 
 
-def _change(plan: Plan, head: Triple) -> None:
+def _change(plan: EditPlan, head: Triple) -> None:
     now = _successor(plan, head)
     if now is None:
         return
@@ -74,7 +74,7 @@ def _change(plan: Plan, head: Triple) -> None:
     _List(plan, places[0], iri_value(head[1])).write(before, after)
 
 
-def _successor(plan: Plan, head: Triple) -> Term | None:
+def _successor(plan: EditPlan, head: Triple) -> Term | None:
     """Return the first cell of the list after the delta; None if there is none."""
     if head not in plan.removed:
         return head[2]
@@ -84,7 +84,7 @@ def _successor(plan: Plan, head: Triple) -> Term | None:
     return lists[0] if len(lists) == 1 else None
 
 
-def _cells(plan: Plan, head: Term) -> list[tuple[Term, Term]]:
+def _cells(plan: EditPlan, head: Term) -> list[tuple[Term, Term]]:
     """Return the cells of a list of the text and their values."""
     found: dict[Term, Term] = {}
     while head != NIL:
@@ -99,7 +99,7 @@ def _cells(plan: Plan, head: Term) -> list[tuple[Term, Term]]:
 class _List:
     """A list of the text."""
 
-    def __init__(self, plan: Plan, place: Place, prop: str) -> None:
+    def __init__(self, plan: EditPlan, place: Place, prop: str) -> None:
         self.plan = plan
         self.place = place
         self.prop = prop
@@ -134,7 +134,7 @@ class _List:
     def _insert(self, array: Any, seats: list[Seat], after: int, value: Any) -> None:
         if isinstance(array, Array):
             number = seats[after].number if after >= 0 else (seats[0].number - 1 if seats else -1)
-            self.plan.changes.insert(array, Piece(value, None, number))
+            self.plan.changes.insert(array, NewChild(value, None, number))
         elif after >= 0:
             self.plan.changes.wrap(seats[0].span, value)
         else:

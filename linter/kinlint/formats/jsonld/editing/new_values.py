@@ -10,18 +10,18 @@ from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.editing.compaction import Compaction, Member
 from kinlint.formats.jsonld.editing.style import Verbatim
-from kinlint.formats.jsonld.editing.target_triples import Goal
+from kinlint.formats.jsonld.editing.target_triples import TargetGraph
 from kinlint.formats.jsonld.editing.text_path import Seat
-from kinlint.formats.jsonld.editing.tracing import Scope
+from kinlint.formats.jsonld.editing.tracing import ContextScope
 from kinlint.formats.jsonld.editing.value_objects import Item, is_form_of, literal_items
 from kinlint.terms import RDF_TYPE, Term, iri_value, is_blank, is_iri, is_literal
 from kinlint.text import SourceText
 
 
-class Values:
+class ValueWriter:
     """Writes the values of one goal as the text would."""
 
-    def __init__(self, goal: Goal, source: SourceText, compaction: Compaction) -> None:
+    def __init__(self, goal: TargetGraph, source: SourceText, compaction: Compaction) -> None:
         self._goal = goal
         self._source = source
         self._compaction = compaction
@@ -29,7 +29,7 @@ class Values:
         self._within: set[Term] = set()
 
     def member(
-        self, scope: Scope, prop: str, term: Term, *, key: str | None = None, old: Any = None
+        self, scope: ContextScope, prop: str, term: Term, *, key: str | None = None, old: Any = None
     ) -> Member | None:
         """Return the value *term* of *prop* as a member of an object, of *key* if one is given.
 
@@ -47,7 +47,9 @@ class Values:
             return self._compaction.member_for_key(scope, key, prop, items, partial(self._is, term))
         return self._compaction.member(scope, prop, items, partial(self._is, term))
 
-    def inner_value(self, scope: Scope, prop: str, term: Term, key: str, content: Seat) -> Any:
+    def inner_value(
+        self, scope: ContextScope, prop: str, term: Term, key: str, content: Seat
+    ) -> Any:
         """Return the JSON to put at *content*, the `@value` or `@id` of an object that *key* has.
 
         None if *term* cannot be written by that alone.
@@ -66,7 +68,7 @@ class Values:
                 return inner
         return None
 
-    def element(self, scope: Scope, prop: str, key: str, term: Term, old: Any) -> Any:
+    def element(self, scope: ContextScope, prop: str, key: str, term: Term, old: Any) -> Any:
         """Return the JSON of *term* in the list under *key*, in the place of *old*.
 
         Raises Unsayable where *key* cannot have it.

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array, Key, Object
-from kinlint.formats.jsonld.editing.container_edits import Piece
-from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.container_edits import NewChild
+from kinlint.formats.jsonld.editing.edit_plan import EditPlan
 from kinlint.formats.jsonld.editing.key_order import number_before
 from kinlint.formats.jsonld.editing.target_triples import LINKS
 from kinlint.formats.jsonld.editing.text_path import Seat
@@ -13,7 +13,7 @@ from kinlint.formats.jsonld.editing.triple_places import Place
 from kinlint.terms import Term, Triple, iri, iri_value, is_blank, is_iri
 
 
-def rename_nodes(plan: Plan) -> None:
+def rename_nodes(plan: EditPlan) -> None:
     """Rename the nodes that lose all their statements to others that gain them."""
     for old, new in _pairs(plan):
         plan.renamed[new] = old
@@ -28,7 +28,7 @@ def rename_nodes(plan: Plan) -> None:
             _settle(plan, triple, heir)
 
 
-def _pairs(plan: Plan) -> list[tuple[Term, Term]]:
+def _pairs(plan: EditPlan) -> list[tuple[Term, Term]]:
     """Return old and new names; of several nodes that might be the same, the likest."""
     places = plan.places
     leaving = dict.fromkeys(triple[0] for triple in plan.removed)
@@ -54,7 +54,7 @@ def _pairs(plan: Plan) -> list[tuple[Term, Term]]:
     return pairs
 
 
-def _likeness(plan: Plan, old: Term, new: Term) -> int:
+def _likeness(plan: EditPlan, old: Term, new: Term) -> int:
     """Count the statements that *old* has and *new* is to have; 0 if they are less than half."""
     said = {(prop, _self(value, old)) for _, prop, value in plan.places.by_subject.get(old, ())}
     now = {(prop, _self(value, new)) for _, prop, value in plan.new(new)}
@@ -66,7 +66,7 @@ def _self(value: Term, node: Term) -> Term | None:
     return None if value == node else value
 
 
-def _name(plan: Plan, element: Object, old: Term, new: Term) -> None:
+def _name(plan: EditPlan, element: Object, old: Term, new: Term) -> None:
     scope = plan.scope(element)
     name = plan.compaction.identifier(scope.keys, iri_value(new))
     key = plan.places.key_of(element, "@id")
@@ -75,12 +75,12 @@ def _name(plan: Plan, element: Object, old: Term, new: Term) -> None:
     elif is_blank(old):
         keyword = plan.compaction.keyword(scope.keys, "@id")
         after = number_before(plan.places, element, keyword)
-        plan.changes.insert(element, Piece(name, keyword, after))
+        plan.changes.insert(element, NewChild(name, keyword, after))
     else:
         raise NotExpressible("the node has its name from a map")
 
 
-def _settle(plan: Plan, triple: Triple, heir: Triple) -> None:
+def _settle(plan: EditPlan, triple: Triple, heir: Triple) -> None:
     """Settle a triple of a renamed node; it is stated with it, or where the node is described."""
     if triple[0] != heir[0] and triple[1] not in LINKS and None in plan.places.places(triple):
         raise NotExpressible("it is written as a reverse property, or in a map")
@@ -99,7 +99,7 @@ def _settle(plan: Plan, triple: Triple, heir: Triple) -> None:
 _COLLECTIONS = frozenset({"@graph", "@included"})
 
 
-def delete_nodes(plan: Plan) -> None:
+def delete_nodes(plan: EditPlan) -> None:
     """Delete the objects of nodes that have no statements any more."""
     leaving = dict.fromkeys(triple[0] for triple in plan.removed if triple[1] not in LINKS)
     for node in leaving:
@@ -111,7 +111,7 @@ def delete_nodes(plan: Plan) -> None:
                 _take_out(plan, node, element)
 
 
-def _take_out(plan: Plan, node: Term, element: Object) -> None:
+def _take_out(plan: EditPlan, node: Term, element: Object) -> None:
     seat = plan.places.tree.seat(element)
     if seat is None or plan.is_cut(element.span):
         return
@@ -135,7 +135,7 @@ def _take_out(plan: Plan, node: Term, element: Object) -> None:
             plan.changes.replace(element.span, written.value)
 
 
-def _member(plan: Plan, seat: Seat) -> tuple[Object, Key] | None:
+def _member(plan: EditPlan, seat: Seat) -> tuple[Object, Key] | None:
     """Return the member among whose values *seat* is; None in the outermost array."""
     holder: Object | Array = seat.holder
     at = seat.at
@@ -147,14 +147,14 @@ def _member(plan: Plan, seat: Seat) -> tuple[Object, Key] | None:
     return holder, at
 
 
-def add_nodes(plan: Plan) -> None:
+def add_nodes(plan: EditPlan) -> None:
     """Add each new node to the graph: behind a related one, or at the end."""
     for triple in list(plan.added):
         if triple not in plan.said and triple[1] not in LINKS:
             _add(plan, triple[0])
 
 
-def _add(plan: Plan, node: Term) -> None:
+def _add(plan: EditPlan, node: Term) -> None:
     near = _near(plan, node)
     graph = _graph(plan, near)
     if graph is None or plan.is_cut(graph.key.value_span):
@@ -164,14 +164,14 @@ def _add(plan: Plan, node: Term) -> None:
     value = holder[key]
     if isinstance(value, Array):
         number = len(value) - 1 if near is None else _number(plan, near, value)
-        plan.changes.insert(value, Piece(written, None, number))
+        plan.changes.insert(value, NewChild(written, None, number))
     elif value is None:
         plan.changes.replace(key.value_span, [written])
     else:
         plan.changes.wrap(key.value_span, written)
 
 
-def _near(plan: Plan, node: Term) -> Object | None:
+def _near(plan: EditPlan, node: Term) -> Object | None:
     """Return an object of the text that points to *node* after the delta, or to which it points."""
     neighbours = [subject for subject, _, value in plan.added if value == node]
     neighbours += [value for _, _, value in plan.new(node)]
@@ -182,7 +182,7 @@ def _near(plan: Plan, node: Term) -> Object | None:
     return None
 
 
-def _graph(plan: Plan, near: Object | None) -> Place | None:
+def _graph(plan: EditPlan, near: Object | None) -> Place | None:
     """Return the `@graph` round *near*, or the first in the outermost object."""
     places = plan.places
     for holder, at in places.tree.above(near) if near is not None else ():
@@ -193,7 +193,7 @@ def _graph(plan: Plan, near: Object | None) -> Place | None:
     return places.graph
 
 
-def _number(plan: Plan, near: Object, array: Array) -> int:
+def _number(plan: EditPlan, near: Object, array: Array) -> int:
     """Return the number of the element of *array* in which *near* stands."""
     for seat in plan.places.tree.above(near):
         if seat.holder is array and isinstance(seat.at, int):

@@ -7,8 +7,8 @@ from typing import Any
 
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Array, Key, Object
-from kinlint.formats.jsonld.editing.container_edits import Piece
-from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.container_edits import NewChild
+from kinlint.formats.jsonld.editing.edit_plan import EditPlan
 from kinlint.formats.jsonld.editing.key_order import number_before
 from kinlint.formats.jsonld.editing.target_triples import LINKS
 from kinlint.formats.jsonld.editing.text_path import Seat
@@ -17,7 +17,7 @@ from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, is_iri
 from kinlint.text import Span
 
 
-def edit_properties(plan: Plan) -> None:
+def edit_properties(plan: EditPlan) -> None:
     """Change types and values of the nodes that the text describes."""
     subjects: dict[Term, tuple[list[Triple], list[Triple]]] = {}
     for triple in plan.removed:
@@ -41,7 +41,7 @@ def edit_properties(plan: Plan) -> None:
 class _Node:
     """The changes of one node; new members are gathered, so that values can share a key."""
 
-    def __init__(self, plan: Plan, node: Term) -> None:
+    def __init__(self, plan: EditPlan, node: Term) -> None:
         self.plan = plan
         self.node = node
         self.members: dict[tuple[int, str], tuple[Object, list[Any]]] = {}
@@ -64,7 +64,7 @@ class _Node:
         for (_, key), (owner, values) in self.members.items():
             value = values[0] if len(values) == 1 else values
             after = number_before(self.plan.places, owner, key)
-            self.plan.changes.insert(owner, Piece(value, key, after))
+            self.plan.changes.insert(owner, NewChild(value, key, after))
 
     def _replaced(self, place: Place, heir: Triple) -> bool:
         """Replace the value at *place* by that of *heir* and tell whether that was possible."""
@@ -138,7 +138,9 @@ class _Node:
         return True
 
 
-def write_types(plan: Plan, node: Term, removed: Sequence[Triple], added: Sequence[Triple]) -> None:
+def write_types(
+    plan: EditPlan, node: Term, removed: Sequence[Triple], added: Sequence[Triple]
+) -> None:
     """Change the types of *node*, and with them the contexts that they bring along."""
     if any(not is_iri(triple[2]) for triple in (*removed, *added)):
         raise NotExpressible("the type has no IRI")
@@ -166,13 +168,13 @@ def write_types(plan: Plan, node: Term, removed: Sequence[Triple], added: Sequen
         _retype(plan, element, held, names if element is owner else [])
 
 
-def _insert(plan: Plan, owner: Object, names: list[str]) -> None:
+def _insert(plan: EditPlan, owner: Object, names: list[str]) -> None:
     key = plan.places.key_of(owner, "@type")
     if key is None or Seat(owner, key).number in plan.changes.gone(owner):
         name = plan.compaction.keyword(plan.scope(owner).keys, "@type")
         value: Any = names[0] if len(names) == 1 else list(names)
         after = number_before(plan.places, owner, name)
-        plan.changes.insert(owner, Piece(value, name, after))
+        plan.changes.insert(owner, NewChild(value, name, after))
     elif isinstance(old := owner[key], Array):
         plan.add(old, names)
     else:
@@ -180,7 +182,9 @@ def _insert(plan: Plan, owner: Object, names: list[str]) -> None:
             plan.changes.wrap(key.value_span, name)
 
 
-def _retype(plan: Plan, element: Object, held: dict[Span, str | None], names: list[str]) -> None:
+def _retype(
+    plan: EditPlan, element: Object, held: dict[Span, str | None], names: list[str]
+) -> None:
     """Set the contexts at *element* to those of the types at the seats of *held*."""
     types: dict[str, list[Any]] = {}
     for key in plan.places.keys_of(element, "@type"):

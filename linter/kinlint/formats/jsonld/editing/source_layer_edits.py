@@ -5,7 +5,7 @@ from __future__ import annotations
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Key, Object
 from kinlint.formats.jsonld.editing.context_edits import add_context
-from kinlint.formats.jsonld.editing.edit_plan import Plan
+from kinlint.formats.jsonld.editing.edit_plan import EditPlan
 from kinlint.formats.jsonld.editing.text_path import Seat
 from kinlint.formats.source_layer import src
 from kinlint.terms import Term, Triple, iri_value, is_iri, literal_value
@@ -16,7 +16,7 @@ _KEY, _CONTEXT = src("key"), src("context")
 _WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
 
 
-def edit_source_layer(plan: Plan) -> None:
+def edit_source_layer(plan: EditPlan) -> None:
     """Replace and remove the tokens that the source layer gives the places of.
 
     Raises Unsayable where the delta changes a statement about the file that no token makes.
@@ -42,7 +42,7 @@ def _text(term: Term) -> str:
     return iri_value(term) if is_iri(term) else literal_value(term)
 
 
-def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
+def _change(plan: EditPlan, triple: Triple, new: Term | None) -> None:
     spans = plan.document.map.nodes.get(triple[0])
     if spans is None:
         raise NotExpressible("it is not known where it is written")
@@ -61,7 +61,7 @@ def _change(plan: Plan, triple: Triple, new: Term | None) -> None:
     plan.changes.remove(seat)
 
 
-def _spare(plan: Plan, holder: Object, key: Key) -> None:
+def _spare(plan: EditPlan, holder: Object, key: Key) -> None:
     """Mark what a repeated member states as kept when one of its copies goes."""
     members = [*holder.items(), *(holder.overwritten or ())]
     value = next(value for token, value in members if token is key)
@@ -69,7 +69,7 @@ def _spare(plan: Plan, holder: Object, key: Key) -> None:
         plan.settled.update(plan.places.within(key.value_span))
 
 
-def _key_at(plan: Plan, span: Span) -> Seat | None:
+def _key_at(plan: EditPlan, span: Span) -> Seat | None:
     """Return the member whose key is the token at *span*."""
     holder = plan.places.tree.container_at(span.start)
     if not isinstance(holder, Object):

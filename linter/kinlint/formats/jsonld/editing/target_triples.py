@@ -12,7 +12,7 @@ LINKS = frozenset({FIRST, REST})
 """The properties that hold lists together."""
 
 
-class Goal:
+class TargetGraph:
     """The graph after one delta.
 
     `removed` and `added` are what is to be done; `settled` and `said` are what some change does

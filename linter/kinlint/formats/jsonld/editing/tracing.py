@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_parser import parse
-from kinlint.formats.json_text.json_values import Array, Object, Parsed
+from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
@@ -20,7 +20,7 @@ from kinlint.terms import Term, Triple
 from kinlint.text import SourceText, Span
 
 
-class Scope(NamedTuple):
+class ContextScope(NamedTuple):
     """The contexts at an object: around it, for its keys, and for the names of its types."""
 
     outer: Context
@@ -33,7 +33,7 @@ class Tracing(Processor):
 
     def __init__(self, memory: ContextCache, base: str) -> None:
         super().__init__(memory, base)
-        self.scopes: dict[int, Scope] = {}
+        self.scopes: dict[int, ContextScope] = {}
         self.origins: dict[int, Origin] = {}
         self.tracing = True
         self._inverse: dict[int, tuple[Context, Any]] = {}
@@ -41,7 +41,7 @@ class Tracing(Processor):
     def _prepare_nested_context(self, active_ctx: Context, element: Any, options: Any) -> Any:
         prepared = super()._prepare_nested_context(active_ctx, element, options)
         if self.tracing and isinstance(element, Object):
-            self.scopes[id(element)] = Scope(active_ctx, prepared[0], prepared[2])
+            self.scopes[id(element)] = ContextScope(active_ctx, prepared[0], prepared[2])
             self.origins[id(element)] = self.trail[-1]
         return prepared
 
@@ -91,7 +91,7 @@ class Tracks(Triples):
 class Trace(NamedTuple):
     """A traced reading of a text: its JSON, the processor that expanded it, and the triples."""
 
-    parsed: Parsed
+    parsed: ParsedJson
     processor: Tracing
     tracks: Tracks
     labels: Mapping[Term, str]

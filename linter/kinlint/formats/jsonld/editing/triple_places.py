@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from kinlint.formats.json_text.json_values import Key, Object
 from kinlint.formats.jsonld.editing.text_path import Seat, TextTree
-from kinlint.formats.jsonld.editing.tracing import Scope, Trace
+from kinlint.formats.jsonld.editing.tracing import ContextScope, Trace
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value
 from kinlint.text import Span
 
@@ -107,7 +107,7 @@ class TriplePlaces:
         """Return the node that *element* describes or names."""
         return self._subjects.get(id(element))
 
-    def scope(self, element: Object) -> Scope | None:
+    def scope(self, element: Object) -> ContextScope | None:
         """Return the contexts at *element*; None if it is a map or lost."""
         return self.trace.processor.scopes.get(id(element))
 

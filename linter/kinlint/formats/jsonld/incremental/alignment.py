@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from kinlint.formats.json_text.json_parser import Element, element
+from kinlint.formats.json_text.json_parser import ArrayElement, element
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.incremental.part import Arrangement
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
@@ -66,10 +66,10 @@ class Aligned:
 
     first: int
     rest: int = 0
-    elements: list[Element | int] = field(default_factory=list)
+    elements: list[ArrayElement | int] = field(default_factory=list)
     starts: list[int] = field(default_factory=list)
 
-    def add(self, element: Element | int, start: int) -> None:
+    def add(self, element: ArrayElement | int, start: int) -> None:
         """Add the next element, with its offset."""
         self.elements.append(element)
         self.starts.append(start)

@@ -11,12 +11,12 @@ from typing import TypeVar
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.jsonld.expansion_record import Shadow
+from kinlint.formats.jsonld.expansion_record import ShadowedTerm
 from kinlint.formats.jsonld.format import JSONLD
-from kinlint.formats.jsonld.incremental.part import Arrangement, Notes, Part, shifted
-from kinlint.formats.jsonld.incremental.part_statements import Stating
+from kinlint.formats.jsonld.incremental.part import Arrangement, Part, PartNotes, shifted
+from kinlint.formats.jsonld.incremental.part_statements import PartStatements
 from kinlint.formats.jsonld.loss_report import shadowed, sort_key, state_losses, state_uses
-from kinlint.formats.jsonld.losses import Loss, LossWatch
+from kinlint.formats.jsonld.losses import Loss, LossObserver
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.terms import Term, Triple
 from kinlint.text import SourceText, Span
@@ -161,7 +161,9 @@ class Assembly:
     named: Named
 
 
-def assembled(source: SourceText, given: Arrangement, stating: Stating, known: Named) -> Assembly:
+def assembled(
+    source: SourceText, given: Arrangement, stating: PartStatements, known: Named
+) -> Assembly:
     """Assemble the document of the *given* parts of *source*; parts that are *known* keep names.
 
     *stating* is what read them.
@@ -200,10 +202,10 @@ def _first(found: Iterable[Mapping[str, Span]], shifts: Sequence[int]) -> dict[s
     return first
 
 
-def _losses(notes: Sequence[Notes]) -> list[Loss]:
+def _losses(notes: Sequence[PartNotes]) -> list[Loss]:
     """Return all losses in the order of the text, including those of the file as a whole."""
-    watch = LossWatch()
-    shadows: dict[Shadow, Span] = {}
+    watch = LossObserver()
+    shadows: dict[ShadowedTerm, Span] = {}
     for each in notes:
         watch.losses += each.losses
         watch.values += each.values

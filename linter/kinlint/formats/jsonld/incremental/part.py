@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.jsonld.expansion_record import Shadow
+from kinlint.formats.jsonld.expansion_record import ShadowedTerm
 from kinlint.formats.jsonld.losses import Loss, Nested
 from kinlint.terms import Term, Triple
 from kinlint.text import Span
@@ -19,7 +19,7 @@ Move: TypeAlias = Callable[[Span], Span]
 Names: TypeAlias = Mapping[Term, Term]
 
 
-class Asked(BlankNodes):
+class DeferredBlankNodes(BlankNodes):
     """Blank nodes whose final labels are not known yet; `order` tells how they were asked for."""
 
     def __init__(self) -> None:
@@ -42,7 +42,7 @@ class Asked(BlankNodes):
 
 
 @dataclass(frozen=True, slots=True)
-class Notes:
+class PartNotes:
     """Statements of the source layer about a part, pending until the whole file is read.
 
     `values` are losses by the value written there, which are none if it is among the `identifiers`
@@ -56,11 +56,11 @@ class Notes:
     within: tuple[tuple[Term, tuple[Nested, ...]], ...] = ()
     others: tuple[Loss, ...] = ()
     uses: tuple[tuple[Span, str], ...] = ()
-    shadows: tuple[tuple[Shadow, Span], ...] = ()
+    shadows: tuple[tuple[ShadowedTerm, Span], ...] = ()
 
-    def moved(self, move: Move) -> Notes:
+    def moved(self, move: Move) -> PartNotes:
         """Return a copy with moved places."""
-        return Notes(
+        return PartNotes(
             tuple(replace(loss, span=move(loss.span)) for loss in self.losses),
             tuple((name, replace(loss, span=move(loss.span))) for name, loss in self.values),
             self.identifiers,
@@ -73,9 +73,9 @@ class Notes:
             tuple((shadow, move(span)) for shadow, span in self.shadows),
         )
 
-    def renamed(self, names: Names) -> Notes:
+    def renamed(self, names: Names) -> PartNotes:
         """Return the same with the blank nodes called by their final *names*."""
-        return Notes(
+        return PartNotes(
             tuple(_renamed(loss, names) for loss in self.losses),
             tuple((name, _renamed(loss, names)) for name, loss in self.values),
             self.identifiers,
@@ -100,7 +100,7 @@ class Notes:
         ]
 
 
-NOTHING = Notes()
+NOTHING = PartNotes()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,7 +120,7 @@ class Part:
     namespaces: Mapping[str, Span]
     asked: tuple[tuple[Term, str | None], ...] = ()
     steps: tuple[int, int, int] = (0, 0, 0)
-    notes: Notes = field(default=NOTHING)
+    notes: PartNotes = field(default=NOTHING)
 
     def renamed(self, names: Names) -> Part:
         """Return the same with the blank nodes called by their final *names*."""
@@ -199,7 +199,7 @@ class Arrangement:
             [*self.shifts[:first], *between.shifts, *moved],
         )
 
-    def notes(self) -> Iterator[Notes]:
+    def notes(self) -> Iterator[PartNotes]:
         """Yield the notes of the parts, moved to their present places."""
         for part, by in zip(self.parts, self.shifts, strict=True):
             if part.notes is not NOTHING:

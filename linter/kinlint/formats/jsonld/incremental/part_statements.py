@@ -7,13 +7,13 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from kinlint.addresses import document_iri
-from kinlint.formats.json_text.json_values import Array, Object, Parsed
+from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
 from kinlint.formats.jsonld.context_cache import ContextCache
-from kinlint.formats.jsonld.expansion_record import Record
-from kinlint.formats.jsonld.incremental.part import NOTHING, Asked, Notes, Part
+from kinlint.formats.jsonld.expansion_record import ExpansionRecord
+from kinlint.formats.jsonld.incremental.part import NOTHING, DeferredBlankNodes, Part, PartNotes
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible, PartedProcessor
-from kinlint.formats.jsonld.loss_report import LOOKED_UP, Comparison, LossReport
-from kinlint.formats.jsonld.losses import LossWatch
+from kinlint.formats.jsonld.loss_report import LOOKED_UP, LossReport, ReleaseComparison
+from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
@@ -21,17 +21,17 @@ from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
 from kinlint.text import Span
 
 
-class Noticed(NamedTuple):
+class PartObservations(NamedTuple):
     """Observations of a part while it was expanded and stated.
 
     Of the contexts that `record` says are used, those that are `known` are named elsewhere.
     """
 
-    record: Record
+    record: ExpansionRecord
     known: Collection[int]
-    watch: LossWatch
+    watch: LossObserver
     triples: Triples
-    blanks: Asked
+    blanks: DeferredBlankNodes
     repeats: Collection[Object]
     origins: Mapping[int, Origin]
 
@@ -42,7 +42,7 @@ class Noticed(NamedTuple):
         repeated = (self.origins.get(id(each)) for each in self.repeats)
         yield from (origin.owner for origin in (*strays, *repeated) if origin is not None)
 
-    def notes(self, compared: Comparison) -> tuple[Notes, int, int]:
+    def notes(self, compared: ReleaseComparison) -> tuple[PartNotes, int, int]:
         """Return the notes, and the number of blank nodes asked for before each of two steps."""
         record, watch, order = self.record, self.watch, self.blanks.order
         report = LossReport(record, watch, self.triples, compared)
@@ -51,7 +51,7 @@ class Noticed(NamedTuple):
         others += report.strays()
         strayed = len(order)
         others += [*report.contexts(), *report.duplicates(self.repeats, self.origins)]
-        notes = Notes(
+        notes = PartNotes(
             tuple(watch.losses),
             tuple((str(written), loss) for written, loss in watch.values),
             frozenset(map(str, watch.identifiers)),
@@ -71,7 +71,7 @@ MANY, CONTEXTS = 5_000, 500
 """Number of parts read again, and of contexts cached, at which everything is read anew."""
 
 
-class Stating:
+class PartStatements:
     """Reads one file part by part, and more parts at the place of its outermost graph later on.
 
     `parts` are the elements of that graph, read under `release` of our contexts.
@@ -83,9 +83,9 @@ class Stating:
         self._graph = document_iri(name)
         memory = ContextCache.from_options(options, options.contexts.release)
         self._processor = PartedProcessor(memory, options.base, self._take)
-        self._compared = Comparison(options)
+        self._compared = ReleaseComparison(options)
         self._hull = self._processor.record
-        self._known = Record()
+        self._known = ExpansionRecord()
         self._whole = Span(0, 0)
         self._count = 0
         self._repeats: list[tuple[int, int, Object]] = []
@@ -105,7 +105,7 @@ class Stating:
         """Return the span of the elements of the outermost graph, with their brackets."""
         return self._processor.place
 
-    def hull(self, parsed: Parsed) -> Part:
+    def hull(self, parsed: ParsedJson) -> Part:
         """Read what the file states beside its parts, stating the parts on the way.
 
         Raises Indivisible if that is not all of it, and what expansion raises.
@@ -136,7 +136,7 @@ class Stating:
         """
         self._count += 1
         processor, known = self._processor, self._known
-        record = Record(shadows=dict(known.shadows), uses=dict(known.uses))
+        record = ExpansionRecord(shadows=dict(known.shadows), uses=dict(known.uses))
         processor.record, processor.repeated = record, {}
         nodes = processor.expand(element)
         part = self._part(element.span, nodes, repeats, known.uses)
@@ -151,7 +151,7 @@ class Stating:
     def _take(self, elements: Array) -> None:
         processor, hull = self._processor, self._hull
         repeated = processor.repeated
-        self._known = Record(shadows=dict(hull.shadows), uses=dict(hull.uses))
+        self._known = ExpansionRecord(shadows=dict(hull.shadows), uses=dict(hull.uses))
         for index, element in enumerate(elements):
             if not isinstance(element, Object):
                 raise Indivisible
@@ -173,12 +173,12 @@ class Stating:
         """Make a part of expanded *nodes*; the contexts at *known* are named elsewhere."""
         if not all(isinstance(node, Expanded) for node in nodes):
             raise Indivisible
-        processor, blanks, watch = self._processor, Asked(), LossWatch()
+        processor, blanks, watch = self._processor, DeferredBlankNodes(), LossObserver()
         triples = Triples(blanks, watch)
         triples.add(nodes, whole)
         stated = len(blanks.order)
         record, origins = processor.record, processor.repeated
-        noticed = Noticed(record, known, watch, triples, blanks, repeats, origins)
+        noticed = PartObservations(record, known, watch, triples, blanks, repeats, origins)
         if whole != self._whole and any(each is processor.around for each in noticed.owners()):
             raise Indivisible
         notes, dropped, strayed = noticed.notes(self._compared)

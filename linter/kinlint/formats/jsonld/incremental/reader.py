@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from kinlint.document import Document
-from kinlint.formats.json_text.json_parser import Element, parse
+from kinlint.formats.json_text.json_parser import ArrayElement, parse
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS
 from kinlint.formats.jsonld.incremental.alignment import aligned, difference
 from kinlint.formats.jsonld.incremental.document_assembly import Assembly, Named, assembled
 from kinlint.formats.jsonld.incremental.part import Arrangement, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
-from kinlint.formats.jsonld.incremental.part_statements import Stating
+from kinlint.formats.jsonld.incremental.part_statements import PartStatements
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText, Span
@@ -27,7 +27,7 @@ class Division:
     `end` is where the graph ends; the `hull` is as it was read first.
     """
 
-    stating: Stating
+    stating: PartStatements
     elements: Arrangement
     hull: Part
     end: int
@@ -70,7 +70,7 @@ def read_divided(source: SourceText, options: ReadOptions) -> Reading:
             raise Indivisible
         if isinstance(parsed.value.get("@context"), (int, float)):
             raise Indivisible
-        stating = Stating(source.name, options)
+        stating = PartStatements(source.name, options)
         try:
             hull = stating.hull(parsed)
         except FAULTS as fault:
@@ -110,7 +110,7 @@ def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading
         return Reading(options, division, division.assembled(source, before.assembly.named))
 
 
-def _part(old: Division, element: Element | int, rest: int) -> Part:
+def _part(old: Division, element: ArrayElement | int, rest: int) -> Part:
     """Return the part of an element that was parsed now, or that is one of *old*.
 
     None is there twice: one that is among the *rest* as well gets a twin.

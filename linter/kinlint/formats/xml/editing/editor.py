@@ -10,12 +10,12 @@ from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.editing import rewriting, spelling
-from kinlint.formats.xml.editing.element_delta import Change, Changes
-from kinlint.formats.xml.editing.element_layout import Layout
+from kinlint.formats.xml.editing.element_delta import ElementChanges, ValueChange
+from kinlint.formats.xml.editing.element_layout import ElementLayout
 from kinlint.formats.xml.editing.element_removal import removals
 from kinlint.formats.xml.editing.element_sites import SEVERAL, Site, Sites
 from kinlint.formats.xml.editing.insertion import Written, insertion, opening, replacement
-from kinlint.formats.xml.editing.new_elements import Fresh
+from kinlint.formats.xml.editing.new_elements import NewElements
 from kinlint.formats.xml.editing.rewriting import Place, Values
 from kinlint.formats.xml.editing.start_tag import NAME, StartTag
 from kinlint.formats.xml.editing.syntax_fixes import split_delta, syntax_edits
@@ -47,10 +47,10 @@ class _Writing:
 
     def __init__(self, sites: Sites, delta: Delta) -> None:
         self._sites = sites
-        self._changes = Changes.from_delta(delta, sites.elements)
+        self._changes = ElementChanges.from_delta(delta, sites.elements)
         said = (literal_value(value) for _, _, value in delta.removed if is_literal(value))
         self._kept = frozenset(said)
-        self._fresh = Fresh(sites, self._changes, self._kept, self._taken)
+        self._fresh = NewElements(sites, self._changes, self._kept, self._taken)
         self._edits: list[Edit] = []
         self._awaited: dict[tuple[int, Edit], int] = {}
 
@@ -102,7 +102,7 @@ class _Writing:
             made = [each for each in made if each not in self._edits]
         self._edits += made
 
-    def _say(self, node: Term, change: Change) -> None:
+    def _say(self, node: Term, change: ValueChange) -> None:
         site, slots = self._site(node), self._sites.elements[node].slots
         place = partial(self._sites.component, node)
         start = StartTag(site.layout, site.number, slots, self._kept, place)
@@ -168,7 +168,7 @@ def _is_in(inner: Span, outer: Span) -> bool:
     return outer.start < inner.start < outer.end
 
 
-def _place(layout: Layout, parent: int, tag: str) -> int | None:
+def _place(layout: ElementLayout, parent: int, tag: str) -> int | None:
     """Return the child of an element that a new one with *tag* comes after."""
     children = layout.children[parent]
     alike = (each for each in reversed(children) if layout.name(each) == tag)
@@ -189,7 +189,7 @@ def merged(edits: Iterable[Edit]) -> list[Edit]:
 
 
 def text_edits(
-    site: Site, old: Values, change: Change, kept: frozenset[str], place: Place
+    site: Site, old: Values, change: ValueChange, kept: frozenset[str], place: Place
 ) -> list[Edit]:
     """Return the edits that make *change* of the text of the element at *site*, which is *old*.
 

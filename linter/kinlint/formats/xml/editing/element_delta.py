@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kinlint.edits import Delta, NotExpressible
-from kinlint.formats.xml.editing.stated_elements import Element, slot_of, tag_of
+from kinlint.formats.xml.editing.stated_elements import StatedElement, slot_of, tag_of
 from kinlint.terms import Term, Triple, is_blank, is_literal
 
 Slots = dict[str, dict[int, Term]]
@@ -14,7 +14,7 @@ Slots = dict[str, dict[int, Term]]
 
 
 @dataclass
-class Change:
+class ValueChange:
     """Values that an element loses, and those that it gains."""
 
     removed: Slots = field(default_factory=dict)
@@ -22,21 +22,21 @@ class Change:
 
 
 @dataclass
-class Changes:
+class ElementChanges:
     """Elements that go, that get another tag, that get children, and that say something else.
 
     `children` are new nodes, or such as stood elsewhere, with their tags.
     """
 
-    known: Mapping[Term, Element]
+    known: Mapping[Term, StatedElement]
     deleted: list[Term] = field(default_factory=list)
     renamed: dict[Term, str] = field(default_factory=dict)
     moved: set[Term] = field(default_factory=set)
     children: dict[Term, list[tuple[str, Term]]] = field(default_factory=dict)
-    values: dict[Term, Change] = field(default_factory=dict)
+    values: dict[Term, ValueChange] = field(default_factory=dict)
 
     @classmethod
-    def from_delta(cls, delta: Delta, known: Mapping[Term, Element]) -> Changes:
+    def from_delta(cls, delta: Delta, known: Mapping[Term, StatedElement]) -> ElementChanges:
         """Return the changes of *delta*; raises Unsayable for what is no matter of elements."""
         changes = cls(known)
         changes._structure(delta)
@@ -108,7 +108,7 @@ class Changes:
             raise NotExpressible("no element says it")
         if element.slots.get(slot[0], {}).get(slot[1]) != value:
             raise NotExpressible("the text does not say it")
-        change = self.values.setdefault(node, Change())
+        change = self.values.setdefault(node, ValueChange())
         change.removed.setdefault(slot[0], {})[slot[1]] = value
 
     def _addition(self, triple: Triple) -> None:
@@ -118,7 +118,7 @@ class Changes:
             raise NotExpressible("no element can say it")
         if not is_literal(value):
             raise NotExpressible("an attribute or a text cannot be a node")
-        own = self.values.setdefault(node, Change()).added.setdefault(slot[0], {})
+        own = self.values.setdefault(node, ValueChange()).added.setdefault(slot[0], {})
         if own.setdefault(slot[1], value) != value:
             raise NotExpressible(f"two values for one {slot[0] or 'text'}")
 

@@ -33,7 +33,7 @@ class Attribute(NamedTuple):
         return self.value.end + 1
 
 
-class Layout:
+class ElementLayout:
     """The elements of *source*, numbered in order; `parents` has -1 for the root.
 
     Raises NotExpressible for what is not read as XML.

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinlint.edits import Edit
-from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.formats.xml.editing.element_layout import BREAK, ElementLayout
 from kinlint.text import Span
 
 
-def removals(layout: Layout, numbers: Iterable[int]) -> Iterator[Edit]:
+def removals(layout: ElementLayout, numbers: Iterable[int]) -> Iterator[Edit]:
     """Yield the edits that delete elements, none of which is within another."""
     for span in _runs(layout, sorted(layout.whole(number) for number in numbers)):
         yield Edit(with_lines(layout, span), "")
 
 
-def _runs(layout: Layout, spans: Iterable[Span]) -> list[Span]:
+def _runs(layout: ElementLayout, spans: Iterable[Span]) -> list[Span]:
     """Return *spans*, those merged that only space separates."""
     runs: list[Span] = []
     for span in spans:
@@ -26,7 +26,7 @@ def _runs(layout: Layout, spans: Iterable[Span]) -> list[Span]:
     return runs
 
 
-def with_lines(layout: Layout, span: Span) -> Span:
+def with_lines(layout: ElementLayout, span: Span) -> Span:
     """Return *span* with the lines that it fills alone, or with the blanks that separate it."""
     text = layout.text
     start, end = layout.before(span.start, " \t"), layout.behind(span.end, " \t")
@@ -39,7 +39,7 @@ def with_lines(layout: Layout, span: Span) -> Span:
     return Span(start, span.end) if start > 0 and text[start - 1] == ">" else span
 
 
-def _one_blank_line(layout: Layout, start: int, end: int) -> int:
+def _one_blank_line(layout: ElementLayout, start: int, end: int) -> int:
     """Return *end*, or a later end of the removal if blank lines are on both sides."""
     above = layout.before(start, "\r\n \t")
     behind = layout.behind(end, " \t")

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from kinlint.document import Document
 from kinlint.edits import Edit, NotExpressible
-from kinlint.formats.xml.editing.element_layout import Layout
-from kinlint.formats.xml.editing.stated_elements import Element, elements
+from kinlint.formats.xml.editing.element_layout import ElementLayout
+from kinlint.formats.xml.editing.stated_elements import StatedElement, elements
 from kinlint.formats.xml.span_lookup import AT, TEXT
 from kinlint.terms import Term
 from kinlint.text import SourceText, Span
@@ -25,7 +25,7 @@ class Site(NamedTuple):
     `tag` is the tag that it shall have.
     """
 
-    layout: Layout
+    layout: ElementLayout
     number: int
     begin: int
     tag: str
@@ -48,10 +48,10 @@ class Sites:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._pieces = tuple(document.pieces) or ((0, document.source),)
-        self._layouts: dict[int, Layout] = {}
+        self._layouts: dict[int, ElementLayout] = {}
 
     @cached_property
-    def elements(self) -> Mapping[Term, Element]:
+    def elements(self) -> Mapping[Term, StatedElement]:
         """Return the elements that the document states."""
         return elements(self._document.statements)
 
@@ -105,10 +105,10 @@ class Sites:
         begin, source = self._piece(at)
         return id(source), at - begin
 
-    def layout(self, source: SourceText) -> Layout:
+    def layout(self, source: SourceText) -> ElementLayout:
         """Return the layout of one of the texts."""
         if id(source) not in self._layouts:
-            self._layouts[id(source)] = Layout(source)
+            self._layouts[id(source)] = ElementLayout(source)
         return self._layouts[id(source)]
 
     @cached_property

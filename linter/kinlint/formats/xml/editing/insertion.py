@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from kinlint.edits import Edit
-from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.formats.xml.editing.element_layout import BREAK, ElementLayout
 from kinlint.formats.xml.editing.element_sites import Site
 from kinlint.text import Span
 
@@ -15,7 +15,7 @@ COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n
 
 
 @dataclass(frozen=True)
-class Manner:
+class ElementStyle:
     """Layout of an element: the space before it, and the further indentation of its children.
 
     `line_end` is empty if all is in one line.
@@ -31,16 +31,16 @@ class Manner:
         return f"{self.line_end}{self.indent}" if self.line_end else ""
 
     @property
-    def inner(self) -> Manner:
+    def inner(self) -> ElementStyle:
         """Return the layout of its children."""
-        return Manner(f"{self.indent}{self.step}", self.step, self.line_end)
+        return ElementStyle(f"{self.indent}{self.step}", self.step, self.line_end)
 
 
-Written = Callable[[Manner], str]
+Written = Callable[[ElementStyle], str]
 """An element, to be written in some manner."""
 
 
-def replacement(layout: Layout, number: int, new: Written) -> Edit:
+def replacement(layout: ElementLayout, number: int, new: Written) -> Edit:
     """Return the edit that replaces an element by *new*."""
     return Edit(layout.whole(number), new(_manner(layout, number)))
 
@@ -69,15 +69,15 @@ def insertion(site: Site, new: Sequence[Written], before: int | None) -> Edit:
     return Edit(Span(at, at), "".join(f"{space}{each(manner)}" for each in new))
 
 
-def _manner(layout: Layout, number: int) -> Manner:
+def _manner(layout: ElementLayout, number: int) -> ElementStyle:
     """Return the layout of an existing element."""
     indent, start = layout.indent(number), layout.start(number)
     if indent is None or layout.line_end(start) == "":
-        return Manner("", "", "")
-    return Manner(indent, layout.step(number), layout.line_end(start))
+        return ElementStyle("", "", "")
+    return ElementStyle(indent, layout.step(number), layout.line_end(start))
 
 
-def _gap(layout: Layout, parent: int, number: int) -> str | None:
+def _gap(layout: ElementLayout, parent: int, number: int) -> str | None:
     """Return the space between an element and the one before it, if nothing else is there."""
     siblings = layout.children[parent]
     index = siblings.index(number)
@@ -87,20 +87,20 @@ def _gap(layout: Layout, parent: int, number: int) -> str | None:
     return space if space.isspace() and BREAK.search(space) else None
 
 
-def opening(layout: Layout, number: int) -> Span:
+def opening(layout: ElementLayout, number: int) -> Span:
     """Return the span to remove from an element with one tag before content can be inserted."""
     end = layout.tag(number).end
     start = layout.before(end - 2)
     return Span(end - 2 if BREAK.search(layout.text, start, end) else start, end)
 
 
-def within(manner: Manner, new: Sequence[Written]) -> str:
+def within(manner: ElementStyle, new: Sequence[Written]) -> str:
     """Return *new* elements as the whole content of one that is laid out in *manner*."""
     inner = manner.inner
     return "".join(f"{inner.space}{each(inner)}" for each in new) + manner.space
 
 
-def _first(layout: Layout, parent: int, new: Sequence[Written]) -> Edit:
+def _first(layout: ElementLayout, parent: int, new: Sequence[Written]) -> Edit:
     """Return the edit that gives *new* elements to a parent with two tags and no element in it."""
     manner, content = _manner(layout, parent), layout.content(parent)
     text = layout.source[content]
@@ -110,6 +110,6 @@ def _first(layout: Layout, parent: int, new: Sequence[Written]) -> Edit:
             return Edit(content, within(manner, new))
         end = content.start
     elif not BREAK.search(text):
-        return Edit(Span(end, end), "".join(each(Manner("", "", "")) for each in new))
+        return Edit(Span(end, end), "".join(each(ElementStyle("", "", "")) for each in new))
     inner = manner.inner
     return Edit(Span(end, end), "".join(f"{inner.space}{each(inner)}" for each in new))

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 from kinlint.edits import Edit, NotExpressible, applied
 from kinlint.formats.xml.editing import rewriting, spelling
-from kinlint.formats.xml.editing.element_delta import Change, Changes
-from kinlint.formats.xml.editing.element_layout import BREAK, Layout
+from kinlint.formats.xml.editing.element_delta import ElementChanges, ValueChange
+from kinlint.formats.xml.editing.element_layout import BREAK, ElementLayout
 from kinlint.formats.xml.editing.element_sites import Sites
-from kinlint.formats.xml.editing.insertion import Manner, Written, within
+from kinlint.formats.xml.editing.insertion import ElementStyle, Written, within
 from kinlint.formats.xml.editing.start_tag import NAME, listed
 from kinlint.terms import Term
 from kinlint.text import Span
@@ -20,26 +20,26 @@ Taken = Callable[[Span], list[Edit]]
 
 
 @dataclass
-class Fresh:
+class NewElements:
     """Writes what *changes* put into elements; *kept* are spellings that stay.
 
     `written` are the nodes that were written so far.
     """
 
     sites: Sites
-    changes: Changes
+    changes: ElementChanges
     kept: frozenset[str]
     taken: Taken
     written: set[Term] = field(default_factory=set)
 
-    def element(self, tag: str, node: Term, layout: Layout, quote: str) -> Written:
+    def element(self, tag: str, node: Term, layout: ElementLayout, quote: str) -> Written:
         """Return *node* as a new element with *tag*, for a text with a *layout*."""
         if not NAME.fullmatch(tag):
             raise NotExpressible(f"{tag} is no name in XML")
         if node in self.changes.moved:
             return self._moved(node, layout)
         self.written.add(node)
-        slots = self.changes.values.get(node, Change()).added
+        slots = self.changes.values.get(node, ValueChange()).added
         children = [
             self.element(name, each, layout, quote)
             for name, each in self.changes.children.get(node, ())
@@ -54,20 +54,20 @@ class Fresh:
         if children and text:
             raise NotExpressible("there are elements in place of a text")
 
-        def write(manner: Manner) -> str:
+        def write(manner: ElementStyle) -> str:
             inside = within(manner, children) if children else text
             return f"<{head}>{inside}</{tag}>" if inside else f"<{head}{layout.ending}"
 
         return write
 
-    def _moved(self, node: Term, layout: Layout) -> Written:
+    def _moved(self, node: Term, layout: ElementLayout) -> Written:
         """Return *node* as it is written in its old place, with its lines indented anew."""
         site = self.sites[node]
         if site.layout.source.encoding != layout.source.encoding:
             raise NotExpressible("the files have different encodings")
         old = site.layout.indent(site.number) or ""
 
-        def write(manner: Manner) -> str:
+        def write(manner: ElementStyle) -> str:
             span = site.whole
             own = [
                 Edit(Span(each.start - span.start, each.end - span.start), text)

@@ -10,8 +10,8 @@ from itertools import groupby
 
 from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing import rewriting, spelling
-from kinlint.formats.xml.editing.element_delta import Change, Slots
-from kinlint.formats.xml.editing.element_layout import Attribute, Layout
+from kinlint.formats.xml.editing.element_delta import Slots, ValueChange
+from kinlint.formats.xml.editing.element_layout import Attribute, ElementLayout
 from kinlint.terms import Term
 from kinlint.text import Span
 
@@ -19,7 +19,7 @@ NAME = re.compile(r"[^\W\d][\w.:-]*")
 FIRST = "name"
 
 
-def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> Iterator[str]:
+def listed(slots: Slots, quote: str, layout: ElementLayout, kept: frozenset[str]) -> Iterator[str]:
     """Yield the attributes of a new element, as they are written."""
     for name, value in sorted(slots.items(), key=lambda each: each[0] != FIRST):
         if name:
@@ -27,7 +27,7 @@ def listed(slots: Slots, quote: str, layout: Layout, kept: frozenset[str]) -> It
             yield assignment(name, text, quote, layout)
 
 
-def assignment(name: str, value: str, quote: str, layout: Layout) -> str:
+def assignment(name: str, value: str, quote: str, layout: ElementLayout) -> str:
     """Return an attribute as it is written."""
     if not NAME.fullmatch(name):
         raise NotExpressible(f"{name} is no name in XML")
@@ -41,13 +41,13 @@ class StartTag:
     *kept* are spellings that stay; *place* tells where a component of an attribute was read from.
     """
 
-    layout: Layout
+    layout: ElementLayout
     number: int
     slots: Slots
     kept: frozenset[str]
     place: Callable[[str, int], Span | None]
 
-    def edits(self, change: Change) -> Iterator[Edit]:
+    def edits(self, change: ValueChange) -> Iterator[Edit]:
         """Yield the edits that make *change* of the attributes."""
         layout = self.layout
         self._all = layout.attributes(self.number)
@@ -135,7 +135,9 @@ class StartTag:
             yield Edit(Span(end, end), "".join(f"{space}{each}" for each in more))
 
 
-def deletions(layout: Layout, number: int, leaves: Callable[[Attribute], bool]) -> Iterator[Edit]:
+def deletions(
+    layout: ElementLayout, number: int, leaves: Callable[[Attribute], bool]
+) -> Iterator[Edit]:
     """Yield edits that delete attributes with the space before them, or behind the first ones."""
     text, written = layout.text, layout.attributes(number)
     behind, following = layout.tag(number).name.end, 0

@@ -51,7 +51,7 @@ def _slots(predicate: Term) -> tuple[tuple[str, int] | None, tuple[str, int] | N
 
 
 @dataclass
-class Element:
+class StatedElement:
     """An element: where it stands, and the terms of its values by slot and number of component."""
 
     parent: Term
@@ -65,15 +65,15 @@ class Element:
         return tag_of(self.predicate) or ""
 
 
-def elements(statements: Iterable[Triple]) -> Mapping[Term, Element]:
+def elements(statements: Iterable[Triple]) -> Mapping[Term, StatedElement]:
     """Return the elements in *statements*, by the nodes that stand for them."""
-    found: dict[Term, Element] = {}
+    found: dict[Term, StatedElement] = {}
     for subject, predicate, value in statements:
         if is_literal(value):
             if (holder := found.get(subject)) and (slot := slot_of(predicate, value)):
                 holder.slots.setdefault(slot[0], {}).setdefault(slot[1], value)
         elif tag_of(predicate) is not None:
-            found[value] = Element(subject, predicate)
+            found[value] = StatedElement(subject, predicate)
             if (holder := found.get(subject)) is not None:
                 holder.children.append(value)
     return found

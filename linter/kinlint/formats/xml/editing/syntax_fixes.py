@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.source_layer import src
-from kinlint.formats.xml.editing.element_layout import Layout
+from kinlint.formats.xml.editing.element_layout import ElementLayout
 from kinlint.formats.xml.editing.element_removal import with_lines
 from kinlint.formats.xml.editing.element_sites import Site, Sites
 from kinlint.formats.xml.editing.rewriting import NOT_LITERAL
@@ -80,7 +80,7 @@ def _without_text(site: Site) -> Iterator[Edit]:
             yield Edit(with_lines(site.layout, run), "")
 
 
-def _respaced(layout: Layout, span: Span) -> Iterator[Edit]:
+def _respaced(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     """Separate numbers by blanks, with nothing around them."""
     written = layout.source[span]
     if not NUMBERS.fullmatch(written):
@@ -88,7 +88,7 @@ def _respaced(layout: Layout, span: Span) -> Iterator[Edit]:
     yield Edit(span, BREAK.sub(" ", written.strip()))
 
 
-def _mended(layout: Layout, span: Span) -> Iterator[Edit]:
+def _mended(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     text, start = layout.text, span.start
     written = layout.source[span]
     if written.startswith("&"):
