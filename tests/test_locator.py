@@ -61,12 +61,12 @@ def test_a_lifted_value_is_where_it_is_spelled():
     value = literal("-1.50", f"{XSD}double")
     said = result(limit, lower, value)
 
-    assert shown(locator().of(said, ())) in ("-1.50", '"-1.50"')
+    assert shown(locator().result_location(said, ())) in ("-1.50", '"-1.50"')
 
 
 def test_a_result_that_nothing_shows_is_at_the_beginning():
     """Of the first file."""
-    assert locator().of(result(iri("urn:x:none")), ()).span == Span(0, 0)
+    assert locator().result_location(result(iri("urn:x:none")), ()).span == Span(0, 0)
 
 
 def test_where_a_rule_says_to_look_comes_first():

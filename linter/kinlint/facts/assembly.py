@@ -38,9 +38,9 @@ class Assemblies:
                 groups.join(bodies[0], body)
         return groups
 
-    def of(self, body: Term) -> Term:
+    def assembly(self, body: Term) -> Term:
         """Return the body that stands for all that *body* is welded to."""
-        return self._welded.of(body)
+        return self._welded.representative(body)
 
     def body(self, node: Term) -> Term | None:
         """Return the body that a node with a mass or an inertia is about.
@@ -64,21 +64,21 @@ class Assemblies:
         """The mass of each assembly; what is stated as negative counts as nothing."""
         found: dict[Term, float] = {}
         for body, mass in self.masses.items():
-            whole = self.of(body)
+            whole = self.assembly(body)
             found[whole] = found.get(whole, 0.0) + max(mass, 0.0)
         return found
 
     @cached_property
     def _still(self) -> frozenset[Term]:
         """The assemblies that hold the root of a tree: nothing in the file moves them."""
-        return frozenset(map(self.of, self.trees.bases))
+        return frozenset(map(self.assembly, self.trees.bases))
 
     @cached_property
     def _weighed(self) -> frozenset[Term]:
         """The assemblies of which anything is stated that resists acceleration."""
         bodies = self.scan.single(kin("of-body"))
         stated = self.scan.instances(MASS_PROPERTY)
-        return frozenset(self.of(bodies[node]) for node in stated if node in bodies)
+        return frozenset(self.assembly(bodies[node]) for node in stated if node in bodies)
 
     def facts(self) -> Iterator[Triple]:
         """Yield what each stated mass is welded to, and the moving bodies without any inertia."""
@@ -87,7 +87,7 @@ class Assemblies:
             body = self.body(node)
             if body is None:
                 continue
-            whole = self.of(body)
+            whole = self.assembly(body)
             others = self.totals.get(whole, 0.0) - max(self.masses.get(body, 0.0), 0.0)
             if others > 0.0:
                 yield from numbers(node, [("welded-mass", others)])
@@ -100,5 +100,5 @@ class Assemblies:
         excused = self._weighed | self._still
         for body, edge in self.trees.above.items():
             kind = self.trees.mechanism.kind(edge.joint)
-            if kind in MOVING and self.of(body) not in excused:
+            if kind in MOVING and self.assembly(body) not in excused:
                 yield body, fact("moved-by"), edge.joint

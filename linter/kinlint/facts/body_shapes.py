@@ -74,7 +74,7 @@ class BodyShapes:
                 found.setdefault(body, []).append(node)
         return found
 
-    def of(self, body: Term) -> Extents:
+    def extents(self, body: Term) -> Extents:
         """Return the size of *body* by its shapes."""
         if body not in self._known:
             self._known[body] = self._extents(body)
@@ -150,7 +150,7 @@ class BodyShapes:
         return frozenset(self._form(node) for node in self.references.get(body, ()))
 
     def _form(self, node: Term) -> tuple[object, ...]:
-        meshes = tuple(sorted(self._meshes.of(node)))
+        meshes = tuple(sorted(self._meshes.values(node)))
         shape = self._shape(node)
         return meshes or ((shape.kind, *shape.sizes) if shape is not None else (node,))
 
@@ -199,7 +199,7 @@ class BodyShapes:
 
         None where it is not known.
         """
-        placed = self._placements.of_shape(node)
+        placed = self._placements.shape_placement(node)
         return placed.point if placed is not None else None
 
     @cached_property

@@ -40,10 +40,10 @@ def components(scan: PredicateIndex) -> Iterator[Triple]:
 def joined_by(scan: PredicateIndex, joint: Term) -> tuple[Term, ...]:
     """Return the bodies that *joint* joins; none if fewer than two are known."""
     bodies = scan.table(ON_BODY)
-    ends = scan.table(ATTACHMENTS).of(joint)
+    ends = scan.table(ATTACHMENTS).values(joint)
     if not ends or any(end not in bodies for end in ends):
         return ()
-    joined = tuple(dict.fromkeys(body for end in ends for body in bodies.of(end)))
+    joined = tuple(dict.fromkeys(body for end in ends for body in bodies.values(end)))
     return joined if len(joined) > 1 else ()
 
 
@@ -55,7 +55,7 @@ def _pieces(joined: Mapping[Term, Sequence[Term]]) -> list[list[Term]]:
             roots.join(joint, body)
     pieces: dict[Term, list[Term]] = {}
     for joint in sorted(joined):
-        pieces.setdefault(roots.of(joint), []).append(joint)
+        pieces.setdefault(roots.representative(joint), []).append(joint)
     return list(pieces.values())
 
 

@@ -61,10 +61,10 @@ def _bounded(scan: PredicateIndex) -> Iterator[tuple[Term, Term]]:
         for kind, bounds in scan.table(keyword).items():
             for bound in bounds:
                 if bound in none:
-                    for each in scan.table(f"<{OWL}onProperty>").of(bound):
+                    for each in scan.table(f"<{OWL}onProperty>").values(bound):
                         having = (node for node, _ in _pairs(scan, each))
                         yield from ((n, each) for n in _members(scan, kind).intersection(having))
-                for other in scan.table(f"<{OWL}complementOf>").of(bound):
+                for other in scan.table(f"<{OWL}complementOf>").values(bound):
                     yield from ((n, kind) for n in _members(scan, kind) & _members(scan, other))
     for kind, others in scan.table(f"<{OWL}complementOf>").items():
         for other in others:
@@ -77,7 +77,7 @@ def _disjoint(scan: PredicateIndex, pair: str, several: str) -> Iterator[Iterabl
         yield from ((one, other) for other in others)
     members = scan.table(f"<{OWL}members>")
     for group in scan.instances(f"<{OWL}{several}>"):
-        for head in members.of(group):
+        for head in members.values(group):
             yield scan.items(head) or ()
 
 

@@ -60,7 +60,7 @@ class PairedCoordinates:
                 groups.setdefault(value, []).append(candidate)
         return groups
 
-    def of(self, node: Term) -> Term | None:
+    def match(self, node: Term) -> Term | None:
         """Return the candidate for *node*: itself if it is one, None where several others are."""
         if node in self.candidates:
             return node

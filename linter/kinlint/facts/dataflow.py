@@ -30,7 +30,7 @@ class DataSources:
                 yield datum, fact("supplied-by"), source
 
     def _of(self, datum: Term) -> Term | None:
-        relations = self.scan.table(COORDINATE_OF).of(datum)
+        relations = self.scan.table(COORDINATE_OF).values(datum)
         found = map(self._at, (datum, *sorted(relations)))
         return next((source for source in found if source is not None), None)
 

@@ -33,7 +33,7 @@ def _followed(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
     leaders, arcs = scan.table(kin("leader")), dict[Term, list[Term]]()
     for coupling, followers in sorted(scan.table(kin("follower")).items()):
         for each in followers:
-            arcs.setdefault(each, []).extend(leaders.of(coupling))
+            arcs.setdefault(each, []).extend(leaders.values(coupling))
     return arcs
 
 
@@ -41,6 +41,6 @@ def parts(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
     """Return the subgroups of each planning group."""
     named = scan.table(reference("group"))
     return {
-        group: [each for part in inner for each in named.of(part)]
+        group: [each for part in inner for each in named.values(part)]
         for group, inner in sorted(scan.table(srdf("group")).items())
     }

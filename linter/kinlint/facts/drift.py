@@ -107,10 +107,10 @@ class DescriptionDrifts:
         """
         if not document.format.describes_robots:
             return
-        for root in self.scan.table(urdf("robot")).of(document.graph):
+        for root in self.scan.table(urdf("robot")).values(document.graph):
             yield from self._called(root)
-        for root in self.scan.table(sdf("sdf")).of(document.graph):
-            for model in self.scan.table(sdf("model")).of(root):
+        for root in self.scan.table(sdf("sdf")).values(document.graph):
+            for model in self.scan.table(sdf("model")).values(root):
                 yield from self._called(model)
 
     def _called(self, element: Term) -> Iterator[str]:
@@ -138,7 +138,7 @@ class DescriptionDrifts:
         Converters lump links behind fixed joints into one, as Gazebo does on loading.
         """
         masses, totals = self.assemblies.masses, self.assemblies.totals
-        wholes = [totals.get(self.assemblies.of(body), 0.0) for body in (at, there)]
+        wholes = [totals.get(self.assemblies.assembly(body), 0.0) for body in (at, there)]
         if _apart(masses[at], masses[there]):
             if _apart(wholes[0], wholes[1]):
                 yield at, there, "mass in kg", masses[at], masses[there]

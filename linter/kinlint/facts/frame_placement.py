@@ -76,7 +76,7 @@ class Placements:
             if node in pose_of and all(node in each for each in others):
                 yield pose_of[node], (number, *(each[node] for each in others))
 
-    def of(self, frame: Term) -> Placement | None:
+    def placement(self, frame: Term) -> Placement | None:
         """Return where *frame* is; None if that is not stated."""
         pose = self._poses.get(frame)
         base = self.scan.single(WITH_RESPECT_TO).get(pose) if pose is not None else None
@@ -89,20 +89,20 @@ class Placements:
     def is_own(self, frame: Term, owner: Term) -> bool:
         """Tell whether *frame* is the one that the body *owner* is described in."""
         sources = self.scan.table(FROM)
-        return bool(sources.of(frame)) and sources.of(frame) == sources.of(owner)
+        return bool(sources.values(frame)) and sources.values(frame) == sources.values(owner)
 
-    def on(self, frame: Term, owner: Term) -> Placement | None:
+    def placement_on(self, frame: Term, owner: Term) -> Placement | None:
         """Return where *frame* is as the body *owner* sees it; None if something else sees it."""
         if self.is_own(frame, owner):
             return Placement(frame, ZERO, ZERO, by_angles=True)
-        found = self.of(frame)
+        found = self.placement(frame)
         return found if found is not None and self.is_own(found.base, owner) else None
 
     @cached_property
     def origins(self) -> Mapping[Term, Vector]:
         """The place of each joint in m, as the link that carries it sees it."""
         near = self.scan.single(PARENT_ATTACHMENT).items()
-        placed = ((joint, self.of(frame)) for joint, frame in near)
+        placed = ((joint, self.placement(frame)) for joint, frame in near)
         return {joint: at.point for joint, at in placed if at is not None and at.point is not None}
 
     @cached_property
@@ -125,7 +125,7 @@ class Placements:
         found: dict[Term, Placement] = {}
         for inertia, owner in self.scan.single(OF_BODY).items():
             frame = frames.get(centres.get(inertia, ""))
-            at = self.of(frame) if frame is not None else None
+            at = self.placement(frame) if frame is not None else None
             if at is not None:
                 found[owner] = at
         return found
@@ -145,7 +145,7 @@ class Placements:
         placed = self._inertial.items()
         return frozenset(owner for owner, at in placed if at.turn is None or any(at.turn))
 
-    def of_shape(self, node: Term) -> Placement | None:
+    def shape_placement(self, node: Term) -> Placement | None:
         """Return where the shape *node* is, as its body sees it; None if that is not stated."""
         frame, owner = (self.scan.single(each).get(node) for each in (ATTACHED_TO, kin("of-body")))
-        return self.on(frame, owner) if frame is not None and owner is not None else None
+        return self.placement_on(frame, owner) if frame is not None and owner is not None else None

@@ -85,7 +85,7 @@ class Inertias:
         moments = CoordinatePairs(self.scan).with_moment(self.first_moments)
         found: dict[Term, Matrix] = {}
         for node, tensor in self.tensors.items():
-            shifted = moments.of(node)
+            shifted = moments.match(node)
             away = self.first_moments[shifted] if shifted is not None else None
             if away == ZERO or (away is None and node in self.scan.table(FROM)):
                 found[node] = tensor
@@ -104,7 +104,7 @@ class Inertias:
         moments = companions.with_moment(self.first_moments)
         for node, tensor in self.tensors.items():
             yield from _moments(node, tensor, self.principal[node], "moment")
-            heavy, shifted = masses.of(node), moments.of(node)
+            heavy, shifted = masses.match(node), moments.match(node)
             if heavy is None or not self._comparable(node, heavy):
                 continue
             mass = self.quantities.masses[heavy]

@@ -106,7 +106,7 @@ class InertiaRepairs:
                 continue
             inertial = self._placements.inertial(owner) if owner is not None else None
             here = self._place(inertial)
-            there = self._place(self._placements.of_shape(shape.node))
+            there = self._place(self._placements.shape_placement(shape.node))
             if here is not None and here == there:
                 tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
@@ -122,7 +122,7 @@ class InertiaRepairs:
         for owner, nodes in sorted(self.geometries.references.items()):
             shape = self.geometries.uniform(owner) if owner not in weighed else None
             if shape is None or any(
-                self._place(self._placements.of_shape(each)) != ORIGIN for each in nodes
+                self._place(self._placements.shape_placement(each)) != ORIGIN for each in nodes
             ):
                 continue
             mass = WATER * shape.volume

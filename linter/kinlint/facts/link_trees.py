@@ -102,9 +102,9 @@ class LinkTrees:
 
     def _name(self, node: Term) -> str | None:
         """Return the name of the element that *node* was made of."""
-        return self.said(self._element(node), "name")
+        return self.attribute_text(self._element(node), "name")
 
-    def said(self, element: Term, name: str) -> str | None:
+    def attribute_text(self, element: Term, name: str) -> str | None:
         """Return the text of an attribute of *element*; None if it is not written."""
         value = self.scan.single(attribute(name)).get(element)
         return literal_value(value) if value is not None and is_literal(value) else None
@@ -135,7 +135,7 @@ class LinkTrees:
     def _naming(self, joint: Term, side: str) -> Term | None:
         """Return the first element that names the link at a *side* of *joint*."""
         owner = self._element(joint)
-        found = (each for tag in (urdf, sdf) for each in self.scan.table(tag(side)).of(owner))
+        found = (each for tag in (urdf, sdf) for each in self.scan.table(tag(side)).values(owner))
         return next((each for each in found if not is_repeated(each)), None)
 
     def _rooted(self, robot: Term, stated: Term) -> Iterator[Triple]:
@@ -155,7 +155,7 @@ class LinkTrees:
         """Documents, less the end of their tokens, in which something is not expanded."""
         documents = self.scan.table(DOCUMENT)
         raw = self.scan.instances(UNEXPANDED)
-        return frozenset(each[:-1] for node in raw for each in documents.of(node))
+        return frozenset(each[:-1] for node in raw for each in documents.values(node))
 
     def _unresolved(self, robot: Term, edges: Iterable[Edge]) -> Iterator[Triple]:
         """Yield the elements that name a link which *robot* does not have, with a name like it."""
@@ -169,7 +169,7 @@ class LinkTrees:
         names = [name for body in self.links.get(robot, ()) if (name := self._name(body))]
         near = cache(lambda name: nearest(name, names))
         for element in missing[:MOST]:
-            name = self.said(element, "link")
+            name = self.attribute_text(element, "link")
             if name is not None:
                 yield element, fact("unresolved"), literal(name)
                 if (other := near(name)) is not None:

@@ -39,7 +39,7 @@ def proportions(
         mass = assemblies.masses.get(body, 0.0) if body is not None else 0.0
         if body is None or mass <= 0.0:
             continue
-        size = geometries.of(body)
+        size = geometries.extents(body)
         greatest = inertias.principal[node][2]
         if greatest > 0.0 and tensor != IDENTITY:
             yield from numbers(node, [("gyration", math.sqrt(greatest / mass))])
@@ -47,7 +47,7 @@ def proportions(
             yield from numbers(node, [("extent", size.extent)])
     for node, mass in inertias.quantities.masses.items():
         body = assemblies.body(node)
-        size = geometries.of(body) if body is not None else UNKNOWN
+        size = geometries.extents(body) if body is not None else UNKNOWN
         if mass > 0.0 and size.least_volume and size.greatest_volume:
             least, greatest = mass / size.greatest_volume, mass / size.least_volume
             yield from numbers(node, [("least-density", least), ("greatest-density", greatest)])

@@ -48,7 +48,7 @@ class Mechanism:
 
     def element(self, node: Term) -> Term | None:
         """Return the element of a file that *node* was made of."""
-        return min(self.scan.table(FROM).of(node), default=None)
+        return min(self.scan.table(FROM).values(node), default=None)
 
     @cached_property
     def described(self) -> Sequence[Term]:
@@ -102,7 +102,7 @@ class Mechanism:
 
         That of the parent first, if one is stated.
         """
-        ends = self.scan.table(ATTACHMENTS).of(joint)
+        ends = self.scan.table(ATTACHMENTS).values(joint)
         own = self._sides[0][0].get(joint)
         return sorted(ends, key=lambda end: (end != own, self._written.get((joint, end), 0), end))
 
@@ -147,7 +147,7 @@ class Mechanism:
         Empty if neither tells.
         """
         element = self.element(joint)
-        for said in self.scan.table(TYPE).of(element) if element is not None else ():
+        for said in self.scan.table(TYPE).values(element) if element is not None else ():
             return literal_value(said)
         return next(self._kinds(joint), "")
 

@@ -53,7 +53,7 @@ class OrientationGraph:
         """Return the frame that stands for all whose orientation to *frame* is known."""
         return self.forest.root.get(frame, frame)
 
-    def of(self, frame: Term) -> Matrix:
+    def matrix(self, frame: Term) -> Matrix:
         """Return the matrix of *frame*, seen by the frame of its group."""
         return self.seen.get(frame, IDENTITY)
 
@@ -63,7 +63,7 @@ class OrientationGraph:
             return IDENTITY
         if self.group(base) != self.group(frame):
             return None
-        return product(transpose(self.of(base)), self.of(frame))
+        return product(transpose(self.matrix(base)), self.matrix(frame))
 
     def circles(self) -> Iterator[Circle]:
         """Yield each independent loop of orientations, with the angle in rad that it misses."""
@@ -77,4 +77,6 @@ class OrientationGraph:
 
     def _missing(self, turn: RelativeOrientation) -> Matrix:
         """Return the rotation from the axes of `turn.of` to those by *turn*, seen by their root."""
-        return product(product(self.of(turn.base), turn.matrix), transpose(self.of(turn.of)))
+        return product(
+            product(self.matrix(turn.base), turn.matrix), transpose(self.matrix(turn.of))
+        )

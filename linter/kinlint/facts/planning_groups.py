@@ -31,14 +31,14 @@ class PlanningGroups:
     def facts(self) -> Iterator[Triple]:
         """Yield the joints and links of groups, lengths of chains, and links between pairs."""
         for semantic in sorted(self.joined):
-            for group in self.scan.table(srdf("group")).of(semantic):
+            for group in self.scan.table(srdf("group")).values(semantic):
                 for joint in sorted(self._comprises(group)):
                     yield group, fact("comprises"), joint
                     if (edge := self._edges.get(joint)) is not None and edge.child is not None:
                         yield group, fact("moves"), edge.child
                 yield from self._chains(group)
-            for pair in self.scan.table(srdf("disable_collisions")).of(semantic):
-                if ADJACENT in self.scan.table(attribute("reason")).of(pair):
+            for pair in self.scan.table(srdf("disable_collisions")).values(semantic):
+                if ADJACENT in self.scan.table(attribute("reason")).values(pair):
                     yield from ((pair, fact("between"), link) for link in self._between(pair))
 
     @cached_property
@@ -63,16 +63,16 @@ class PlanningGroups:
         As such, by links that they carry, as a chain.
         """
         found: set[Term] = set()
-        for joint in self.scan.table(srdf("joint")).of(group):
+        for joint in self.scan.table(srdf("joint")).values(group):
             found.update(self._refers(joint, "joint"))
-        for link in self.scan.table(srdf("link")).of(group):
+        for link in self.scan.table(srdf("link")).values(group):
             found.update(self._carrier(target) for target in self._refers(link, "link"))
-        for chain in self.scan.table(srdf("chain")).of(group):
+        for chain in self.scan.table(srdf("chain")).values(group):
             found.update(edge.joint for edge in self._way(*self._ends(chain)) or ())
         return found - {""}
 
     def _refers(self, element: Term, name: str) -> Sequence[Term]:
-        return self.scan.table(reference(name)).of(element)
+        return self.scan.table(reference(name)).values(element)
 
     def _carrier(self, link: Term) -> Term:
         """Return the joint that carries *link*: a virtual one where nothing else does."""
@@ -137,7 +137,7 @@ class PlanningGroups:
         return [edge for link in apart if (edge := near.get(link) or far.get(link)) is not None]
 
     def _chains(self, group: Term) -> Iterator[Triple]:
-        for chain in self.scan.table(srdf("chain")).of(group):
+        for chain in self.scan.table(srdf("chain")).values(group):
             way = self._way(*self._ends(chain))
             if way is not None:
                 yield chain, fact("joints"), integer(len(way))

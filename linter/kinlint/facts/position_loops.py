@@ -42,7 +42,7 @@ def _circles(
     forest = SpanningForest([(shift.base, shift.of) for shift in shifts])
     if not forest.closing:
         return
-    steps = [apply(attitudes.of(shift.seen_by), shift.vector) for shift in shifts]
+    steps = [apply(attitudes.matrix(shift.seen_by), shift.vector) for shift in shifts]
     there: dict[Term, Vector] = {}
     far: dict[Term, float] = {}
     for node in forest.order:

@@ -67,7 +67,7 @@ class Table:
         else:
             self.one[subject] = value
 
-    def of(self, subject: Term) -> Sequence[Term]:
+    def values(self, subject: Term) -> Sequence[Term]:
         """Return all values of *subject*."""
         value = self.one.get(subject)
         return self.several.get(subject, ()) if value is None else (value,)
@@ -108,7 +108,7 @@ class PredicateIndex:
                 table.add(subject, value)
         return self._tables[predicate]
 
-    def about(self, node: Term) -> Mapping[Term, list[Term]]:
+    def statements(self, node: Term) -> Mapping[Term, list[Term]]:
         """Return all statements about an IRI, by property."""
         found: dict[Term, list[Term]] = {}
         if is_iri(node):

@@ -41,7 +41,7 @@ def reordered(scan: PredicateIndex) -> Iterator[Triple]:
         operators = scan.items(heads[0]) if len(heads) == 1 else None
         if operators is None or len(set(operators)) < len(operators):
             continue
-        written = [datum for each in operators for datum in writes.of(each)]
+        written = [datum for each in operators for datum in writes.values(each)]
         if len(set(written)) < len(written):
             continue
         cell = heads[0]
@@ -56,11 +56,13 @@ def reordered(scan: PredicateIndex) -> Iterator[Triple]:
 
 def _in_order(operators: Sequence[Term], reads: Table, writes: Table) -> list[Term]:
     """*operators* after those that feed them, else as they come; empty if some feed each other."""
-    producer = {datum: at for at, each in enumerate(operators) for datum in writes.of(each)}
+    producer = {datum: at for at, each in enumerate(operators) for datum in writes.values(each)}
     after: dict[int, list[int]] = {}
     waiting = [0] * len(operators)
     for at, operator in enumerate(operators):
-        for source in {producer[datum] for datum in reads.of(operator) if datum in producer} - {at}:
+        for source in {producer[datum] for datum in reads.values(operator) if datum in producer} - {
+            at
+        }:
             after.setdefault(source, []).append(at)
             waiting[at] += 1
     ready = [at for at, many in enumerate(waiting) if not many]

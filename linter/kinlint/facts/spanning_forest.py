@@ -17,7 +17,7 @@ class DisjointSets:
     def __init__(self) -> None:
         self._parent: dict[Term, Term] = {}
 
-    def of(self, node: Term) -> Term:
+    def representative(self, node: Term) -> Term:
         """Return the node that stands for the set of *node*."""
         parent = self._parent
         while (above := parent.get(node, node)) != node:
@@ -27,7 +27,7 @@ class DisjointSets:
 
     def join(self, one: Term, other: Term) -> bool:
         """Connect two nodes; tell whether they were apart before."""
-        a, b = self.of(one), self.of(other)
+        a, b = self.representative(one), self.representative(other)
         if a != b:
             self._parent[b] = a
         return a != b

@@ -84,7 +84,7 @@ class SpatialRelations:
 
     def seen_by(self, node: Term, relation: Term) -> Term | None:
         """Return the frame by which coordinates *node* are seen; None if that cannot be told."""
-        stated = self.scan.table(AS_SEEN_BY).of(node)
+        stated = self.scan.table(AS_SEEN_BY).values(node)
         if stated:
             return self.axes(stated[0]) if len(stated) == 1 else None
         if relation in self._framed and relation in self.base:

@@ -69,7 +69,7 @@ class Units:
         None if it is incomplete.
         """
         if unit not in self._units:
-            said = self.scan.about(unit)
+            said = self.scan.statements(unit)
             factors = [each for each in map(numeric, said.get(FACTOR, ())) if each is not None]
             offsets = [each for each in map(numeric, said.get(OFFSET, ())) if each is not None]
             measured = said.get(DIMENSION_VECTOR, [])

@@ -57,9 +57,9 @@ def findings(
 
 
 class FindingBuilder:
-    """What results of an engine come to: first in brief, and for those that are told in detail.
+    """Builder of findings from results of an engine: first in brief, then in detail where needed.
 
-    *proofs* tells what a result rests on; by default it is found out when it is told.
+    *proofs* tells what a result rests on; by default it is found out on demand.
     """
 
     def __init__(
@@ -84,16 +84,20 @@ class FindingBuilder:
         return self._locator.provenance
 
     def brief(self) -> list[Finding]:
-        """One finding for each result, without `related` and `because`; what says the same once."""
+        """Return a finding for each result, without `related` and `because`, and without
+        duplicates.
+        """
         return [finding for finding, _ in self._told.values()]
 
     def results(self, finding: Finding) -> Sequence[Result]:
-        """What the engine found, if *finding* is one of these; what says the same is several."""
+        """Return the results that *finding* was made of; duplicates are several."""
         told = self._told.get(identity(finding))
         return told[1] if told is not None else ()
 
     def filled(self, template: str, finding: Finding) -> str:
-        """*template* with what *finding* has for its placeholders, in the words of its file."""
+        """Return *template* with the values of *finding* for its placeholders, in words of its
+        file.
+        """
         told = (each for one in (finding, *finding.members) for each in self.results(one))
         terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
         wording = Wording(self._locator, finding.location, finding.focus)
@@ -114,7 +118,7 @@ class FindingBuilder:
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     rule = rulebook.by_iri[result.constraint.owner]
-    location = locator.of(result, rulebook.axioms)
+    location = locator.result_location(result, rulebook.axioms)
     wording = Wording(locator, location, result.focus)
     display = wording.display
     template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
@@ -123,7 +127,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         terms[COUNT] = literal("1", f"{XSD}integer")
     words = wording.words(template, terms)
     count = 0 if COUNT in words else _number(terms.get(COUNT))
-    about = locator.about(result.focus)
+    about = locator.described(result.focus)
     return Finding(
         rule=rule,
         severity=_severity(result.constraint, rule),
@@ -193,7 +197,7 @@ def _related(
             yield Related(said[0], f"'{wording.display.term(said[1])}' is given here")
         described = None if is_literal(term) or term == result.focus else locator.node(term)
         if described is not None and described != location:
-            yield Related(described, f"{wording.word(locator.about(term))} is described here")
+            yield Related(described, f"{wording.word(locator.described(term))} is described here")
 
 
 def _because(

@@ -148,10 +148,10 @@ class Locator:
         implied = predicate == UNIT or not self.origins(subject)
         return None if implied else self.node(subject)
 
-    def of(self, result: Result, axioms: Sequence[Axiom]) -> Location:
-        """The smallest place that shows *result*: a triple, its node, a mention of it, or a file.
+    def result_location(self, result: Result, axioms: Sequence[Axiom]) -> Location:
+        """Return the smallest place that shows *result*: a triple, a node, a mention, or a file.
 
-        They are those of `?at`, if the rule says so, or else of the focus node. A triple that
+        These are of `?at`, if the rule says so, or else of the focus node. A triple that
         follows by *axioms* is shown by the first one written that it follows from. In files of
         elements, `?spot` may say of which attribute the value shows it.
         """
@@ -213,8 +213,8 @@ class Locator:
     def _judged(self) -> dict[Constraint, bool]:
         return {}
 
-    def about(self, focus: Term) -> Term:
-        """The entity concerned: what a statement of the source layer speaks of, or *focus*."""
+    def described(self, focus: Term) -> Term:
+        """Return the entity that a statement of the source layer describes, or else *focus*."""
         if not is_blank(focus):
             return focus
         return self._about.get(focus, focus)
@@ -224,7 +224,7 @@ class Locator:
         return {node: about for each in self.documents for node, about in each.about.items()}
 
     def anonymous(self, node: Term, location: Location) -> Term:
-        """A label for a blank node that survives edits of other nodes."""
+        """Return a label for a blank node that survives edits of other nodes."""
         document = self._by_source.get(id(location.source))
         if document is None:
             return node

@@ -130,7 +130,10 @@ class Wording:
         return f"{self._mention(subject)}: {name} {self._mention(value)}"
 
     def _mention(self, term: Term) -> str:
-        """*term* as a statement names it: elements in words, numbers computed by their kind."""
+        """Return *term* as a statement names it.
+
+        Elements in words, computed numbers by their kind.
+        """
         if (element := self._element(term)) is not None:
             return " of ".join(_phrases(*element))
         if is_number(term):
@@ -148,7 +151,7 @@ class Wording:
 
     @cached_property
     def in_xml(self) -> bool:
-        """Whether the finding is about an element, whose attributes are texts to begin with."""
+        """True if the finding is about an element, whose attributes are texts to begin with."""
         return self._element(self.focus) is not None
 
     @cached_property

@@ -80,6 +80,7 @@ def _numbers(table: Table, old: Mapping[Term, float], found: Values) -> dict[Ter
     """Return the numbers of *table*, whose subjects other than those *found* have *old* ones."""
     subjects: Iterable[Term] = (*table.one, *table.several)
     numbers = (
-        (each, number_of(table.of(each)) if each in found else old.get(each)) for each in subjects
+        (each, number_of(table.values(each)) if each in found else old.get(each))
+        for each in subjects
     )
     return {subject: number for subject, number in numbers if number is not None}

@@ -111,10 +111,10 @@ class Part(PredicateIndex):
         self._looks.classes.add(kind)
         return super().inferred(kind)
 
-    def about(self, node: Term) -> Mapping[Term, list[Term]]:
+    def statements(self, node: Term) -> Mapping[Term, list[Term]]:
         """Return all that is said of an IRI, by property."""
         self._looks.nodes.add(node)
-        return super().about(node)
+        return super().statements(node)
 
     def all_values(self, node: Term) -> frozenset[Term]:
         """The values of all that is said of *node*."""

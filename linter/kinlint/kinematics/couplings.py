@@ -32,10 +32,10 @@ class Couplings:
                 found.setdefault(joint, []).append(coupling)
         return found
 
-    def of(self, joint: Term) -> Iterator[Coupling]:
+    def couplings(self, joint: Term) -> Iterator[Coupling]:
         """Yield the couplings that make *joint* move."""
         for node in self._following.get(joint, ()):
-            for leader in self.scan.table(LEADER).of(node):
+            for leader in self.scan.table(LEADER).values(node):
                 yield Coupling(
                     iri=named(node),
                     name=named(node).rpartition("#")[2],

@@ -69,7 +69,7 @@ class Extraction:
         joints = [each.joint for each in edges]
         parts = (*bodies, *joints)
         own = Counter(chain for joint in joints for chain in chains.get(joint, ()))
-        names = self.names.of(parts)
+        names = self.names.names(parts)
         links = tuple(self._link(body, names[body]) for body in bodies)
         made = tuple(self._joint(each, names[each.joint]) for each in edges)
         places = [*(link.location for link in links), *(joint.location for joint in made)]
@@ -80,7 +80,7 @@ class Extraction:
             name=self._title(whole, names),
             links=links,
             joints=made,
-            couplings=tuple(each for joint in joints for each in self.couplings.of(joint)),
+            couplings=tuple(each for joint in joints for each in self.couplings.couplings(joint)),
             roots=tuple(map(named, roots)),
             files=tuple(dict.fromkeys(place.source.name for place in places if place is not None)),
             location=self.locator.node(whole),
@@ -104,15 +104,15 @@ class Extraction:
 
     def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
         if is_address(whole):
-            said = self.scan.table(attribute("name")).of(element_of(whole))
+            said = self.scan.table(attribute("name")).values(element_of(whole))
             return literal_value(said[0]) if said else element_name(whole, self.locator.kinds)
-        return names.get(whole) or self.names.of((whole,))[whole]
+        return names.get(whole) or self.names.names((whole,))[whole]
 
     @cached_property
     def _owned(self) -> Mapping[Term, list[Term]]:
         """Entities that findings are about, by the part that each belongs to."""
         parts = {*self.mechanism.bodies, *self.mechanism.joints}
-        owners = FindingOwners(self.store, parts, frozenset(self.mechanism.joints)).of(
+        owners = FindingOwners(self.store, parts, frozenset(self.mechanism.joints)).owners(
             self.findings
         )
         found: dict[Term, list[Term]] = {}
@@ -126,7 +126,7 @@ class Extraction:
 
     def _link(self, body: Term, name: str) -> Link:
         frames = self.mechanism.frames.get(body, ())
-        titles = self.names.of(frames)
+        titles = self.names.names(frames)
         return Link(
             iri=named(body),
             name=name,

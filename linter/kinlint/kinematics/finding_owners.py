@@ -37,7 +37,7 @@ class FindingOwners:
         self.parts = parts
         self.joints = joints
 
-    def of(self, findings: Iterable[Finding]) -> Mapping[Term, Term]:
+    def owners(self, findings: Iterable[Finding]) -> Mapping[Term, Term]:
         """Return the part that each entity of *findings*, and of their members, belongs to."""
         told = (one for finding in findings for one in (finding, *finding.members))
         focuses = dict.fromkeys(finding.focus for finding in told)

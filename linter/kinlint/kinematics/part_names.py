@@ -20,7 +20,7 @@ class PartNames:
     def __init__(self, locator: Locator) -> None:
         self.locator = locator
 
-    def of(self, nodes: Sequence[Term]) -> Mapping[Term, str]:
+    def names(self, nodes: Sequence[Term]) -> Mapping[Term, str]:
         """Return the names of *nodes*, less a prefix that all of them share."""
         found = {node: self._name(node) for node in nodes}
         written = [name for node, name in found.items() if not (is_address(node) or is_blank(node))]

@@ -70,7 +70,7 @@ class RobotGroups:
         homes: dict[int, dict[Term, None]] = {}
         for each in self.edges:
             for part in (each.joint, *each.ends):
-                whole = self._sets.of(each.joint)
+                whole = self._sets.representative(each.joint)
                 homes.setdefault(self.scan.place(part)[0], {})[whole] = None
         for home, bodies in loose.items():
             robots = list(homes.get(home, ()))
@@ -81,7 +81,7 @@ class RobotGroups:
         bodies: dict[Term, list[Term]] = {}
         edges: dict[Term, list[Edge]] = {}
         for body in self.mechanism.bodies:
-            bodies.setdefault(self._sets.of(body), []).append(body)
+            bodies.setdefault(self._sets.representative(body), []).append(body)
         for each in self.edges:
-            edges.setdefault(self._sets.of(each.joint), []).append(each)
+            edges.setdefault(self._sets.representative(each.joint), []).append(each)
         return [(bodies.get(key, ()), edges.get(key, ())) for key in {**bodies, **edges}]
