@@ -24,7 +24,9 @@ class NodeSpans(NamedTuple):
     """Place of a node: its whole description, and its identifier if it has one."""
 
     whole: Span
+    """Span of the description."""
     identifier: Span | None = None
+    """Span of the name in it; None for nodes without one."""
 
     @property
     def best(self) -> Span:
@@ -34,35 +36,41 @@ class NodeSpans(NamedTuple):
 
 @dataclass(frozen=True)
 class SourceMap:
-    """The way back from triples and nodes to the text."""
+    """Places of triples and nodes in the text."""
 
     triples: Mapping[Triple, Span] = field(default_factory=dict)
+    """Span of the value of each triple."""
     nodes: Mapping[Term, NodeSpans] = field(default_factory=dict)
+    """Spans of the nodes that the text describes, in its order."""
 
 
 @dataclass(frozen=True)
 class Document:
-    """What one file says.
+    """Statements of one file, or of several texts that were put together.
 
-    `statements` holds the asserted triples and those of the source layer, in the order of the
-    text, each once. `graph` is the IRI token under which a store keeps them. `prefixes` are the
-    file's own abbreviations, for messages. `statements` may repeat what another file says.
-    `format` is what it is read as; a xacro file that expands to SDF or SRDF is read as that.
-
-    A document may be put together from several texts. Then spans count through all of them, and
-    `pieces` says at which offset each text begins, *source* first.
+    Of several texts, spans count through all of them.
     """
 
     source: SourceText
+    """Text of the file; of several, the first."""
     graph: Term
+    """IRI token under which a store keeps the statements."""
     statements: Sequence[Triple] = field(repr=False)
+    """Asserted triples and those of the source layer, in the order of the text, each once.
+
+    They may repeat what another file says.
+    """
     map: SourceMap = field(repr=False)
+    """Places of the statements and of what they describe."""
     prefixes: Mapping[str, str] = field(default_factory=dict, repr=False)
+    """The file's own abbreviations, for messages."""
     format: Format = field(kw_only=True)
+    """Format it is read as; a xacro file that expands to SDF or SRDF is read as that."""
     pieces: Sequence[tuple[int, SourceText]] = field(default=(), repr=False)
+    """Offset at which each of several texts begins, *source* first."""
 
     def location(self, span: Span) -> Location:
-        """The place of *span* in the text that it is a span of."""
+        """Return the place of *span* in the text that it is a span of."""
         if not self.pieces:
             return Location(self.source, span)
         index = bisect_right(self.pieces, span.start, key=lambda piece: piece[0]) - 1
@@ -81,7 +89,7 @@ class Document:
         return {**named, **{s: o for s, _, o in self.saying(*ABOUT)}}
 
     def saying(self, *properties: Term) -> Sequence[Triple]:
-        """The statements that have one of *properties*, in their order."""
+        """Return the statements that have one of *properties*, in their order."""
         found = [each for name in properties if (each := self._by_property.get(name))]
         if len(found) < 2:  # noqa: PLR2004  nothing to be put in order
             return found[0] if found else ()

@@ -75,7 +75,7 @@ def _order(number: str) -> tuple[int, ...]:
 
 
 def shown(document: Document) -> Iterator[Shown]:
-    """The inherent symptoms that *document* shows."""
+    """Yield the inherent symptoms that *document* shows."""
     known = profile(document.format.lifted_as)
     counts = _counts(document, known.passed_over)
     for symptom in known.symptoms:
@@ -100,7 +100,7 @@ def _counts(document: Document, passed_over: frozenset[Term]) -> Counter[Term]:
 
 
 def _name(term: Term) -> str:
-    """The tag or the attribute that a property is made of."""
+    """Return the tag or the attribute that a property is made of."""
     return _COMPONENT.sub("", term.rpartition("#")[2].rstrip(">"))
 
 

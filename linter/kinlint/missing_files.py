@@ -27,7 +27,7 @@ def references(
     packages_of: Callable[[str], Packages],
     wanted: Collection[Term] | None = None,
 ) -> Iterator[Triple]:
-    """A node for each reference in *documents* to a file that is not found, saying why not.
+    """Yield a node for each reference in *documents* to a file that is not found, saying why not.
 
     *packages_of* has the packages that the file of a name can name. With *wanted*, nothing is
     looked up unless one of these terms is such a reason.

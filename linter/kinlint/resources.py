@@ -7,7 +7,7 @@ from typing import Literal
 
 
 def data(name: Literal["rules", "shapes"]) -> Path:
-    """The *name* directory of this installation."""
+    """Return the *name* directory of this installation."""
     package = Path(__file__).parent
     installed = package / name
     return installed if installed.is_dir() else package.parents[1] / name

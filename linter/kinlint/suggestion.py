@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 
 def nearest(word: str, choices: Iterable[str]) -> str | None:
-    """The choice most like *word*, or None if none is like it.
+    """Return the choice most like *word*, or None if none is like it.
 
     Upper and lower case differ by nothing. A third of the letters may be inserted, deleted,
     replaced or swapped with their neighbour; failing that, *word* may be the beginning of a

@@ -24,17 +24,17 @@ _ESCAPES = str.maketrans(
 
 
 def iri(value: str) -> Term:
-    """The token of an IRI."""
+    """Return the token of an IRI."""
     return f"<{value}>"
 
 
 def blank(label: str) -> Term:
-    """The token of a blank node."""
+    """Return the token of a blank node."""
     return f"_:{label}"
 
 
 def literal(value: str, datatype: str = "", language: str = "") -> Term:
-    """The token of a literal; no *datatype* and no *language* is an `xsd:string`."""
+    """Return the token of a literal; no *datatype* and no *language* is an `xsd:string`."""
     text = '"' + value.translate(_ESCAPES) + '"'
     if language:
         return f"{text}@{language}"
@@ -59,12 +59,12 @@ def is_literal(term: Term) -> bool:
 
 
 def iri_value(term: Term) -> str:
-    """The IRI inside an IRI token."""
+    """Return the IRI inside an IRI token."""
     return term[1:-1]
 
 
 def literal_value(term: Term) -> str:
-    """The lexical form of a literal token, unescaped."""
+    """Return the lexical form of a literal token, unescaped."""
     text = term[1 : term.rindex('"')]
     if "\\" not in text:
         return text
@@ -72,7 +72,7 @@ def literal_value(term: Term) -> str:
 
 
 def literal_datatype(term: Term) -> str:
-    """The datatype IRI of a literal token."""
+    """Return the datatype IRI of a literal token."""
     tail = term[term.rindex('"') + 1 :]
     if tail.startswith("^^"):
         return tail[3:-1]

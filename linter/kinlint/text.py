@@ -62,7 +62,7 @@ class SourceText:
         return tuple(starts)
 
     def position(self, offset: int) -> Position:
-        """The line and column of *offset*; offsets outside the text are moved to its ends."""
+        """Return the line and column of *offset*, which is clamped to the text."""
         offset = max(0, min(offset, len(self.text)))
         line = bisect_right(self.line_starts, offset)
         return Position(line, offset - self.line_starts[line - 1] + 1)

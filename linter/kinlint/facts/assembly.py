@@ -96,7 +96,7 @@ class Assemblies:
         yield from self._bare()
 
     def _bare(self) -> Iterator[Triple]:
-        """The bodies that a joint of a tree moves, where nothing fixed to them has an inertia."""
+        """Yield the bodies that a joint moves, where nothing welded to them has an inertia."""
         excused = self._weighed | self._still
         for body, edge in self.trees.above.items():
             kind = self.trees.mechanism.kind(edge.joint)

@@ -69,7 +69,7 @@ class Placements:
         return dict(self._stated(QUATERNION))
 
     def _stated(self, names: Sequence[Term]) -> Iterator[tuple[Term, Sequence[float]]]:
-        """The numbers that coordinates of each pose have for three components."""
+        """Yield the numbers that coordinates of each pose have for three components."""
         pose_of = self.scan.single(OF_POSE)
         first, *others = (self.scan.numbers(each) for each in names)
         for node, number in first.items():

@@ -14,7 +14,7 @@ from kinlint.terms import Term, Triple
 
 
 def steps(scan: PredicateIndex) -> Iterator[Triple]:
-    """The steps of each schedule, counted from zero."""
+    """Yield the steps of each schedule, counted from zero."""
     numbers = count(1)
     for schedule, heads in sorted(scan.table(algorithm("trigger-chain")).items()):
         lists = {items for head in heads if (items := scan.items(head)) is not None}
@@ -29,7 +29,7 @@ def steps(scan: PredicateIndex) -> Iterator[Triple]:
 
 
 def reordered(scan: PredicateIndex) -> Iterator[Triple]:
-    """The cells of each schedule that get another operator where all are to run after their feeds.
+    """Yield the cells of each schedule that get another operator to run after its feeds.
 
     Operators that do not wait for others stay in the order that they have. There is no such order
     where operators feed each other in a circle; it leaves a choice where an operator is triggered
@@ -79,7 +79,7 @@ def _in_order(operators: Sequence[Term], reads: Table, writes: Table) -> list[Te
 
 
 def circles(scan: PredicateIndex) -> Iterator[Triple]:
-    """The operators that need, directly or through others, what they write themselves."""
+    """Yield the operators that need, directly or through others, what they write themselves."""
     reads, writes = (dict(scan.table(kin(name)).items()) for name in ("reads", "writes"))
     if not reads or not writes:
         return

@@ -28,7 +28,7 @@ class AnonymousNodes:
         return ways
 
     def label(self, node: Term) -> Term:
-        """A blank node label for *node* that depends on its nearest named node and the way there.
+        """Return a blank node label for *node* by its nearest named node and the path there.
 
         Nodes that nothing leads to are told apart by what is stated of them first. All labels
         together take as long as the ways have steps: each goes on from that of the node before.

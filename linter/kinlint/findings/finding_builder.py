@@ -84,9 +84,7 @@ class FindingBuilder:
         return self._locator.provenance
 
     def brief(self) -> list[Finding]:
-        """Return a finding for each result, without `related` and `because`, and without
-        duplicates.
-        """
+        """Return a finding for each result without duplicates, `related` and `because`."""
         return [finding for finding, _ in self._told.values()]
 
     def results(self, finding: Finding) -> Sequence[Result]:
@@ -95,9 +93,7 @@ class FindingBuilder:
         return told[1] if told is not None else ()
 
     def filled(self, template: str, finding: Finding) -> str:
-        """Return *template* with the values of *finding* for its placeholders, in words of its
-        file.
-        """
+        """Return *template* with the values of *finding* for its placeholders, in words."""
         told = (each for one in (finding, *finding.members) for each in self.results(one))
         terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
         wording = Wording(self._locator, finding.location, finding.focus)
@@ -145,7 +141,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
 
 
 def _number(term: Term | None) -> int:
-    """The whole number that *term* is, else 0."""
+    """Return the whole number that *term* is, else 0."""
     value = literal_value(term) if term is not None and is_literal(term) else ""
     return int(value) if value.isdecimal() else 0
 
@@ -184,7 +180,7 @@ def _said(result: Result, rule: Rule) -> str:
 def _related(
     result: Result, location: Location, locator: Locator, wording: Wording
 ) -> Iterator[Related]:
-    """The other things that a result names, where they are written and described."""
+    """Yield the other things that a result names, where they are written and described."""
     named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
     matched = {o[1:]: p for s, p, o in result.constraint.premises if s == "?this"}
     ways = {term: matched[name] for name, term in named.items() if name in matched}
@@ -203,7 +199,7 @@ def _related(
 def _because(
     result: Result, locator: Locator, proofs: Proofs, wording: Wording
 ) -> Iterator[Premise]:
-    """The proof of a result in which something inferred or computed took part; else nothing."""
+    """Yield the proof of a result that rests on something inferred or computed."""
     constraint = result.constraint
     if not locator.may_be_inferred(constraint) and not any(map(is_fact, constraint.premises)):
         return

@@ -49,7 +49,7 @@ def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
 
 
 def _model(finding: Finding) -> str:
-    """The model that *finding* is about: a document of several texts is one."""
+    """Return the model that *finding* is about: a document of several texts is one."""
     return split(finding.iri)[0] if is_address(finding.iri) else finding.location.source.name
 
 

@@ -67,7 +67,7 @@ class Locator:
         return found[0].location(found[1].best) if found is not None else None
 
     def whole(self, node: Term) -> Location | None:
-        """All of the description of *node* that `node` points to."""
+        """Return all of the description of *node* that `node` points to."""
         found = self._spans(node)
         return found[0].location(found[1].whole) if found is not None else None
 
@@ -79,7 +79,7 @@ class Locator:
         return None
 
     def _described(self, node: Term) -> Document | None:
-        """The document that describes *node* first."""
+        """Return the document that describes *node* first."""
         owner = self.store.documents.get(document_of(node))
         if owner is not None and node in owner.map.nodes:
             return owner
@@ -102,7 +102,7 @@ class Locator:
         }
 
     def origins(self, node: Term) -> Sequence[Term]:
-        """The elements that *node* was lifted from."""
+        """Return the elements that *node* was lifted from."""
         if not is_iri(node) or document_of(node) not in self.store.documents:
             return ()
         return tuple(self.store.values(node, FROM))
@@ -242,7 +242,7 @@ class Locator:
         return {id(text): each for each in reversed(self.documents) for text in each.sources}
 
     def document(self, location: Location) -> Document | None:
-        """The document that the text of *location* is a part of."""
+        """Return the document that the text of *location* is a part of."""
         return self._by_source.get(id(location.source))
 
     def display(self, location: Location) -> TermFormatter:

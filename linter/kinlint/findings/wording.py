@@ -141,7 +141,7 @@ class Wording:
         return FACT_NODE.sub(r"\1 \2", self.display.term(term))
 
     def _written_as(self, subject: Term, property_: Term) -> str:
-        """The attribute or element of the file that gives a lifted *property_* of *subject*."""
+        """Return the attribute or element that a lifted *property_* of *subject* is from."""
         if self._element(subject) is not None and is_iri(property_):
             for _, triple in self.locator.provenance.property(subject, property_).written:
                 element, way, _ = triple
@@ -164,7 +164,7 @@ class Wording:
         return document.graph if document is not None else graph
 
     def _element(self, term: Term) -> tuple[Document, Term] | None:
-        """The element that *term* is or was made of, the innermost of several; its document."""
+        """Return the innermost element that *term* is or was made of, and its document."""
         if not is_iri(term):
             return None
         document = self.locator.store.documents.get(document_of(term))

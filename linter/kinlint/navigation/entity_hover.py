@@ -29,14 +29,14 @@ class EntityPages:
         self._model, self._index, self._locator = model, index, locator
 
     def named(self, occurrences: Sequence[Occurrence]) -> Hover:
-        """The pages on what is named at one place, where *occurrences* are."""
+        """Return the pages on what is named at one place, where *occurrences* are."""
         place = occurrences[0].location
         entities = dict.fromkeys(each.entity for each in occurrences)
         pages = [self._page(each, place) for each in list(entities)[:MOST]]
         return Hover(ACROSS.join(pages), place.span)
 
     def around(self, around: Sequence[Around], location: Location) -> Hover:
-        """The pages on what *location* is in, but does not name."""
+        """Return the pages on what *location* is in, but does not name."""
         display = self._locator.display(location)
         pages = ["\n".join(self._node(each.node, display)) for each in around[:MOST]]
         return Hover(ACROSS.join(dict.fromkeys(pages)), location.span)
@@ -57,7 +57,7 @@ class EntityPages:
         return "\n".join(lines)
 
     def _node(self, node: Term, display: TermFormatter) -> Iterator[str]:
-        """A heading about *node* and, below it, a list."""
+        """Yield a heading about *node* and, below it, a list."""
         store = self._model.store
         descriptions = Descriptions(self._model, display)
         owner = store.documents.get(document_of(node))

@@ -37,7 +37,7 @@ class Link:
 def links(
     documents: Sequence[Document], options: ReadOptions, contexts: Mapping[str, Path]
 ) -> Iterator[Link]:
-    """Every link in *documents*, which *options* were read with; *contexts* are files, by IRI."""
+    """Yield every link in *documents*, read with *options*; *contexts* are files, by IRI."""
     for document in documents:
         said = StatementIndex(document)
         yield from _included(document, said)
@@ -47,7 +47,7 @@ def links(
 
 
 def _included(document: Document, said: StatementIndex) -> Iterator[Link]:
-    """The files that are part of the document, in xacro and in SDF."""
+    """Yield the files that are part of the document, in xacro and in SDF."""
     texts = {document_iri(each.name): each for each in document.sources}
     for value in said.values(document.graph, INCLUDES):
         place, text = said.place(document.graph, INCLUDES, value), texts.get(value)
@@ -82,7 +82,7 @@ def _contexts(
 def _files(
     document: Document, said: StatementIndex, near: Path, packages: Packages
 ) -> Iterator[Link]:
-    """The meshes and textures that are there."""
+    """Yield the meshes and textures that are there."""
     for element, predicate, value in file_names(document):
         place, written = said.place(element, predicate, value), literal_value(value)
         path = packages.resolve(written, near)

@@ -80,5 +80,5 @@ class GraphModel:
         return found
 
     def values(self, node: Term, predicate: Term) -> Iterator[Term]:
-        """The values of *predicate* for *node*, stated, lifted, inferred or computed."""
+        """Yield the values of *predicate* for *node*, stated, lifted, inferred or computed."""
         return self.store.values(node, predicate)

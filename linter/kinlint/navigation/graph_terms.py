@@ -15,7 +15,7 @@ OWN = f"<{SRC}"
 
 
 def terms(document: Document) -> Iterator[Occurrence]:
-    """Every node that *document* describes, and every term that is a value in it."""
+    """Yield every node that *document* describes, and every term that is a value in it."""
     losses = StatementIndex(document).losses
     described = set()
     for node, spans in document.map.nodes.items():

@@ -82,11 +82,11 @@ class Index:
         return found
 
     def mentions(self, entities: Iterable[Entity]) -> list[Occurrence]:
-        """Every place of *entities* but descriptions, in the order of documents and texts."""
+        """Return every mention of *entities*, in the order of documents and texts."""
         return [each for each in self._of(entities) if each.role is Role.REFERENCE]
 
     def _of(self, entities: Iterable[Entity]) -> Iterator[Occurrence]:
-        """The places of *entities*, one for each range of a text."""
+        """Yield the places of *entities*, one for each range of a text."""
         seen = set()
         for entity in dict.fromkeys(entities):
             for each in self._by_entity.get(entity, ()):

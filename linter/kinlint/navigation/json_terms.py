@@ -29,7 +29,7 @@ class Member(NamedTuple):
 
 
 def keys_and_names(document: Document, known: Mapping[Span, Entity]) -> Iterator[Occurrence]:
-    """The keys in *document* as the properties that they mean, and names that are repeated.
+    """Yield the keys in *document* as the properties that they mean, and names that are repeated.
 
     *known* are the entities whose names have a place already, by that place.
     """
@@ -56,7 +56,7 @@ def keys_and_names(document: Document, known: Mapping[Span, Entity]) -> Iterator
 
 
 def _members(value: Any) -> Iterator[Member]:
-    """All members of all objects in *value*, outer ones first."""
+    """Yield all members of all objects in *value*, outer ones first."""
     pending: list[tuple[Any, Member | None]] = [(value, None)]
     while pending:
         at, outer = pending.pop()
@@ -79,7 +79,7 @@ def _in_context(member: Member) -> bool:
 
 
 def _properties(document: Document, members: list[Member]) -> Iterator[tuple[Key, Term]]:
-    """The keys that state something, each with the property of a triple that it states."""
+    """Yield the keys that state something, each with the property of a triple that it states."""
     innermost = _Innermost(members)
     told: set[int] = set()
     triples = sorted(document.map.triples.items(), key=lambda item: item[1])

@@ -69,7 +69,7 @@ class Navigator:
         return directives(self._documents, Catalogue(self._rulebook.rules))
 
     def outline(self, name: str) -> Sequence[Symbol]:
-        """The symbols of the text called *name*, as the robots in it hang together."""
+        """Return the symbols of the text called *name*, as the robots in it hang together."""
         found = structures(self._model.store, self._documents)
         descriptions = Descriptions(self._model, TermFormatter(kinds=self._locator.kinds))
         return outline(
@@ -91,13 +91,13 @@ class Navigator:
         return [each.location for each in self._index.descriptions(entities)]
 
     def references(self, name: str, offset: int, *, described: bool) -> Sequence[Location]:
-        """Every place that names what is named there; if *described*, descriptions first."""
+        """Return every place that names what is named there; if *described*, descriptions first."""
         entities = [each.entity for each in self._index.at(name, offset)]
         found = self._index.descriptions(entities) if described else []
         return [each.location for each in (*found, *self._index.mentions(entities))]
 
     def highlights(self, name: str, offset: int) -> Sequence[Occurrence]:
-        """The places in the same text that name what is named there."""
+        """Return the places in the same text that name what is named there."""
         entities = [each.entity for each in self._index.at(name, offset)]
         index = self._index
         found = (*index.descriptions(entities), *index.mentions(entities))

@@ -30,7 +30,7 @@ class Surroundings:
         self._documents, self._paths = documents, paths
 
     def at(self, name: str, offset: int) -> Sequence[Around]:
-        """The innermost element at *offset* of the text called *name*, or who has the value there.
+        """Return the innermost element at *offset* of the text called *name*, or the owner of a value.
 
         It is several where a macro writes it several times.
         """

@@ -38,7 +38,7 @@ class Descriptions:
         self.model, self.display = model, display
 
     def types(self, node: Term) -> Sequence[str]:
-        """The classes that *node* is said to be of, or else those that follow."""
+        """Return the classes that *node* is said to be of, or else those that follow."""
         store = self.model.store
         said = {value for predicate, value in store.described(node) if predicate == RDF_TYPE}
         every = sorted(said or set(store.values(node, RDF_TYPE)))
@@ -52,7 +52,7 @@ class Descriptions:
         return [f"- {each}" for each in dict.fromkeys(told)][:MOST_LINES]
 
     def _values(self, node: Term, property_: Term) -> Sequence[Term]:
-        """The values of *property_*; of what is coordinates, or else of their relation."""
+        """Return the values of *property_*; of what is coordinates, or else of their relation."""
         values = set(self.model.values(node, property_))
         if not values:
             relations = self.model.values(node, COORDINATE_OF)
@@ -60,7 +60,7 @@ class Descriptions:
         return sorted(values)
 
     def _values_stated(self, node: Term) -> Iterator[str]:
-        """The properties of *node* that have no words of their own."""
+        """Yield the properties of *node* that have no words of their own."""
         stated: dict[Term, list[Term]] = {}
         for predicate, value in sorted(self.model.store.described(node)):
             if predicate != RDF_TYPE and not predicate.startswith(LAYERS):
@@ -75,7 +75,7 @@ class Descriptions:
                 yield f"{self.display.term(predicate)}: {exact or self._listed(plain)}"
 
     def _number(self, node: Term, name: str, value: Term) -> str:
-        """The number *value*, with its unit and what it is in SI where both are known."""
+        """Return the number *value*, with its unit and what it is in SI where both are known."""
         number = numeric(value) if is_literal(value) else None
         if number is None:
             return ""
@@ -90,7 +90,7 @@ class Descriptions:
         return si if si == f"{number:.6g}{own}" else f"{number:.12g}{own} = {si}"
 
     def _belonging(self, node: Term, depth: int) -> Iterator[str]:
-        """The numbers of what belongs to *node*, at most *depth* steps away."""
+        """Yield the numbers of what belongs to *node*, at most *depth* steps away."""
         for part in sorted(self.model.owned.get(node, ())):
             if part == node:
                 continue

@@ -49,7 +49,7 @@ class Symbol:
 def outline(
     name: str, structures: Iterable[Structure], index: Index, types: Callable[[Entity], str]
 ) -> Sequence[Symbol]:
-    """The symbols of the text called *name*; *types* tells what a node is.
+    """Return the symbols of the text called *name*; *types* tells what a node is.
 
     A part that another text describes is left out, and what hangs below it is hung higher.
     """
@@ -70,7 +70,7 @@ def outline(
 
 
 def _tree(name: str, structure: Structure, frames: Collection[Named]) -> list[Symbol]:
-    """The symbols of one robot, as it hangs together, with those of *frames* that it has."""
+    """Return the symbols of one robot, as it hangs together, with those of *frames* that it has."""
     tops: list[Symbol] = []
     holders: list[tuple[list[Symbol], int]] = []
     for step in structure.steps():
@@ -86,7 +86,7 @@ def _tree(name: str, structure: Structure, frames: Collection[Named]) -> list[Sy
 
 
 def _part(name: str, part: Part, frames: Collection[Named]) -> Symbol | None:
-    """The symbol of *part*; that of a link has those of *frames* below that are its."""
+    """Return the symbol of *part*; that of a link has those of *frames* below that are its."""
     if isinstance(part, Joint):
         detail = f"{part.kind} joint" if part.kind else "joint"
         return _symbol(name, part, part.name, detail, Sort.JOINT)
@@ -137,7 +137,7 @@ def _others(
 
 
 def _frame(entity: Entity) -> str:
-    """The IRI of the frame that *entity* is, or that its element stands for."""
+    """Return the IRI of the frame that *entity* is, or that its element stands for."""
     own = iri_value(entity) if is_iri(entity) else ""
     return f"{lifted(own)}/frame" if _kind(entity) == "frame" else own
 

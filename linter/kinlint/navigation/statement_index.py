@@ -34,11 +34,11 @@ class StatementIndex:
         return frozenset(s for s, p, _ in self.document.statements if p == LOSS)
 
     def having(self, predicate: Term) -> Iterator[Term]:
-        """The nodes that have *predicate*, each once."""
+        """Yield the nodes that have *predicate*, each once."""
         return iter(dict.fromkeys(s for s, p, _ in self.document.statements if p == predicate))
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
-        """The values of *predicate* that *subject* has."""
+        """Yield the values of *predicate* that *subject* has."""
         return (value for each, value in self.of.get(subject, ()) if each == predicate)
 
     def place(self, subject: Term, predicate: Term, value: Term) -> Location | None:

@@ -12,7 +12,7 @@ OFFSET, KIND = iri(f"{QUDT}conversionOffset"), iri(f"{QUDT}hasQuantityKind")
 
 
 def symbol(store: Store, unit: Term) -> str:
-    """The symbol of *unit*; nothing if it has none."""
+    """Return the symbol of *unit*; nothing if it has none."""
     return next(map(literal_value, store.values(unit, SYMBOL)), "")
 
 
@@ -22,7 +22,7 @@ def multiplier(store: Store, unit: Term) -> float | None:
 
 
 def coherent(store: Store, unit: Term) -> str:
-    """The symbol of the unit of SI for what *unit* measures; nothing if there is none for it.
+    """Return the symbol of the SI unit of what *unit* measures; empty if there is none.
 
     Angles are in radians, torques in newton metres.
     """

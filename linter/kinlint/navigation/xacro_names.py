@@ -37,7 +37,7 @@ class Named(NamedTuple):
 
 
 def xacro_names(document: Document) -> Iterator[Occurrence]:
-    """Every definition in the files that *document* is made of, and every use of one."""
+    """Yield every definition in the files that *document* is made of, and every use of one."""
     roots = [root for each in document.sources if (root := _root(each)) is not None]
     entities: dict[tuple[str, str, Element | None], Entity] = {}
     for root in roots:
@@ -53,7 +53,7 @@ def xacro_names(document: Document) -> Iterator[Occurrence]:
 
 
 def label(entity: Entity) -> tuple[str, str] | None:
-    """The kind and the name of what xacro defines; None for any other entity."""
+    """Return the kind and the name of what xacro defines; None for any other entity."""
     kind, colon, rest = entity.partition(":")
     known = colon and kind in (*DEFINED_BY.values(), "parameter")
     return (kind, rest.partition("@")[0]) if known else None
@@ -121,7 +121,7 @@ def _uses(root: Element) -> Iterator[Named]:
 
 
 def _evaluated(element: Element, source: SourceText) -> Iterator[Named]:
-    """The names in what is evaluated of *element* itself: its attributes and texts."""
+    """Yield the names in what is evaluated of *element* itself: its attributes and texts."""
     own = [each.value for each in element.origin.attributes.values()]
     own += [each.origin.span for each in element.children if isinstance(each, Text)]
     for span in own:
