@@ -96,7 +96,7 @@ class TermFormatter:
         return iri[len(base) :] or iri
 
     def _path(self, path: str) -> str:
-        """Return the names on the path to an element, or to its lifted node, with kinds if need be."""
+        """Return the names on the path to an element, or its lifted node, with kinds if needed."""
         owner = unordered(owner_path(path, self.kinds))
         shared = short_path(owner, self.kinds) in self._shared
         return path.removeprefix("/") if shared else short_path(path, self.kinds)

@@ -30,7 +30,7 @@ class Surroundings:
         self._documents, self._paths = documents, paths
 
     def at(self, name: str, offset: int) -> Sequence[Around]:
-        """Return the innermost element at *offset* of the text called *name*, or the owner of a value.
+        """Return the innermost element at *offset* of the text called *name*, or a value's owner.
 
         It is several where a macro writes it several times.
         """
