@@ -74,7 +74,7 @@ def test_where_a_rule_says_to_look_comes_first():
     found = locator()
     base, elbow = iri(f"{BASE}/link/base"), iri(f"{BASE}/joint/elbow")
 
-    assert found.of(result(base, at=elbow), ()) == found.node(elbow)
+    assert found.result_location(result(base, at=elbow), ()) == found.node(elbow)
 
 
 def test_a_document_of_several_texts_knows_which_is_meant():
