@@ -59,6 +59,6 @@ class Report:
     """Directory that relative file names start at."""
 
     @property
-    def open(self) -> tuple[Finding, ...]:
+    def unsuppressed(self) -> tuple[Finding, ...]:
         """The findings that nobody suppressed, should suppressed ones be among `findings`."""
         return tuple(finding for finding in self.findings if finding.suppressed is None)

@@ -81,7 +81,7 @@ class SeverityFor:
     formats: tuple[str, ...] = ()
     """Formats it holds for; none named is all."""
 
-    def holds(self, targets: Collection[str], form: str) -> bool:
+    def applies(self, targets: Collection[str], form: str) -> bool:
         """Tell whether this severity applies to files of format *form* for *targets*."""
         about = not self.targets or not set(self.targets).isdisjoint(targets)
         return about and (not self.formats or form in self.formats)
@@ -168,18 +168,20 @@ class Rule:
     facts: tuple[tuple[str, str], ...] = ()
     """Names of the facts that it asks for, each with the module that computes it."""
 
-    def counts_as(self, targets: Collection[str] = (), form: str = "") -> Severity | None:
+    def severity_for_targets(
+        self, targets: Collection[str] = (), form: str = ""
+    ) -> Severity | None:
         """Return the severity in a file of format *form* for *targets*; None if the rule is off.
 
         A severity for a target precedes one for a format alone, and of equals the worst counts.
         """
         if self.targets and set(self.targets).isdisjoint(targets):
             return None
-        meant = [each for each in self.severity_for if each.holds(targets, form)]
+        meant = [each for each in self.severity_for if each.applies(targets, form)]
         special = [each.severity for each in meant if each.targets]
         return max(special or [each.severity for each in meant], default=self.severity)
 
-    def speaks_for(self, targets: Collection[str]) -> bool:
+    def concerns(self, targets: Collection[str]) -> bool:
         """Tell whether the rule is about one of *targets* in particular."""
         said = {*self.targets, *(target for each in self.severity_for for target in each.targets)}
         return not said.isdisjoint(targets)

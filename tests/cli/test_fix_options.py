@@ -155,7 +155,7 @@ def test_a_patch_has_the_byte_order_mark_of_its_file(capsys):
     before = SourceText("arm.urdf", "<a/>\n", bom=True)
     changed = [(before, replace(before, text="<b/>\n"))]
 
-    fix_files.show(changed, "never")
+    fix_files.print_diffs(changed, "never")
     assert capsys.readouterr().out.endswith("-\ufeff<a/>\n+\ufeff<b/>\n")
-    fix_files.show(changed, "always")
+    fix_files.print_diffs(changed, "always")
     assert "<a/>\x1b[0m\n" in capsys.readouterr().out

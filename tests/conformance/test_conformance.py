@@ -15,7 +15,7 @@ from support.linting import book, codes, document, source
 from kinlint import lint as pipeline
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
-from kinlint.conversion.coverage import coverage
+from kinlint.conversion.coverage import format_coverage
 from kinlint.engine.lifting import lift
 from kinlint.engine.provenance import Provenance
 from kinlint.engine.store import Store
@@ -66,16 +66,16 @@ def test_a_file_is_recognised_by_its_content(form: Format) -> None:
 @lifted
 def test_what_is_not_lifted_has_a_reason(form: Format) -> None:
     """Each element and each attribute of the schema."""
-    known = coverage(form.name)
+    known = format_coverage(form.name)
 
-    assert [each for each in known.left_out() if known.reason(*each) is None] == []
+    assert [each for each in known.unlifted() if known.reason(*each) is None] == []
 
 
 @lifted
 def test_each_reason_is_needed(form: Format) -> None:
     """What has come to be lifted since has none."""
-    known = coverage(form.name)
-    used = {known.reason(*each) for each in known.left_out()}
+    known = format_coverage(form.name)
+    used = {known.reason(*each) for each in known.unlifted()}
 
     assert [one for one in known.reasons if one.lifted == "no" and one not in used] == []
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.conversion.coverage import coverage
+from kinlint.conversion.coverage import format_coverage
 from kinlint.conversion.coverage_page import PATH, main, readme
 from kinlint.formats.records import LIFTED
 from kinlint.resources import data
@@ -11,7 +11,7 @@ FORMATS = [each.name for each in LIFTED]
 
 
 def test_reasons_say_how_much_is_lifted():
-    assert {one.lifted for form in FORMATS for one in coverage(form).reasons} == {
+    assert {one.lifted for form in FORMATS for one in format_coverage(form).reasons} == {
         "no",
         "part",
         "yes",

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.conversion.json_layout import WIDTH, layout
+from kinlint.conversion.json_layout import WIDTH, format_json
 
 SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 
@@ -17,7 +17,7 @@ SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 )
 def test_samples_are_laid_out_like_this(name):
     text = (SAMPLES / f"{name}.jsonld").read_text(encoding="utf-8")
-    assert layout(json.loads(text)) + "\n" == text
+    assert format_json(json.loads(text)) + "\n" == text
 
 
 @pytest.mark.parametrize(
@@ -30,11 +30,11 @@ def test_samples_are_laid_out_like_this(name):
     ],
 )
 def test_what_fits_is_on_one_line(value, text):
-    assert layout(value) == text
+    assert format_json(value) == text
 
 
 def test_no_line_is_wider_unless_a_word_is():
     value = {"names": [f"robot:link/{number}" for number in range(40)], "nested": [{"a": "b" * 98}]}
-    lines = layout(value).splitlines()
+    lines = format_json(value).splitlines()
     assert json.loads("\n".join(lines)) == value
     assert [line for line in lines if len(line) > WIDTH] == ['      "a": "' + "b" * 98 + '"']

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pyoxigraph as ox
 import pytest
 
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.engine.lifting_compiler import SHARED
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.unfolding import is_reading, unfolded
@@ -18,7 +18,7 @@ from kinlint.sparql.parser import parse_construct
 from kinlint.terms import iri_value
 from kinlint.vocabulary import INTERMEDIATE
 
-PREFIXES = {**customary(), "ir": INTERMEDIATE, "": "urn:x:"}
+PREFIXES = {**model_prefixes(), "ir": INTERMEDIATE, "": "urn:x:"}
 ASSERTED = ox.NamedNode(iri_value(ASSERTED_GRAPH))
 READING = """CONSTRUCT { ?node a ir:Size ; ir:width ?w ; ir:height 2.0 ; ir:depth ?d }
     WHERE { ?node :width ?w OPTIONAL { ?node :depth ?d } }"""

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from kinlint.files.pathglob import Glob
-from kinlint.project.discovery import HEAD, SKIPPED, Search, speaks_of_context
+from kinlint.project.discovery import HEAD, SKIPPED, Search, may_be_jsonld
 
 MODEL = '{"@context": "https://example.org/c.json"}'
 
@@ -201,7 +201,7 @@ def test_a_file_that_cannot_be_looked_into_is_an_error(here, monkeypatch):
     def denied(path):
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr("kinlint.project.discovery.speaks_of_context", denied)
+    monkeypatch.setattr("kinlint.project.discovery.may_be_jsonld", denied)
 
     assert causes("m") == ["m/a.json: Permission denied"]
 
@@ -226,8 +226,8 @@ def test_the_look_at_a_file(here, data, answer):
     """It may be JSON-LD if it begins as JSON and a context is spoken of anywhere in it."""
     (here / "a.json").write_bytes(data)
 
-    assert speaks_of_context(here / "a.json") is answer
-    assert not speaks_of_context(here)
+    assert may_be_jsonld(here / "a.json") is answer
+    assert not may_be_jsonld(here)
 
 
 def test_globs_end_where_links_make_loops(here):

@@ -98,7 +98,7 @@ def fix(rules, *names, streamed=()):
     """Mends the files of *names* on disk; the report of what is left, and the files written."""
     texts = sources(*names)
     outcome = fix_in_rounds(texts, (), Settings(), rules, Applicability.SAFE, None, streamed)
-    report = fix_files.written(outcome, [Input(name, Path(name).absolute()) for name in names])
+    report = fix_files.write_fixes(outcome, [Input(name, Path(name).absolute()) for name in names])
     return report, [before.name for before, _ in outcome.changed]
 
 
@@ -232,7 +232,7 @@ def test_a_file_that_changed_meanwhile_stays(here, limits):
     outcome = fix_in_rounds(sources("arm.xacro"), (), Settings(), limits, Applicability.SAFE)
     put(macros__xacro=MACROS.replace("stays", "new"))
 
-    report = fix_files.written(outcome, [Input("arm.xacro", here / "arm.xacro")])
+    report = fix_files.write_fixes(outcome, [Input("arm.xacro", here / "arm.xacro")])
 
     assert [str(error) for error in report.errors] == [
         "macros.xacro: not fixed: the file has changed since it was read"

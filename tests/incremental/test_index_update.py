@@ -49,6 +49,6 @@ def test_it_is_as_if_it_were_read_now(held, turns):
     read(kept)
     for removed, added in turns:
         changes = Changes(store)
-        changes.make(removed, added)
+        changes.apply(removed, added)
         kept.forget(changes)
         assert read(kept) == read(PredicateIndex(store))

@@ -12,8 +12,8 @@ from kinlint.engine.closure import close
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.engine.strata import stratified
 from kinlint.formats.turtle.format import TURTLE
-from kinlint.incremental.change import Changes, quads
-from kinlint.incremental.inference import Inference, followable
+from kinlint.incremental.change import Changes, to_quads
+from kinlint.incremental.inference import Inference, can_follow
 from kinlint.terms import RDF_TYPE, Triple
 from kinlint.text import SourceText
 
@@ -58,7 +58,9 @@ def test_statements_come_and_go(seed):
     for _ in range(40):
         picked = set(dice.sample(POSSIBLE, dice.choice([1, 1, 2, 6])))
         changes = Changes(store)
-        changes.make(quads(picked & said, ASSERTED_GRAPH), quads(picked - said, ASSERTED_GRAPH))
+        changes.apply(
+            to_quads(picked & said, ASSERTED_GRAPH), to_quads(picked - said, ASSERTED_GRAPH)
+        )
         said ^= picked
 
         inference.follow(changes)
@@ -71,6 +73,6 @@ def test_statements_come_and_go(seed):
 
 def test_axioms_of_any_property_are_not_followed():
     """What says nothing of which property it is about has to be closed anew."""
-    assert followable(AXIOMS)
-    assert not followable([axiom(("?x", "?p", "?y"), ("?y", "?p", "?x"))])
-    assert not followable([axiom(("?x", RDF_TYPE, "?c"), ("?x", "<p:of>", "?c"))])
+    assert can_follow(AXIOMS)
+    assert not can_follow([axiom(("?x", "?p", "?y"), ("?y", "?p", "?x"))])
+    assert not can_follow([axiom(("?x", RDF_TYPE, "?c"), ("?x", "<p:of>", "?c"))])

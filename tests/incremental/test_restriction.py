@@ -12,7 +12,7 @@ from kinlint.engine.lifting import queries
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.incremental.restriction import restricted, restriction
+from kinlint.incremental.restriction import find_restriction, restrict_query
 from kinlint.incremental.tracked_lifting import Unit
 from kinlint.terms import iri_value, is_iri
 from kinlint.text import SourceText
@@ -43,7 +43,7 @@ def test_nothing_else_is_found(form):
             meant = solutions(store, unit.select, unit.names)
             roots = sorted({row[-1] for row in meant if is_iri(row[-1])})
             for some in (roots[:1], roots[1:3]):
-                select = restricted(unit.select, unit.narrow.root, some)
+                select = restrict_query(unit.select, unit.narrow.root, some)
                 found = solutions(store, select, unit.names)
                 assert found == {row: n for row, n in meant.items() if row[-1] in some}
                 narrowed += bool(some)
@@ -60,4 +60,4 @@ def test_nothing_else_is_found(form):
 )
 def test_what_cannot_be_narrowed(select):
     """Nothing is known of a variable that no leading pattern binds, or of some solutions."""
-    assert restriction(select) is None
+    assert find_restriction(select) is None

@@ -5,12 +5,12 @@ import json
 import pytest
 
 from kinlint import resources
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.sparql.ast_json import from_json, to_json
 from kinlint.sparql.parser import parse_construct, parse_update
 from kinlint.vocabulary import INTERMEDIATE
 
-PREFIXES = {**customary(), "ir": INTERMEDIATE}
+PREFIXES = {**model_prefixes(), "ir": INTERMEDIATE}
 QUERIES = sorted(resources.data("shapes").glob("lifting/*/*.rq"))
 
 

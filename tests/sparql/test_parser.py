@@ -3,7 +3,7 @@
 import pytest
 
 from kinlint import resources
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.engine.store import Store
 from kinlint.sparql.ast import Bind, Clause, Triples, render
 from kinlint.sparql.parser import parse_construct, parse_update
@@ -147,7 +147,7 @@ def test_a_path_is_no_part_of_a_template():
 )
 def test_each_lifting_query_is_written_back_the_same(file):
     """Oxigraph takes what is written for the same query: it can run it, at least."""
-    query = parse_construct(file.read_text("utf-8"), {**customary(), "ir": INTERMEDIATE})
+    query = parse_construct(file.read_text("utf-8"), {**model_prefixes(), "ir": INTERMEDIATE})
 
     Store().oxigraph.query(render(query))
     assert parse_construct(render(query)) == query

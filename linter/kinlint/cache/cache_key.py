@@ -50,7 +50,7 @@ class CacheKeys:
             self.book.digest,
             self.fixing,
             plain(wide),
-            dict(Contexts.bundled(wide.contexts, extra).further) if extra else {},
+            dict(Contexts.bundled(wide.contexts, extra).extra_documents) if extra else {},
         ]
         object.__setattr__(self, "_base", _digest(said))
 

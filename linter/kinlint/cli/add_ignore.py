@@ -45,8 +45,8 @@ def add_ignores(  # noqa: PLR0913, PLR0917
     if not options.silent:
         sys.stderr.writelines(_told(outcome))
     report = replace(outcome.report, fixed=(), unfixed=())
-    report = fix_files.written(replace(outcome, report=report), found.inputs, "silenced")
-    fix_files.pass_on(sources, outcome.changed, found.inputs)
+    report = fix_files.write_fixes(replace(outcome, report=report), found.inputs, "silenced")
+    fix_files.write_streamed(sources, outcome.changed, found.inputs)
     return report
 
 

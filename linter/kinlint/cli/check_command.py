@@ -69,7 +69,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _warn(found)
         return _show_files(found) if options.show_files else _show_inherent(options, layers, found)
     settings = _settings(options, layers, found)
-    project = layers.project(found.inputs)
+    project = layers.project_config(found.inputs)
     fail_on = project.fail_on or THRESHOLD
     outputs = destinations(options, project)
     settings = replace(settings, drawn=outputs.shows_structure)
@@ -124,7 +124,7 @@ def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
     if exit_zero or fail_on == "none":
         return CLEAN
     least = Severity[fail_on.upper()]
-    return FOUND if any(one.severity >= least for one in report.open) else CLEAN
+    return FOUND if any(one.severity >= least for one in report.unsuppressed) else CLEAN
 
 
 def _find(options: Namespace, layers: Layers) -> Found:
@@ -174,19 +174,19 @@ def _knowledge(
     options: Namespace, layers: Layers, found: Found, settings: Settings, book: Rulebook
 ) -> KnownFindings | None:
     """Return the findings known before this run, if an option asks for new ones only."""
-    project = layers.project(found.inputs)
+    project = layers.project_config(found.inputs)
     if project.baseline is None and not any(getattr(options, name) for name in COMPARING):
         return None
-    from kinlint.cli.new_findings import KnownFindings, baseline_of  # noqa: PLC0415  most runs tell all
+    from kinlint.cli.new_findings import KnownFindings, find_baseline  # noqa: PLC0415  most runs tell all
 
-    baseline, before = baseline_of(options, project), None
+    baseline, before = find_baseline(options, project), None
     if options.new_from_rev or options.new_from_merge_base:
-        from kinlint.cli.new_from_revision import FindingsAtRevision, revision_of  # noqa: PLC0415
+        from kinlint.cli.new_from_revision import FindingsAtRevision, find_revision  # noqa: PLC0415
 
         def settings_of(then: Found) -> Settings:
             return _settings(options, layers, then)
 
-        revision = revision_of(options, found.inputs)
+        revision = find_revision(options, found.inputs)
         before = FindingsAtRevision(revision, found, layers, book, settings_of).ledger(options)
     return KnownFindings(settings, book.rules, baseline, before, options)
 

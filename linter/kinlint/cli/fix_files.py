@@ -14,29 +14,37 @@ from kinlint.files.atomic_write import replacement
 from kinlint.files.environment import WRITING
 from kinlint.files.pathglob import absolute
 from kinlint.finding import Finding
-from kinlint.fixes.offers import every
+from kinlint.fixes.offers import accept_all
 from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
 from kinlint.formats.decoding import decode, encode
 from kinlint.project.discovery import Input
 from kinlint.report import Report
-from kinlint.reporters.diff import unified
+from kinlint.reporters.diff import unified_diff
 from kinlint.reporters.terminal_style import When, detect_style
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
 
-__all__ = ["every", "fix_in_rounds", "least", "pass_on", "show", "unsettled", "written"]
+__all__ = [
+    "accept_all",
+    "fix_in_rounds",
+    "least_applicability",
+    "print_diffs",
+    "unsettled",
+    "write_fixes",
+    "write_streamed",
+]
 
 Change = tuple[SourceText, SourceText]
 BOM = "\ufeff"
 """Byte order mark, which belongs to the first line of a patch."""
 
 
-def least(settings: Settings) -> Applicability:
+def least_applicability(settings: Settings) -> Applicability:
     """Return the least applicability of fixes that are made."""
     return Applicability.UNSAFE if settings.unsafe_fixes else Applicability.SAFE
 
 
-def written(outcome: RoundsResult, inputs: Iterable[Input], done: str = "fixed") -> Report:
+def write_fixes(outcome: RoundsResult, inputs: Iterable[Input], done: str = "fixed") -> Report:
     """Write the texts of *outcome* to the files of *inputs*; the report of what is left.
 
     So it goes with those that they include. A file that changed meanwhile, or cannot be written,
@@ -94,15 +102,15 @@ def _files(finding: Finding, *, edited: bool = False) -> Iterable[str]:
     return changed if edited else (finding.location.source.name, *changed)
 
 
-def show(changed: Iterable[Change], color: When) -> None:
+def print_diffs(changed: Iterable[Change], color: When) -> None:
     """Write to standard output what *changed* in each file."""
     style = detect_style(sys.stdout, color)
     for before, after in changed:
         old, new = (BOM * (one.bom and not style.color) + one.text for one in (before, after))
-        sys.stdout.writelines(unified(before.name, old, new, style))
+        sys.stdout.writelines(unified_diff(before.name, old, new, style))
 
 
-def pass_on(
+def write_streamed(
     sources: Iterable[SourceText], changed: Iterable[Change], inputs: Iterable[Input]
 ) -> None:
     """Write the text that came from standard input to standard output, as it is now.

@@ -37,7 +37,7 @@ def _robots(report: Report) -> Sequence[Structure]:
     try:
         changed = _changed(Path(report.root), os.environ)
     except UsageError:
-        names = {finding.location.source.name for finding in report.open}
+        names = {finding.location.source.name for finding in report.unsuppressed}
         return [one for one in report.structures if not names.isdisjoint(one.files)]
     return [
         one

@@ -75,7 +75,7 @@ class LintRun:
 
         sources, failed = self._read()
         inputs = self.found.inputs
-        least = fix_files.least(self.settings)
+        least = fix_files.least_applicability(self.settings)
         streamed = {one.name for one in inputs if one.path is None}
         mended = fix_files.fix_in_rounds(
             sources,
@@ -86,24 +86,24 @@ class LintRun:
             self.phases,
             streamed,
             self.found.asides,
-            wanted or fix_files.every,
+            wanted or fix_files.accept_all,
         )
         if mended.restless and not options.silent:
             sys.stderr.write(f"kinlint: warning: {fix_files.unsettled(mended.restless)}\n")
         if options.diff:
-            fix_files.show(mended.changed, options.color)
+            fix_files.print_diffs(mended.changed, options.color)
             return mended.report
-        report = fix_files.written(mended, inputs)
-        fix_files.pass_on(sources, mended.changed, inputs)
+        report = fix_files.write_fixes(mended, inputs)
+        fix_files.write_streamed(sources, mended.changed, inputs)
         return report
 
     def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:
         from kinlint.cli.add_ignore import add_ignores  # noqa: PLC0415  most runs write nothing
-        from kinlint.fixes.offers import every  # noqa: PLC0415
+        from kinlint.fixes.offers import accept_all  # noqa: PLC0415
 
         sources, failed = self._read()
         return add_ignores(
-            options, sources, failed, self.found, self.settings, self.book, wanted or every,
+            options, sources, failed, self.found, self.settings, self.book, wanted or accept_all,
             self.phases,
         )  # fmt: skip
 

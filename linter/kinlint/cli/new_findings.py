@@ -117,7 +117,7 @@ def ledger(baseline: Baseline) -> Ledger:
     return Ledger(baseline.entries, Names(root), lambda path: not (root / path).exists())
 
 
-def baseline_of(options: Namespace, project: Config) -> Baseline | None:
+def find_baseline(options: Namespace, project: Config) -> Baseline | None:
     """The baseline that *options* or *project* name, or that is to be written.
 
     Raises UsageError if it cannot be read.

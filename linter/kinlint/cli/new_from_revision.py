@@ -19,7 +19,7 @@ from kinlint.files.pathname import real
 from kinlint.files.revision import Repository, Revision
 from kinlint.formats.records import JSON, SEARCHED
 from kinlint.phases import Phases
-from kinlint.project.discovery import Found, Input, speaks_of_context
+from kinlint.project.discovery import Found, Input, may_be_jsonld
 from kinlint.project.layers import Layers
 from kinlint.project.revision_checkout import checkout, checkout_path
 
@@ -84,7 +84,7 @@ class FindingsAtRevision:
         for path in sorted(self.revision.deleted):
             if path.suffix.lower() not in SEARCHED:
                 continue
-            if path.suffix.lower() == JSON and not speaks_of_context(
+            if path.suffix.lower() == JSON and not may_be_jsonld(
                 checkout_path(path, self.revision, root)
             ):
                 continue
@@ -134,7 +134,7 @@ class FindingsAtRevision:
             )
 
 
-def revision_of(options: Namespace, inputs: Iterable[Input]) -> Revision:
+def find_revision(options: Namespace, inputs: Iterable[Input]) -> Revision:
     """The revision that *options* name, of the repository that all *inputs* lie in.
 
     Raises UsageError if there is none.

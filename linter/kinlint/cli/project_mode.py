@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from kinlint.configuration.settings import Settings
 from kinlint.finding import Finding
 from kinlint.formats.records import JSON
-from kinlint.project.discovery import Found, Input, speaks_of_context
+from kinlint.project.discovery import Found, Input, may_be_jsonld
 from kinlint.report import Report
 from kinlint.text import SourceText
 
@@ -102,4 +102,4 @@ def _identity(one: Input) -> str:
 
 def _passed_over(one: Input) -> bool:
     path = one.path
-    return path is not None and path.suffix.lower() == JSON and not speaks_of_context(path)
+    return path is not None and path.suffix.lower() == JSON and not may_be_jsonld(path)

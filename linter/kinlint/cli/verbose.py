@@ -15,7 +15,7 @@ from kinlint.reporters.summary import plural
 ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
 
 
-def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterator[str]:
+def lines_before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterator[str]:
     """Lines that say by what a run goes; *origins* are the configurations it found."""
     files = [origin for origin in dict.fromkeys(origins) if origin != "defaults"]
     python = ".".join(map(str, sys.version_info[:3]))
@@ -36,7 +36,7 @@ def before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> Iterat
                 yield f"deferred to pySHACL: a constraint of {each.owner}, {each.deferred}"
 
 
-def after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:
+def lines_after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:
     """Lines that say what was read, applied and spent."""
     asked = {rule.code for rule in report.rules}
     silent = [rule.code for rule in book.rules if rule.code not in asked]

@@ -115,14 +115,14 @@ def combine_policy(
     targets is off all the same.
     """
     chosen = frozenset(
-        rule.code for rule in catalogue.rules if not rule.optional or rule.speaks_for(targets)
+        rule.code for rule in catalogue.rules if not rule.optional or rule.concerns(targets)
     )
-    meant = {rule.code: rule.counts_as(targets, form) for rule in catalogue.rules}
+    meant = {rule.code: rule.severity_for_targets(targets, form) for rule in catalogue.rules}
     severities = {rule.code: meant[rule.code] or rule.severity for rule in catalogue.rules}
     imposed = {
         rule.code
         for rule in catalogue.rules
-        if any(each.targets and each.holds(targets, form) for each in rule.severity_for)
+        if any(each.targets and each.applies(targets, form) for each in rule.severity_for)
     }
     for choice in choices:
         wanted = (*choice.extend_select, *(choice.select or ()))

@@ -17,7 +17,7 @@ UNCOERCED = {"number", "text"}
 _WELL_KNOWN = {"xsd": XSD}
 
 
-def context(base: str, path: str, source: Mapping[str, Any]) -> Context:
+def expand_context(base: str, path: str, source: Mapping[str, Any]) -> Context:
     """The local context that *source*, the document at *path* under *base*, stands for.
 
     IRIs stay compact, with the document's own prefix, because that is how the published documents

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
-from kinlint.contexts.context_dsl import context
+from kinlint.contexts.context_dsl import expand_context
 from kinlint.errors import ConfigError, UsageError
 from kinlint.resources import data
 from kinlint.suggestion import did_you_mean
@@ -69,7 +69,7 @@ class Contexts:
         return Contexts(_release_named(release), self._further)
 
     @property
-    def further(self) -> Mapping[str, Document]:
+    def extra_documents(self) -> Mapping[str, Document]:
         """The documents that are not bundled, by their IRIs."""
         return self._further
 
@@ -117,7 +117,7 @@ def _iris(name: str) -> Mapping[str, str]:
 
 def _local(name: str, path: str) -> Document:
     source = bundled_source(name)
-    return context(source["base"], path, source["documents"][path])
+    return expand_context(source["base"], path, source["documents"][path])
 
 
 def _release_named(release: str) -> str:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from kinlint.contexts.context_dsl import context
+from kinlint.contexts.context_dsl import expand_context
 from kinlint.contexts.context_library import RELEASES, bundled_source
 from kinlint.resources import data
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS, RDFS
@@ -53,7 +53,7 @@ def declarations() -> str:
 def _namespaces(names: tuple[str, ...]) -> Iterator[str]:
     for release in map(bundled_source, names):
         for path, document in release["documents"].items():
-            own = context(release["base"], path, document)[document["prefixes"].split()[0]]
+            own = expand_context(release["base"], path, document)[document["prefixes"].split()[0]]
             yield f'<{path}.json> kin:namespace "{own}" .\n'
 
 
@@ -76,7 +76,7 @@ def terms(
     base: str, path: str, document: Mapping[str, Any]
 ) -> Iterator[tuple[str, str, str | None]]:
     """Each term with its IRI and its line of the notation; None for one that is no property."""
-    local = context(base, path, document)
+    local = expand_context(base, path, document)
     classes = document.get("classes", "")
     groups = {classes: {}} if isinstance(classes, str) else classes
     properties = [(document.get("properties", {}), local)]

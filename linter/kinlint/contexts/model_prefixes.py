@@ -12,7 +12,7 @@ _DECLARATION = re.compile(r'sh:prefix "([^"]+)" ; sh:namespace "([^"]+)"')
 
 
 @cache
-def customary() -> Mapping[str, str]:
+def model_prefixes() -> Mapping[str, str]:
     """The prefixes that rules use, which are those of the metamodels."""
     text = (data("shapes") / "prefixes.ttl").read_text(encoding="utf-8")
     return dict(_DECLARATION.findall(text))

@@ -8,8 +8,8 @@ from pathlib import PurePath
 from urllib.parse import quote
 
 from kinlint.conversion.conversion_losses import Loss, conversion_losses
-from kinlint.conversion.expanded_nodes import Node, Order, Statements, named, nodes
-from kinlint.conversion.published import contexts_of
+from kinlint.conversion.expanded_nodes import Node, Order, Statements, absolute_iri, expanded_nodes
+from kinlint.conversion.published import contexts_for
 from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
@@ -54,16 +54,16 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     if not statements.subjects:
         raise UsageError(f"{documents[0].source.name}: no links and joints, nothing to convert")
     names = {
-        iri_value(each.graph): namespace or f"{EXAMPLE}{quote(robot(each), safe='')}#"
+        iri_value(each.graph): namespace or f"{EXAMPLE}{quote(robot_name(each), safe='')}#"
         for each in documents
     }
     _distinct(statements, names)
-    made = list(nodes(statements, Order(statements, documents), names))
+    made = list(expanded_nodes(statements, Order(statements, documents), names))
     left_out = conversion_losses(documents, lifted, Provenance(store))
-    return Composition(made, contexts_of(_terms(made)), _prefixes(names), left_out)
+    return Composition(made, contexts_for(_terms(made)), _prefixes(names), left_out)
 
 
-def robot(document: Document) -> str:
+def robot_name(document: Document) -> str:
     """The name of the robot: of the root, or of the one model in it; else that of the file."""
     below: dict[Term, list[Term]] = {}
     called: dict[Term, str] = {}
@@ -83,7 +83,7 @@ def _distinct(statements: Statements, names: Mapping[str, str]) -> None:
     """Raise `UsageError` if two subjects get one name."""
     taken: dict[str, Term] = {}
     for subject in statements.subjects:
-        name = named(subject, names)
+        name = absolute_iri(subject, names)
         if taken.setdefault(name, subject) != subject:
             raise UsageError(f"two files both describe <{name}>: convert them one by one")
 

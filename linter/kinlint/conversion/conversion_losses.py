@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from kinlint.conversion.coverage import Coverage, coverage
+from kinlint.conversion.coverage import Coverage, format_coverage
 from kinlint.document import FROM, Document
 from kinlint.engine.provenance import Provenance
 from kinlint.terms import (
@@ -79,7 +79,7 @@ class _Contents:
 
     def __init__(self, document: Document, read: Mapping[Term, set[str]]) -> None:
         form = document.format.lifted_as
-        self.known: Coverage = coverage(form)
+        self.known: Coverage = format_coverage(form)
         self.read = read
         self.root = document.graph
         self.below: dict[Term, list[tuple[str, Term]]] = {}

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from kinlint import resources
-from kinlint.conversion.published import published
+from kinlint.conversion.published import published_terms
 from kinlint.engine.lifting import Lifting, queries
 from kinlint.formats.xml.schema import ElementType, schema
 from kinlint.sparql.variables import words
@@ -86,7 +86,7 @@ class Coverage:
         near = set(path[-2:])
         return any(near <= tags and attribute in taken for tags, taken in self._mentions)
 
-    def left_out(self) -> Iterator[tuple[tuple[str, ...], str]]:
+    def unlifted(self) -> Iterator[tuple[tuple[str, ...], str]]:
         """The path of each element that is not lifted, but its parent is, and such attributes."""
         roots = schema(self.form).roots
         pending: list[tuple[tuple[str, ...], ElementType]] = [
@@ -109,7 +109,7 @@ class Coverage:
 
 def _mentions(query: Lifting) -> tuple[frozenset[str], frozenset[str]]:
     """The tags and attributes that *query* names, if published contexts can say what it makes."""
-    known = published()
+    known = published_terms()
     if not any(iri_value(term) in known for term in query.makes):
         return frozenset(), frozenset()
     tags = _local(f"{KINLINT}{query.format}#", query)
@@ -123,6 +123,6 @@ def _local(namespace: str, query: Lifting) -> frozenset[str]:
 
 
 @cache
-def coverage(form: str) -> Coverage:
+def format_coverage(form: str) -> Coverage:
     """Return the coverage of the format called *form*."""
     return Coverage(form)

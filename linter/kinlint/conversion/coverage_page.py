@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from kinlint.conversion.coverage import Coverage, Reason, coverage
+from kinlint.conversion.coverage import Coverage, Reason, format_coverage
 from kinlint.engine.lifting_compiler import SHARED
 from kinlint.formats.records import LIFTED
 from kinlint.resources import data
@@ -76,13 +76,13 @@ def _queries(directory: str) -> Iterator[str]:
 def _format(form: str) -> Iterator[str]:
     yield f"\n## {NAMES[form]}\n"
     yield from _queries(form)
-    known = coverage(form)
+    known = format_coverage(form)
     yield "\n| lifted in part | when, or how |\n|---|---|\n"
     yield from _rows((one.why, [_place(one.path, one.attribute)]) for one in _partly(known))
     yield "\n| not lifted | why |\n|---|---|\n"
     yield from _rows(
         (reason.why, [_place(path[-2:], attribute)])
-        for path, attribute in known.left_out()
+        for path, attribute in known.unlifted()
         if (reason := known.reason(path, attribute)) is not None
     )
 

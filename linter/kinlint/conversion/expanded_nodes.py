@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any, TypeAlias
 
-from kinlint.conversion.published import published
+from kinlint.conversion.published import published_terms
 from kinlint.document import FROM, Document
 from kinlint.terms import (
     NUMERIC,
@@ -53,7 +53,7 @@ class Statements:
     def __init__(self, triples: Iterable[Triple]) -> None:
         self.said: dict[Term, dict[Term, list[Term]]] = {}
         self.origins: dict[Term, list[Term]] = {}
-        known = published()
+        known = published_terms()
         for s, p, o in triples:
             if p == FROM:
                 self.origins.setdefault(s, []).append(o)
@@ -147,10 +147,12 @@ def _natural(name: str) -> list[tuple[int, int | str]]:
     ]
 
 
-def nodes(statements: Statements, order: Order, names: Mapping[str, str]) -> Iterator[Node]:
+def expanded_nodes(
+    statements: Statements, order: Order, names: Mapping[str, str]
+) -> Iterator[Node]:
     """Each subject as a node; *names* has the namespace for each document."""
     for subject in sorted(statements.subjects, key=order.ranks.__getitem__):
-        made: Node = {"@id": named(subject, names)}
+        made: Node = {"@id": absolute_iri(subject, names)}
         for predicate, values in sorted(statements.said[subject].items()):
             if predicate == RDF_TYPE:
                 made["@type"] = sorted(map(iri_value, values))
@@ -162,7 +164,7 @@ def nodes(statements: Statements, order: Order, names: Mapping[str, str]) -> Ite
         yield made
 
 
-def named(term: Term, names: Mapping[str, str]) -> str:
+def absolute_iri(term: Term, names: Mapping[str, str]) -> str:
     """The IRI of *term* in the namespaces of the result."""
     value = iri_value(term)
     space, mark, local = value.partition("#")
@@ -171,11 +173,11 @@ def named(term: Term, names: Mapping[str, str]) -> str:
 
 def _value(statements: Statements, term: Term, predicate: str, names: Mapping[str, str]) -> Node:
     if is_literal(term):
-        return _literal(term, published()[predicate].coercion)
+        return _literal(term, published_terms()[predicate].coercion)
     if is_blank(term) or term == iri(f"{RDF}nil"):
         items = statements.items(term)
         return {"@list": [_value(statements, each, predicate, names) for each in items]}
-    return {"@id": named(term, names)}
+    return {"@id": absolute_iri(term, names)}
 
 
 def _literal(term: Term, coercion: str) -> Node:

@@ -9,7 +9,7 @@ WIDTH = 100
 INDENT = "  "
 
 
-def layout(value: Any, indent: str = "", used: int = 0) -> str:
+def format_json(value: Any, indent: str = "", used: int = 0) -> str:
     """Return *value* as JSON text.
 
     Its lines begin with *indent*, the first after *used* characters.
@@ -22,10 +22,10 @@ def layout(value: Any, indent: str = "", used: int = 0) -> str:
         members = []
         for key, each in value.items():
             head = f"{json.dumps(key, ensure_ascii=False)}: "
-            members.append(f"{inner}{head}{layout(each, inner, len(head) + 1)}")
+            members.append(f"{inner}{head}{format_json(each, inner, len(head) + 1)}")
         return "{\n" + ",\n".join(members) + f"\n{indent}}}"
     if any(isinstance(each, (dict, list)) for each in value):
-        items = [f"{inner}{layout(each, inner, 1)}" for each in value]
+        items = [f"{inner}{format_json(each, inner, 1)}" for each in value]
         return "[\n" + ",\n".join(items) + f"\n{indent}]"
     return "[\n" + _filled(value, inner) + f"\n{indent}]"
 

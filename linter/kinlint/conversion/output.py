@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from kinlint.contexts.context_library import Contexts
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.conversion.composition import Composition
 from kinlint.conversion.expanded_nodes import Node
-from kinlint.conversion.json_layout import layout
-from kinlint.conversion.published import order
+from kinlint.conversion.json_layout import format_json
+from kinlint.conversion.published import term_order
 from kinlint.conversion.rdf_triples import Triples
 
 LAST = (9, 0)
@@ -22,7 +22,7 @@ def jsonld(model: Composition) -> str:
     context: list[str | Mapping[str, str]] = [*model.contexts, dict(model.namespaces)]
     compact = {node["@id"]: node for node in framed(model.nodes, context, Contexts.bundled())}
     graph = [_arranged(compact[_compact(node["@id"], model.namespaces)]) for node in model.nodes]
-    return layout({"@context": context, "@graph": graph}) + "\n"
+    return format_json({"@context": context, "@graph": graph}) + "\n"
 
 
 def _compact(iri: str, namespaces: Mapping[str, str]) -> str:
@@ -36,7 +36,7 @@ def _compact(iri: str, namespaces: Mapping[str, str]) -> str:
 
 def _arranged(node: Node) -> Node:
     """The types and the keys of *node* in the order of the contexts."""
-    ranks = order()
+    ranks = term_order()
 
     def rank(name: str) -> tuple[int, int]:
         return ranks.get(name, LAST)
@@ -49,7 +49,7 @@ def _arranged(node: Node) -> Node:
 
 def turtle(model: Composition) -> str:
     """Write *model* as Turtle."""
-    return _serialized(model, "TURTLE", {**customary(), **model.namespaces})
+    return _serialized(model, "TURTLE", {**model_prefixes(), **model.namespaces})
 
 
 def ntriples(model: Composition) -> str:

@@ -47,7 +47,7 @@ class Published:
 
 
 @cache
-def lines() -> tuple[Line, ...]:
+def context_terms() -> tuple[Line, ...]:
     """All terms of the newest contexts that go together, in order."""
     return tuple(_lines())
 
@@ -66,11 +66,11 @@ def _lines() -> Iterator[Line]:
 
 
 @cache
-def published() -> Mapping[str, Published]:
+def published_terms() -> Mapping[str, Published]:
     """Each class and property by its IRI."""
     contexts: dict[str, dict[str, None]] = {}
     found: dict[str, Published] = {}
-    for context, _, iri, words in lines():
+    for context, _, iri, words in context_terms():
         contexts.setdefault(iri, {})[context] = None
         coercion = next((word for word in words or () if word.startswith("xsd:")), "")
         found.setdefault(iri, Published((), coercion, is_property=words is not None))
@@ -81,10 +81,10 @@ def published() -> Mapping[str, Published]:
 
 
 @cache
-def order() -> Mapping[str, tuple[int, int]]:
+def term_order() -> Mapping[str, tuple[int, int]]:
     """Return the rank of each term among the types, or among the keys, of a node."""
     found: dict[str, tuple[int, int]] = {}
-    for number, (context, name, _, words) in enumerate(lines()):
+    for number, (context, name, _, words) in enumerate(context_terms()):
         found.setdefault(name, (_group(context, words or ()), number))
     return found
 
@@ -96,12 +96,12 @@ def _group(context: str, words: Collection[str]) -> int:
     return NUMBER if coerced else REFERENCE
 
 
-def contexts_of(used: Collection[str]) -> tuple[str, ...]:
+def contexts_for(used: Collection[str]) -> tuple[str, ...]:
     """The contexts, in order, that define all terms *used*; few, and those of the classes first."""
-    known = published()
+    known = published_terms()
     needed: set[str] = set()
     for iri in sorted(used, key=lambda iri: known[iri].is_property):
         if needed.isdisjoint(known[iri].contexts):
             needed.add(known[iri].contexts[0])
-    every = dict.fromkeys(line.context for line in lines())
+    every = dict.fromkeys(line.context for line in context_terms())
     return tuple(context for context in every if context in needed)

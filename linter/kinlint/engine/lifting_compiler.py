@@ -60,7 +60,7 @@ def _files(directory: str) -> list[Path]:
 
 @cache
 def _parsed(file: Path) -> Construct:
-    prefixes = {**customary(), "ir": INTERMEDIATE}
+    prefixes = {**model_prefixes(), "ir": INTERMEDIATE}
     try:
         return parse_construct(file.read_text(encoding="utf-8"), prefixes)
     except NotSparql as error:

@@ -12,7 +12,7 @@ from kinlint.rule import KNOWN, Repair
 from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_iri, is_literal
 
 
-def change(store: Store, repair: Repair, results: Sequence[Result]) -> Delta:
+def changed_triples(store: Store, repair: Repair, results: Sequence[Result]) -> Delta:
     """Return what *repair* removes and adds for all of *results*, in the terms of *store*.
 
     What is removed is there, and what is added is not; both are empty where the update matches

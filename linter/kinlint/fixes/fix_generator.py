@@ -9,7 +9,7 @@ from pathlib import Path
 from kinlint.catalogue.applicability import covers
 from kinlint.edits import Edit, NotExpressible, overlap
 from kinlint.finding import Finding, Fix
-from kinlint.fixes.dry_run import change
+from kinlint.fixes.dry_run import changed_triples
 from kinlint.fixes.generator import Candidate, Generator
 from kinlint.fixes.placing import place_delta
 from kinlint.rule import Applicability, Repair
@@ -86,7 +86,7 @@ class FixGenerator(Generator):
         builder, store = self.examination.builder, self.examination.store
         members = finding.members or (finding,)
         results = [result for each in members for result in builder.results(each)]
-        meant = change(store, repair, results)
+        meant = changed_triples(store, repair, results)
         if not meant:
             return None
         where = place_delta(builder.provenance, meant, self.homes[finding.location.source.name])

@@ -12,7 +12,7 @@ from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator, Refusal
-from kinlint.fixes.sparql_update import update
+from kinlint.fixes.sparql_update import render_update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, try_candidates
 from kinlint.formats.dependencies.file_groups import group_sources
@@ -28,7 +28,7 @@ Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
 """Selects the findings of a run that are to be mended."""
 
 
-def every(findings: Sequence[Finding]) -> Sequence[Finding]:
+def accept_all(findings: Sequence[Finding]) -> Sequence[Finding]:
     """Return all *findings*."""
     return findings
 
@@ -57,7 +57,7 @@ class Offers:
             title=builder.filled(repair.title, candidate.finding),
             applicability=applicability,
             edits=candidate.text_edits,
-            update=update(candidate.meant),
+            update=render_update(candidate.meant),
             removed=candidate.meant.removed,
             added=candidate.meant.added,
             why="" if applicability is Applicability.SAFE else verdict.why or repair.why,
@@ -83,7 +83,7 @@ class Offers:
 def offer_fixes(
     generator: Generator,
     least: Applicability = Applicability.DISPLAY,
-    wanted: Sieve = every,
+    wanted: Sieve = accept_all,
     phases: Phases | None = None,
 ) -> Offers:
     """Return which candidates of *generator* hold when they are tried.

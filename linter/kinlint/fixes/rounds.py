@@ -13,7 +13,7 @@ from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.generator import Candidate, MakeGenerator
-from kinlint.fixes.offers import Offers, Sieve, every, examine_with_fixes, offer_fixes
+from kinlint.fixes.offers import Offers, Sieve, accept_all, examine_with_fixes, offer_fixes
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
 from kinlint.phases import Phases
@@ -66,7 +66,7 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
     phases: Phases | None = None,
     streamed: Collection[str] = (),
     kept: Collection[str] = (),
-    wanted: Sieve = every,
+    wanted: Sieve = accept_all,
     overlay: Mapping[Path, SourceText] = NOTHING,
     generator: MakeGenerator = FixGenerator,
 ) -> RoundsResult:

@@ -9,7 +9,7 @@ from kinlint.edits import Delta
 from kinlint.terms import Term, Triple, is_blank
 
 
-def update(delta: Delta) -> str:
+def render_update(delta: Delta) -> str:
     """Return *delta* as one operation.
 
     SPARQL cannot name blank nodes: those that lose something are variables, found by what they

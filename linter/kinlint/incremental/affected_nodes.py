@@ -67,7 +67,7 @@ class AffectedNodes:
         found = self._store.quads_for_pattern(node, property_, None, None)
         if predicate != RDF_TYPE or not is_iri(value):
             return any(True for _ in found)
-        return any(value in self._changes.above(quad.object) for quad in found)
+        return any(value in self._changes.superclasses(quad.object) for quad in found)
 
     def nodes(self, pattern_paths: Sequence[PatternPath]) -> set[Node]:
         """Return the target nodes that any of *pattern_paths* leads to from what changed.

@@ -16,7 +16,7 @@ Kind: TypeAlias = ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple
 TYPE = ox.NamedNode(iri_value(RDF_TYPE))
 
 
-def quads(triples: Iterable[Triple], name: Term) -> list[ox.Quad]:
+def to_quads(triples: Iterable[Triple], name: Term) -> list[ox.Quad]:
     """Return *triples* in the graph *name*, less those that no RDF store accepts."""
     lines = [f"{s} {p} {o} {name} .\n" for s, p, o in triples]
     return list(_parsed(lines)) if lines else []
@@ -51,7 +51,7 @@ class Changes:
     def __bool__(self) -> bool:
         return bool(self.removed or self.added)
 
-    def make(self, removed: Iterable[ox.Quad], added: Iterable[ox.Quad]) -> Changes:
+    def apply(self, removed: Iterable[ox.Quad], added: Iterable[ox.Quad]) -> Changes:
         """Remove and add to the store what it has and has not; return what that changed."""
         store = self.store.oxigraph
         gone = [quad for quad in dict.fromkeys(removed) if quad in store]
@@ -63,21 +63,21 @@ class Changes:
         made = Changes(self.store)
         made.removed = [quad for quad in gone if quad not in both]
         made.added = [quad for quad in come if quad not in both]
-        made.note()
+        made.update_names()
         self.removed += made.removed
         self.added += made.added
         self.properties |= made.properties
         self.classes |= made.classes
         return made
 
-    def note(self) -> None:
+    def update_names(self) -> None:
         """Note the properties, and the classes with all that those are subclasses of."""
         changed = [*self.removed, *self.added]
         self.properties = {str(quad.predicate) for quad in changed if quad.predicate != TYPE}
         kinds = {quad.object for quad in changed if quad.predicate == TYPE}
-        self.classes = set().union(*map(self.above, kinds))
+        self.classes = set().union(*map(self.superclasses, kinds))
 
-    def above(self, kind: Kind) -> frozenset[Term]:
+    def superclasses(self, kind: Kind) -> frozenset[Term]:
         """Return the class *kind* and all that it is a subclass of."""
         if kind not in self._above:
             found, waiting = {kind}, [kind]

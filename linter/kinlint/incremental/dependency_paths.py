@@ -74,10 +74,10 @@ def pattern_paths(select: str) -> tuple[PatternPath, ...] | None:
     """
     query = parse(tokens(select, {}))
     root = _root(query)
-    return None if root is None else ways(query.group, root)
+    return None if root is None else paths_to(query.group, root)
 
 
-def ways(group: Group, root: str) -> tuple[PatternPath, ...] | None:
+def paths_to(group: Group, root: str) -> tuple[PatternPath, ...] | None:
     """Return how each pattern of *group* leads to *root*; None where that does not matter."""
     reader = _Reader(root)
     try:

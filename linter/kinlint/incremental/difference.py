@@ -24,7 +24,7 @@ class Difference(NamedTuple):
 NONE = Difference(frozenset(), frozenset())
 
 
-def difference(old: Sequence[Triple], new: Sequence[Triple]) -> Difference:
+def triple_difference(old: Sequence[Triple], new: Sequence[Triple]) -> Difference:
     """Return what turns the statements *old* into *new*, each of which has a triple once.
 
     As fast as comparing them where they differ in a few places.

@@ -55,7 +55,7 @@ class Inference:
         lost = list(dict.fromkeys(map(_fact, gone)))
         doubtful = self._doubtful(lost)
         again = [_in(INFERRED, fact) for fact in map(_fact, come)]
-        changes.make([*(_in(INFERRED, fact) for fact in doubtful), *again], ())
+        changes.apply([*(_in(INFERRED, fact) for fact in doubtful), *again], ())
         new = [fact for fact in (*lost, *doubtful) if self._follows(fact)]
         found = self._state(new, changes)
         waiting = [*map(_fact, come), *found]
@@ -66,7 +66,7 @@ class Inference:
     def _state(self, facts: Iterable[Fact], changes: Changes) -> list[Fact]:
         """Infer those of *facts* that nobody states and that were not inferred yet."""
         new = [fact for fact in facts if not self._holds(fact)]
-        changes.make((), [_in(INFERRED, fact) for fact in new])
+        changes.apply((), [_in(INFERRED, fact) for fact in new])
         return new
 
     def _doubtful(self, lost: Sequence[Fact]) -> list[Fact]:
@@ -171,7 +171,7 @@ def _matched(pattern: Pattern, fact: Fact, known: Bindings) -> Bindings | None:
     return bindings
 
 
-def followable(axioms: Iterable[Axiom]) -> bool:
+def can_follow(axioms: Iterable[Axiom]) -> bool:
     """Tell whether `Inference` can follow *axioms*: all name their properties and classes."""
     patterns = (pattern for axiom in axioms for pattern in (*axiom.body, axiom.head))
     return not any(is_variable(p) or (_part(p) == TYPE and is_variable(o)) for _, p, o in patterns)

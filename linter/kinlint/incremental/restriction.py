@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import count
 
 from kinlint.formats.records import ELEMENTS
-from kinlint.incremental.dependency_paths import Path, PatternPath, ways
+from kinlint.incremental.dependency_paths import Path, PatternPath, paths_to
 from kinlint.sparql.ast import Triples
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
@@ -25,7 +25,7 @@ class Restriction:
 
 
 @lru_cache(maxsize=512)
-def restriction(select: str) -> Restriction | None:
+def find_restriction(select: str) -> Restriction | None:
     """Return the variable of the query *select* to which the most of its patterns lead.
 
     It is one for elements; of several, the last: fewer solutions have the same. None where
@@ -38,7 +38,7 @@ def restriction(select: str) -> Restriction | None:
     found: Restriction | None = None
     fewest = 0
     for root in _elements(first):
-        pattern_paths = ways(query.group, root)
+        pattern_paths = paths_to(query.group, root)
         if pattern_paths is None:
             return None
         lost = sum(each.steps is None for each in pattern_paths)
@@ -57,7 +57,7 @@ def _elements(first: Triples) -> Iterator[str]:
             yield pattern.object
 
 
-def restricted(select: str, root: str, values: Iterable[Term]) -> str:
+def restrict_query(select: str, root: str, values: Iterable[Term]) -> str:
     """Return *select*, whose first brace opens its group, where *root* has one of *values*."""
     head, brace, group = select.partition("{")
     return f"{head}{brace} VALUES {root} {{ {' '.join(sorted(values))} }} {group}"

@@ -8,7 +8,7 @@ from kinlint.engine.store import Store
 from kinlint.facts.computation import asked, helpful
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.fact_kinds import FactKind
-from kinlint.incremental.change import Changes, quads
+from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.tracked_index import TrackedIndex
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import FACTS_GRAPH
@@ -51,10 +51,10 @@ class TrackedFacts:
     def _restate(before: dict[Triple, None], after: dict[Triple, None], changes: Changes) -> None:
         """State *after* in place of *before*; two spellings of a number are one fact."""
         gone, come = before.keys() - after.keys(), after.keys() - before.keys()
-        kept = set(quads(come, FACTS_GRAPH))
-        removed = set(quads(gone, FACTS_GRAPH)) - kept
+        kept = set(to_quads(come, FACTS_GRAPH))
+        removed = set(to_quads(gone, FACTS_GRAPH)) - kept
         if removed:
             pairs = {each[:2] for each in gone}
             still = (each for each in after if each[:2] in pairs)
-            removed.difference_update(quads(still, FACTS_GRAPH))
-        changes.make(removed, kept)
+            removed.difference_update(to_quads(still, FACTS_GRAPH))
+        changes.apply(removed, kept)

@@ -14,9 +14,9 @@ import pyoxigraph as ox
 from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
-from kinlint.incremental.change import Changes, quads
+from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.query_dependencies import Dependencies, dependencies
-from kinlint.incremental.restriction import Restriction, restricted, restriction
+from kinlint.incremental.restriction import Restriction, find_restriction, restrict_query
 from kinlint.sparql.ast import render
 from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
@@ -49,7 +49,7 @@ class Unit:
         used = set[str]().union(*(each.variables for each in made))
         names = tuple(sorted(name[1:] for name in used))
         body = f"WHERE {render(where)}"
-        narrow = restriction(f"SELECT * {body}") if names else None
+        narrow = find_restriction(f"SELECT * {body}") if names else None
         if narrow is not None:
             root = narrow.root[1:]
             names = (*(name for name in names if name != root), root)
@@ -110,14 +110,14 @@ class TrackedLifting:
         for each in gone:
             if not self._counts[each]:
                 del self._counts[each]
-        kept = quads(after, LIFTED_GRAPH)
-        removed = set(quads(before - after, LIFTED_GRAPH)).difference(kept)
-        changes.make(removed, kept)
+        kept = to_quads(after, LIFTED_GRAPH)
+        removed = set(to_quads(before - after, LIFTED_GRAPH)).difference(kept)
+        changes.apply(removed, kept)
 
     def _rows(self, unit: Unit, roots: Collection[Term] | None) -> Iterator[Row]:
         select = unit.select
         if roots is not None and unit.narrow is not None:
-            select = restricted(select, unit.narrow.root, roots)
+            select = restrict_query(select, unit.narrow.root, roots)
         solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
         assert isinstance(solutions, ox.QuerySolutions)
         places = [[each.value for each in solutions.variables].index(name) for name in unit.names]
@@ -130,12 +130,16 @@ class TrackedLifting:
         known = dict(zip(unit.names, row, strict=True))
         for subject, predicate, value in unit.template:
             if isinstance(value, str):
-                yield from _triple(_of(subject, known), _of(predicate, known), _of(value, known))
+                yield from _triple(
+                    _bound_term(subject, known),
+                    _bound_term(predicate, known),
+                    _bound_term(value, known),
+                )
                 continue
             cells = [*(f"_:lifted{next(self._numbers)}" for _ in value), NIL]
-            yield from _triple(_of(subject, known), _of(predicate, known), cells[0])
+            yield from _triple(_bound_term(subject, known), _bound_term(predicate, known), cells[0])
             for cell, item, rest in zip(cells, value, cells[1:], strict=False):
-                yield from _triple(cell, FIRST, _of(item, known))
+                yield from _triple(cell, FIRST, _bound_term(item, known))
                 yield cell, REST, rest
 
 
@@ -159,5 +163,5 @@ def _triple(subject: Term | None, predicate: Term | None, value: Term | None) ->
         yield subject, predicate, value
 
 
-def _of(word: str, known: dict[str, Term | None]) -> Term | None:
+def _bound_term(word: str, known: dict[str, Term | None]) -> Term | None:
     return known[word[1:]] if word[0] == "?" else word

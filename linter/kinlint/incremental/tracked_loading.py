@@ -7,8 +7,8 @@ from pathlib import Path
 
 from kinlint.document import Document
 from kinlint.engine.store import ASSERTED_GRAPH, Store
-from kinlint.incremental.change import Changes, quads
-from kinlint.incremental.difference import difference
+from kinlint.incremental.change import Changes, to_quads
+from kinlint.incremental.difference import triple_difference
 from kinlint.incremental.triple_index import vocabulary_of
 from kinlint.terms import Triple
 
@@ -41,13 +41,13 @@ class TrackedLoading:
             known = self._store.documents[document.graph].statements
             if known is not document.statements and list(known) != list(document.statements):
                 changes.rewritten = True
-                apart = difference(known, document.statements)
+                apart = triple_difference(known, document.statements)
                 gone |= apart.removed
                 come |= apart.added
         self._store.restate(documents)
         if not gone and not come:
             return
-        removed = quads(gone, ASSERTED_GRAPH)
+        removed = to_quads(gone, ASSERTED_GRAPH)
         if removed:
             subjects = {subject for subject, _, _ in gone}
             pairs = {(subject, predicate) for subject, predicate, _ in gone}
@@ -57,7 +57,7 @@ class TrackedLoading:
                 for each in document.statements
                 if each[0] in subjects and each[:2] in pairs
             ]
-            kept = set(quads(still, ASSERTED_GRAPH))
+            kept = set(to_quads(still, ASSERTED_GRAPH))
             vocabulary = vocabulary_of(self._vocabulary).quads
             removed = [each for each in removed if each not in kept and each not in vocabulary]
-        changes.make(removed, quads(come, ASSERTED_GRAPH))
+        changes.apply(removed, to_quads(come, ASSERTED_GRAPH))

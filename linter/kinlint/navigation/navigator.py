@@ -21,7 +21,7 @@ from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
 from kinlint.pipeline.analyzer import Examination
-from kinlint.suppression.directive import Directive, directives
+from kinlint.suppression.directive import Directive, find_directives
 from kinlint.term_format import TermFormatter
 from kinlint.text import Location, SourceText, Span
 
@@ -66,7 +66,7 @@ class Navigator:
 
     @cached_property
     def _directives(self) -> Sequence[Directive]:
-        return directives(self._documents, Catalogue(self._rulebook.rules))
+        return find_directives(self._documents, Catalogue(self._rulebook.rules))
 
     def outline(self, name: str) -> Sequence[Symbol]:
         """Return the symbols of the text called *name*, as the robots in it hang together."""

@@ -37,7 +37,7 @@ def _separable(settings: Settings) -> bool:
     return not any(each.iri is not None or each.pointer is not None for each in ignores)
 
 
-def shares(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
+def split_into_shares(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
     """The numbers of the models *found*, in *least* shares or more, the largest first.
 
     A model that may include other files is a share of its own, so that what it depends on is known.

@@ -23,7 +23,7 @@ _jobs: list[tuple[Job, Sequence[SourceError]]] = []
 """The job of this worker process, and the files that could not be decoded."""
 
 
-def outcomes(
+def lint_in_processes(
     shares: Sequence[Sequence[Model]],
     errors: Sequence[SourceError],
     job: Job,

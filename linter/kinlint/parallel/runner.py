@@ -10,7 +10,7 @@ from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import SourceError
 from kinlint.parallel import processes, shard
 from kinlint.parallel.merge_reports import merge_reports
-from kinlint.parallel.partition import Model, partition, shares
+from kinlint.parallel.partition import Model, partition, split_into_shares
 from kinlint.parallel.shard import Job, Outcome
 from kinlint.phases import Phases
 from kinlint.report import Report
@@ -90,7 +90,7 @@ class ParallelRunner:
     ) -> list[tuple[int, Outcome]]:
         """The outcomes of linting *models*, by their numbers."""
         least = self.jobs * SHARES if self.jobs > 1 else 1
-        planned = shares(models, least, self.job.settings)
+        planned = split_into_shares(models, least, self.job.settings)
         left = [[models[number] for number in each] for each in planned]
         found: dict[int, list[Outcome]] = {}
 
@@ -101,7 +101,7 @@ class ParallelRunner:
 
         if self.jobs > 1 and len(left) > 1:
             with self.phases.phase("linting"):
-                processes.outcomes(left, failed, self.job, self.jobs, done)
+                processes.lint_in_processes(left, failed, self.job, self.jobs, done)
         for number, each in enumerate(left):
             if number not in found:
                 done(number, shard.lint_shard(each, failed, self.job, self.phases))

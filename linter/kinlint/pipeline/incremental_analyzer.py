@@ -17,7 +17,7 @@ from kinlint.file_format import Format
 from kinlint.findings.finding_builder import Proofs
 from kinlint.formats.incremental_reader import IncrementalReader
 from kinlint.formats.options import ReadOptions
-from kinlint.incremental.inference import followable
+from kinlint.incremental.inference import can_follow
 from kinlint.incremental.triple_index import (
     Signature,
     TripleIndex,
@@ -134,5 +134,5 @@ class IncrementalAnalyzer(Analyzer):
             settings.engine == "oxigraph"
             and not settings.drawn
             and all(each.deferred is None for each in rulebook.constraints)
-            and followable(rulebook.axioms)
+            and can_follow(rulebook.axioms)
         )

@@ -138,7 +138,7 @@ class Search:
     def _candidate(self, path: Path, errors: list[SourceError]) -> Iterator[Input]:
         name = shown(path)
         try:
-            if path.suffix.lower() != JSON or speaks_of_context(path):
+            if path.suffix.lower() != JSON or may_be_jsonld(path):
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))
@@ -154,7 +154,7 @@ def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:
     return tell
 
 
-def speaks_of_context(path: Path) -> bool:
+def may_be_jsonld(path: Path) -> bool:
     """Tell whether the file at *path* may be JSON-LD, without decoding or parsing it."""
     if not path.is_file():
         return False

@@ -65,7 +65,7 @@ class Layers:
     def _skipped(self) -> tuple[Glob, ...]:
         return tuple(Glob(self.here, name) for name in SKIPPED)
 
-    def project(self, inputs: Iterable[Input]) -> Config:
+    def project_config(self, inputs: Iterable[Input]) -> Config:
         """The configuration nearest to the directory that all *inputs* have in common."""
         folders = {str(governing_directory(one)) for one in inputs}
         return self.config_for(Path(os.path.commonpath(folders)) if folders else self.here)
@@ -79,7 +79,7 @@ class Layers:
 
         Raises `ConfigError` if files differ in what concerns the whole graph.
         """
-        project = self.project(inputs)
+        project = self.project_config(inputs)
         wide = self._wide(project, inputs)
         wide["contexts"] = _release(wide["contexts"], self.top if self.top.contexts else project)
         for name in ("rules", "shapes"):

@@ -20,7 +20,7 @@ _TYPES = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "
 def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
     """A command for each finding, then for each file that cannot be read."""
     paths = Paths(report.root)
-    for finding in report.open:
+    for finding in report.unsuppressed:
         name = finding.location.source.name
         line, column = finding.location.start
         properties = {

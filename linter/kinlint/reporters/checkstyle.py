@@ -33,7 +33,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
 def _by_file(report: Report) -> dict[str, list[dict[str, object]]]:
     paths = Paths(report.root)
     found: dict[str, list[dict[str, object]]] = {}
-    for finding in report.open:
+    for finding in report.unsuppressed:
         line, column = finding.location.start
         found.setdefault(paths.relative(finding.location.source.name), []).append(
             {

@@ -11,7 +11,9 @@ NO_LINE_END = "\\ No newline at end of file"
 _INKS: dict[str, Ink] = {"-": "removed", "+": "added", "@": "place"}
 
 
-def unified(source_name: str, before: str, after: str, style: Style | None = None) -> Iterator[str]:
+def unified_diff(
+    source_name: str, before: str, after: str, style: Style | None = None
+) -> Iterator[str]:
     """The diff that makes *after* of *before*, line by line; nothing if they are equal.
 
     Lines end in LF; a CR before it belongs to the line. Without colour they are as they stand in

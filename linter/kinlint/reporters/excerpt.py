@@ -46,7 +46,7 @@ class Cut:
         return self.start <= offset < self.end or (offset == self.end and not self.after)
 
 
-def cut(source: SourceText, line: int, at: int, style: Style) -> Cut:
+def cut_line(source: SourceText, line: int, at: int, style: Style) -> Cut:
     """The widest part of *line* that fits the style's width and shows what stands at *at*."""
     first, last = bounds(source, line)
     limit = style.width - 12
@@ -60,7 +60,9 @@ def cut(source: SourceText, line: int, at: int, style: Style) -> Cut:
     return Cut(start, end, before=start > first, after=end < last)
 
 
-def rows(marks: Sequence[Mark], style: Style, gutter: int, context: int = 0) -> Iterator[str]:
+def excerpt_rows(
+    marks: Sequence[Mark], style: Style, gutter: int, context: int = 0
+) -> Iterator[str]:
     """The lines of all *marks*, which are of one source, with up to *context* lines before.
 
     The first mark is the one that matters most: its line is cut round it.
@@ -75,7 +77,7 @@ def rows(marks: Sequence[Mark], style: Style, gutter: int, context: int = 0) -> 
             yield style.ink("." * 3, "place")
         previous = line
         own = by_line.get(line, [])
-        part = cut(source, line, own[0].start if own else 0, style)
+        part = cut_line(source, line, own[0].start if own else 0, style)
         bar = style.ink(f"{line:>{gutter}} |", "place")
         yield f"{bar} {_text(source, part, style)}".rstrip()
         for mark in own:
@@ -83,7 +85,7 @@ def rows(marks: Sequence[Mark], style: Style, gutter: int, context: int = 0) -> 
             yield f"{bar} {_underline(mark, part, style)}"
 
 
-def underlined(source: SourceText, marks: Sequence[Mark], style: Style) -> Iterator[str]:
+def underlined_text(source: SourceText, marks: Sequence[Mark], style: Style) -> Iterator[str]:
     """All lines of a short source as they are, with the marks below."""
     for number in range(1, len(source.line_starts) + 1):
         part = Cut(*bounds(source, number), before=False, after=False)
@@ -95,7 +97,7 @@ def underlined(source: SourceText, marks: Sequence[Mark], style: Style) -> Itera
 
 def line_text(source: SourceText, line: int, at: int, style: Style) -> str:
     """Return *line* as shown, cut around the offset *at* if it exceeds the style's width."""
-    return _text(source, cut(source, line, at, style), style)
+    return _text(source, cut_line(source, line, at, style), style)
 
 
 def _lines(source: SourceText, marked: dict[int, list[Mark]], main: int, context: int) -> list[int]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from kinlint.finding import Finding, Premise, Related
 from kinlint.report import Report
 from kinlint.reporters.display_width import fold_lines, printable
-from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut, rows
+from kinlint.reporters.excerpt import CONTEXT_LINES, Mark, cut_line, excerpt_rows
 from kinlint.reporters.fix_preview import FixPreview, last_line
 from kinlint.reporters.fixability import sign
 from kinlint.reporters.summary import errors, plural
@@ -53,12 +53,12 @@ def _block(
     bar = style.ink(f"{margin} |", "place")
     yield _headline(finding, style, unsafe=unsafe) + "\n"
     yield f"{margin}{style.ink('-->', 'place')} {_place(finding.location, style)}\n{bar}\n"
-    for row in rows(near, style, gutter, CONTEXT_LINES):
+    for row in excerpt_rows(near, style, gutter, CONTEXT_LINES):
         yield f"{row}\n"
     yield f"{bar}\n"
     for mark in far:
         yield f"{margin}{style.ink(':::', 'place')} {_place(mark.location, style)}\n{bar}\n"
-        for row in rows((mark,), style, gutter):
+        for row in excerpt_rows((mark,), style, gutter):
             yield f"{row}\n"
         yield f"{bar}\n"
     lead = style.ink(f"{margin} =", "place")
@@ -110,7 +110,7 @@ def _fits(mark: Mark, near: Sequence[Mark], style: Style) -> bool:
     if mark.location.source.name != source.name or abs(mark.line - main.line) > NEAR_LINES:
         return False
     leader = next((other for other in near if other.line == mark.line), mark)
-    return cut(source, mark.line, leader.start, style).holds(mark.start)
+    return cut_line(source, mark.line, leader.start, style).holds(mark.start)
 
 
 def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:

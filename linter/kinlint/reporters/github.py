@@ -59,7 +59,7 @@ def annotated(report: Report) -> Parts:
     room[Severity.ERROR] -= min(len(report.errors), most)
     shown: list[Finding] = []
     left: list[Finding] = []
-    for finding in sorted(report.open, key=lambda finding: -finding.severity):
+    for finding in sorted(report.unsuppressed, key=lambda finding: -finding.severity):
         (shown if room[finding.severity] > 0 else left).append(finding)
         room[finding.severity] -= 1
     return Parts(report.errors[:most], tuple(shown), report.errors[most:], tuple(left))

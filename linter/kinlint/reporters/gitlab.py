@@ -31,7 +31,8 @@ def render(report: Report, style: Style) -> Iterator[str]:
     """The array: findings first, then the files that cannot be read."""
     paths, seen = Paths(report.root), Counter[str]()
     issues = [
-        _issue(finding, paths.relative(finding.location.source.name)) for finding in report.open
+        _issue(finding, paths.relative(finding.location.source.name))
+        for finding in report.unsuppressed
     ]
     issues += [_error(error, paths.relative(error.name)) for error in report.errors]
     for issue in issues:

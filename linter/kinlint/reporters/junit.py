@@ -61,7 +61,7 @@ def _test(case: _Case, name: str, style: Style) -> Iterator[str]:
 def _suites(report: Report) -> dict[str, list[_Case]]:
     paths, seen = Paths(report.root), Counter[tuple[str, str]]()
     suites: dict[str, list[_Case]] = {paths.relative(name): [] for name in report.files}
-    for finding in report.open:
+    for finding in report.unsuppressed:
         file, code = paths.relative(finding.location.source.name), finding.rule.code
         seen[file, code] += 1
         number = f" ({seen[file, code]})" if seen[file, code] > 1 else ""

@@ -19,8 +19,8 @@ Address: TypeAlias = Callable[[str, int | None], str]
 def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
     """The verdict, the table, the findings by file and the files that cannot be read."""
     yield from head(report)
-    yield from by_rule(report.open)
-    yield from listing(report.open, Paths(report.root), address)
+    yield from by_rule(report.unsuppressed)
+    yield from listing(report.unsuppressed, Paths(report.root), address)
     yield from unread(report, Paths(report.root), address)
 
 

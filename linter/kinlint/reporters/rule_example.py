@@ -6,7 +6,7 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from kinlint.reporters.excerpt import Mark, underlined
+from kinlint.reporters.excerpt import Mark, underlined_text
 from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span
 
@@ -30,7 +30,7 @@ class MarkedText:
         """The text with carets in lines of their own below what is marked."""
         source = SourceText("", self.text)
         marks = [Mark(Location(source, span), "error", sign="^") for span in self.marks]
-        return "\n".join(underlined(source, marks, style))
+        return "\n".join(underlined_text(source, marks, style))
 
     def places(self) -> list[dict[str, int]]:
         """The marks as rows and columns from one, in code points; ends exclude."""

@@ -19,7 +19,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
     What can be fixed has a column if anything can.
     """
     groups: dict[str, list[Finding]] = {}
-    for finding in report.open:
+    for finding in report.unsuppressed:
         groups.setdefault(finding.rule.code, []).append(finding)
     ordered = sorted(groups.values(), key=lambda group: (-len(group), group[0].rule.code))
     if not ordered:
@@ -28,7 +28,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
     columns = [
         index
         for index in range(len(_HEADINGS))
-        if index != _FIX or any(finding.fixes for finding in report.open)
+        if index != _FIX or any(finding.fixes for finding in report.unsuppressed)
     ]
     if style.color:
         yield _drawn(rows, columns, ordered, style)

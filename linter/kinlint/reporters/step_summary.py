@@ -33,7 +33,7 @@ def render(report: Report, robots: Sequence[Structure], url: Address, room: int)
     if left < 0:
         return
     paths = Paths(report.root)
-    told = "".join((*head(report), *by_rule(report.open), *unread(report, paths, url)))
+    told = "".join((*head(report), *by_rule(report.unsuppressed), *unread(report, paths, url)))
     beyond: list[str] = []
     if parts.more_findings:
         beyond = [
@@ -57,7 +57,7 @@ def _pictures(report: Report, robots: Sequence[Structure]) -> Iterator[str]:
     if robots:
         yield "\n### Kinematic trees\n"
     for robot in robots[:ROBOTS]:
-        found = marks(robot, report.open)
+        found = marks(robot, report.unsuppressed)
         yield _picture(robot, found)
     if (more := len(robots) - ROBOTS) > 0:
         yield f"\n{plural(more, 'more robot')}: `kinlint graph` draws them.\n"

@@ -46,7 +46,7 @@ def verdict(report: Report) -> str:
 
 def hint(report: Report) -> Iterator[str]:
     """A line on how many of the findings `--fix` mends; nothing if it mends none."""
-    now, more = fixable(report.open, unsafe=report.unsafe)
+    now, more = fixable(report.unsuppressed, unsafe=report.unsafe)
     if report.unsafe is False:
         more = 0
     if now and more:
@@ -59,7 +59,7 @@ def hint(report: Report) -> Iterator[str]:
 
 
 def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
-    if report.open or report.fixed:
+    if report.unsuppressed or report.fixed:
         return f"Found {_found(report)}"
     if report.errors:
         unread = {error.name for error in report.errors}
@@ -93,10 +93,10 @@ def counts(findings: Sequence[Finding]) -> str:
 
 def _found(report: Report) -> str:
     if report.fixed:
-        left = f"{len(report.fixed):,} fixed, {len(report.open):,} remaining"
-        return f"{counts((*report.fixed, *report.open))} ({left})"
-    names = {finding.location.source.name for finding in report.open}
-    return f"{counts(report.open)} in {plural(len(names), 'file')} ({_extent(report)})"
+        left = f"{len(report.fixed):,} fixed, {len(report.unsuppressed):,} remaining"
+        return f"{counts((*report.fixed, *report.unsuppressed))} ({left})"
+    names = {finding.location.source.name for finding in report.unsuppressed}
+    return f"{counts(report.unsuppressed)} in {plural(len(names), 'file')} ({_extent(report)})"
 
 
 def _extent(report: Report) -> str:
@@ -109,13 +109,13 @@ def _extent(report: Report) -> str:
 def _asides(report: Report) -> str:
     """Return the number of findings that are not shown, and the full stop before it."""
     parts = []
-    if silenced := len(report.suppressed) + len(report.findings) - len(report.open):
+    if silenced := len(report.suppressed) + len(report.findings) - len(report.unsuppressed):
         parts.append(f"{silenced:,} suppressed")
     if report.baseline:
         parts.append(f"{report.baseline:,} in the baseline")
     if report.elsewhere:
         parts.append(f"{report.elsewhere:,} more in files that were not named")
-    passed = not (report.open or report.errors or report.fixed) and report.files
+    passed = not (report.unsuppressed or report.errors or report.fixed) and report.files
     clean = passed and not _idle(report)
     if clean:
         return f" {', '.join(parts)}." if parts else ""

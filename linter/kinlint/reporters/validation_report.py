@@ -57,7 +57,7 @@ def render(report: Report, style: Style) -> Iterator[str]:
 def _pieces(report: Report) -> Iterator[str]:
     for prefix, namespace in PREFIXES.items():
         yield f"@prefix {prefix}: <{namespace}> .\n"
-    results = [*map(_result, report.open), *map(_unread, report.errors)]
+    results = [*map(_result, report.unsuppressed), *map(_unread, report.errors)]
     conforms = str(not results).lower()
     yield f"\n[] a sh:ValidationReport ;\n  sh:conforms {conforms}"
     for lines in results:

@@ -71,14 +71,14 @@ class KinlintServer(LanguageServer):
         return self._examiner
 
     @property
-    def versioned(self) -> bool:
+    def supports_versioned_edits(self) -> bool:
         """Tell whether the client takes edits that are bound to document versions."""
         known = self.client_capabilities.workspace
         edits = known.workspace_edit if known else None
         return bool(edits and edits.document_changes)
 
     @property
-    def resolves(self) -> bool:
+    def supports_resolve(self) -> bool:
         """Tell whether the client asks for the edit of a code action only when it is chosen."""
         known = self.client_capabilities.text_document
         actions = known.code_action if known else None
@@ -91,13 +91,13 @@ class KinlintServer(LanguageServer):
         buffer = None if uri is None else self.buffers.get(uri)
         self.scheduler.change(now=disk or not self._postponed(buffer))
 
-    def leave(self, *, asked: bool) -> None:
+    def shut_down(self, *, asked: bool) -> None:
         """Examine nothing more; *asked* for it, or because the client is gone."""
         self.dismissed = self.dismissed or asked
         if self._examiner is not None:
             self._examiner.stop()
 
-    def prefer(self, preferences: ClientSettings) -> None:
+    def use_settings(self, preferences: ClientSettings) -> None:
         """Go by *preferences* from now on."""
         self.preferences = preferences
         for problem in preferences.problems:
@@ -128,9 +128,9 @@ class KinlintServer(LanguageServer):
             cancelled = self.scheduler.interruption()
             with suppress(Outdated, Cancelled):
                 job = partial(library.consult, path, source, ask, cancelled)
-                return await self.worker.do(job)
+                return await self.worker.run(job)
 
-    async def view(self, uri: str) -> RequestContext | None:
+    async def request_context(self, uri: str) -> RequestContext | None:
         """Return the request context of *uri*, whose store must not be queried."""
         return await self.consult(uri, lambda view: view)
 

@@ -34,7 +34,7 @@ def register(server: KinlintServer) -> None:
             found += await server.consult(uri, partial(_quick_fixes, server, params)) or ()
         if _asked(FIX_ALL, only):
             action = types.CodeAction(TITLE, FIX_ALL, data={"uri": uri})
-            if server.resolves:
+            if server.supports_resolve:
                 found.append(action)
             elif only:
                 found += [done] if (done := await fix_all(server, action)).edit else []
@@ -53,7 +53,11 @@ async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.Code
 
     def edit(view: RequestContext) -> types.WorkspaceEdit | None:
         edits = safe_edits(view)
-        return workspace_edit(edits, view.places, versioned=server.versioned) if edits else None
+        return (
+            workspace_edit(edits, view.places, versioned=server.supports_versioned_edits)
+            if edits
+            else None
+        )
 
     action.edit = await server.consult(uri, edit)
     return action
@@ -92,7 +96,9 @@ def _fixes(
                 kind=types.CodeActionKind.QuickFix,
                 diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
                 is_preferred=fix is preferred,
-                edit=workspace_edit(fix.edits, view.places, versioned=server.versioned),
+                edit=workspace_edit(
+                    fix.edits, view.places, versioned=server.supports_versioned_edits
+                ),
             )
 
 
@@ -113,5 +119,5 @@ def _ignores(
             kind=types.CodeActionKind.QuickFix,
             diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
             is_preferred=False,
-            edit=workspace_edit(edits, view.places, versioned=server.versioned),
+            edit=workspace_edit(edits, view.places, versioned=server.supports_versioned_edits),
         )

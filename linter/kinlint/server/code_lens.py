@@ -23,7 +23,7 @@ def register(server: KinlintServer) -> None:
     @server.feature(types.TEXT_DOCUMENT_CODE_LENS, types.CodeLensOptions(resolve_provider=True))
     async def lenses(params: types.CodeLensParams) -> Sequence[types.CodeLens] | None:
         uri = params.text_document.uri
-        view = await server.view(uri)
+        view = await server.request_context(uri)
         found = view is not None and view.findings
         return [types.CodeLens(TOP, data={"uri": uri})] if found else []
 

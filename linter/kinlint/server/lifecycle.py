@@ -41,20 +41,20 @@ def register(server: KinlintServer) -> None:
 
     @server.feature(types.INITIALIZED)
     async def initialized(_params: types.InitializedParams) -> None:
-        server.prefer(server.preferences)
+        server.use_settings(server.preferences)
         await _register(server)
         await _ask(server)
 
     @server.feature(types.SHUTDOWN)
     def shutdown(_params: None) -> None:
-        server.leave(asked=True)
+        server.shut_down(asked=True)
 
     @server.feature(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
     async def configure(params: types.DidChangeConfigurationParams) -> None:
         if _can_be_asked(server):
             await _ask(server)
         else:
-            server.prefer(ClientSettings.from_json(params.settings))
+            server.use_settings(ClientSettings.from_json(params.settings))
 
     @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched(_params: types.DidChangeWatchedFilesParams) -> None:
@@ -118,7 +118,7 @@ async def _ask(server: KinlintServer) -> None:
         server.log(f"kinlint is not told its settings: {error}", types.MessageType.Warning)
         return
     if said and said[0] is not None:
-        server.prefer(ClientSettings.from_json(said[0]))
+        server.use_settings(ClientSettings.from_json(said[0]))
 
 
 async def _outlive_nobody(process: int) -> None:

@@ -68,14 +68,14 @@ class PositionCodec:
             end -= end > start and text[end - 1 : end + 1] == "\r\n"
         units = position.character - (0 if position.line else self._lead)
         places = range(start, end + 1)
-        return max(start, start + bisect_right(places, units, key=self._from(start)) - 1)
+        return max(start, start + bisect_right(places, units, key=self._offset_to_units(start)) - 1)
 
     def span(self, place: Range) -> Span:
         """The span at *place*."""
         start = self.offset(place.start)
         return Span(start, max(start, self.offset(place.end)))
 
-    def _from(self, start: int) -> Callable[[int], int]:
+    def _offset_to_units(self, start: int) -> Callable[[int], int]:
         return lambda offset: self._units(start, offset)
 
     def _units(self, start: int, end: int) -> int:

@@ -72,7 +72,7 @@ class Scheduler:
             snapshot = self.snapshot(wanted, None in asked)
             job = partial(self.library.step, snapshot, self.interruption())
             try:
-                step = await self.worker.do(job, urgency=BACKGROUND)
+                step = await self.worker.run(job, urgency=BACKGROUND)
                 self.deliver(step)
             except Exception:  # noqa: BLE001  whatever it is, nobody shall wait for ever
                 self.deliver(Step(generation, faults=[format_exc()]))

@@ -32,7 +32,7 @@ def on_port(port: int) -> int:
 
 def _ended(server: KinlintServer) -> int:
     """The exit code: 0 if the client said that it was going to leave, else 1."""
-    server.leave(asked=False)
+    server.shut_down(asked=False)
     code = int(not server.dismissed)
     if not server.worker.stop(PATIENCE):
         os._exit(code)  # What is being done would break when the interpreter goes.

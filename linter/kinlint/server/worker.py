@@ -35,7 +35,7 @@ class Worker:
         self._thread.join(seconds)
         return not self._thread.is_alive()
 
-    async def do(self, job: Callable[[], T], *, urgency: int = 0) -> T:
+    async def run(self, job: Callable[[], T], *, urgency: int = 0) -> T:
         """Return the result of *job*; jobs of lower *urgency* run first, then the older ones.
 
         A job that is cancelled before it starts is skipped; later, its result is dropped.
@@ -45,7 +45,7 @@ class Worker:
         return await asyncio.wrap_future(future)
 
     @property
-    def wanted(self) -> bool:
+    def has_waiting(self) -> bool:
         """Tell whether a job waits."""
         return not self._jobs.empty()
 

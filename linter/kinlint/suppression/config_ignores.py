@@ -24,7 +24,7 @@ class ConfigIgnores:
     _used: set[tuple[Ignore, str]] = field(default_factory=set)
     _places: dict[tuple[str, str], Span | None] = field(default_factory=dict)
 
-    def silence(self, findings: Iterable[Finding]) -> list[Finding]:
+    def mark_silenced(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return *findings* with those marked that the configuration silences."""
         out = []
         for finding in findings:

@@ -66,7 +66,7 @@ class Directive:
         return self.reason or f"kl:ignore at {place.source.name}:{place.start.line}"
 
 
-def directives(
+def find_directives(
     documents: Iterable[Document], catalogue: Catalogue, today: date | None = None
 ) -> tuple[Directive, ...]:
     """Every `kl:ignore` of *documents*, in their order; *today* is the day of the run."""
@@ -74,11 +74,13 @@ def directives(
         directive
         for document in documents
         if document.saying(IGNORE)
-        for directive in _of(document, catalogue, today)
+        for directive in _file_directives(document, catalogue, today)
     )
 
 
-def _of(document: Document, catalogue: Catalogue, today: date | None) -> Iterator[Directive]:
+def _file_directives(
+    document: Document, catalogue: Catalogue, today: date | None
+) -> Iterator[Directive]:
     said: dict[tuple[Term, Term], list[Term]] = defaultdict(list)
     for subject, predicate, value in document.statements:
         if predicate in (RULE_NAMED, REASON, _UNTIL):

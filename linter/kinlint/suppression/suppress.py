@@ -17,7 +17,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.finding import Finding
 from kinlint.suppression.config_ignores import ConfigIgnores
-from kinlint.suppression.directive import Directive, directives
+from kinlint.suppression.directive import Directive, find_directives
 from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.suppression.suppression_faults import (
     FAULTS,
@@ -50,7 +50,7 @@ def apply_suppressions(
     settings = policies.settings
     if settings.ignore_suppressions:
         return list(findings)
-    stated = directives(documents, policies.catalogue, today)
+    stated = find_directives(documents, policies.catalogue, today)
     about = {s: o for each in documents for s, o in each.about.items()} if stated else {}
     marked, used = _silence(findings, stated, about)
     wrong = [
@@ -59,7 +59,10 @@ def apply_suppressions(
         if fault.rule != UNUSED or (complete and not settings.partial)
     ]
     ignores = ConfigIgnores(policies)
-    found = [*ignores.silence(marked), *ignores.silence(_own(wrong, stated, used, policies, about))]
+    found = [
+        *ignores.mark_silenced(marked),
+        *ignores.mark_silenced(_own(wrong, stated, used, policies, about)),
+    ]
     if complete and not settings.partial:
         rules = {rule.name: rule for rule in policies.rules}
         found += ignores.unused((document.source.name for document in documents), rules)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from kinlint.finding import Finding
 from kinlint.reporters.display_width import fold_lines
-from kinlint.reporters.excerpt import CONTEXT_LINES, Cut, Mark, bounds, cut
+from kinlint.reporters.excerpt import CONTEXT_LINES, Cut, Mark, bounds, cut_line
 from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.terminal_style import Style
 from kinlint.text import SourceText
@@ -77,7 +77,7 @@ def _block(marks: Sequence[Mark], finding: Finding, context: int) -> str:
 
 
 def _line(source: SourceText, number: int, marks: Sequence[Mark], finding: Finding) -> str:
-    part = cut(source, number, marks[0].start if marks else bounds(source, number)[0], STYLE)
+    part = cut_line(source, number, marks[0].start if marks else bounds(source, number)[0], STYLE)
     content = "…" if part.before else ""
     at = part.start
     for mark in sorted(marks, key=lambda one: one.start):

@@ -63,14 +63,14 @@ def _digest(part: str) -> str:
 
 
 def _title(report: Report) -> str:
-    if report.open:
-        return plural(len(report.open), "finding")
+    if report.unsuppressed:
+        return plural(len(report.unsuppressed), "finding")
     return "files could not be read" if report.errors else "no findings"
 
 
 def _header(report: Report) -> str:
     counts = [
-        (severity, sum(one.severity is severity for one in report.open))
+        (severity, sum(one.severity is severity for one in report.unsuppressed))
         for severity in sorted(Severity, reverse=True)
     ]
     cards = "".join(
@@ -82,7 +82,7 @@ def _header(report: Report) -> str:
         )
         for severity, count in counts
     )
-    clean = bool(report.files) and not (report.open or report.errors or report.unapplied)
+    clean = bool(report.files) and not (report.unsuppressed or report.errors or report.unapplied)
     praise = '<span aria-hidden="true">✓</span> ' if clean else ""
     kind = "verdict clean" if clean else "verdict"
     seal = element("p", praise + text(verdict(report)), class_=kind)
@@ -96,7 +96,10 @@ def _plural(severity: Severity) -> str:
 
 
 def _navigation(report: Report) -> str:
-    parts = [("robots", "Robots", bool(report.structures)), ("counts", "Counts", bool(report.open))]
+    parts = [
+        ("robots", "Robots", bool(report.structures)),
+        ("counts", "Counts", bool(report.unsuppressed)),
+    ]
     parts += [("findings", "Findings", True), ("rules", "Rules", bool(report.findings))]
     links = "".join(
         f'<li><a href="#{name}">{title}</a></li>' for name, title, there in parts if there

@@ -27,7 +27,7 @@ def robots(report: Report, address: Callable[[Finding], str]) -> Iterator[str]:
     yield '<section id="robots" aria-labelledby="robots-title">\n'
     yield '<h2 id="robots-title">Robots</h2>\n'
     few = len(report.structures) <= OPEN
-    for index, (structure, found) in enumerate(paired(report.structures, report.open)):
+    for index, (structure, found) in enumerate(paired(report.structures, report.unsuppressed)):
         yield _robot(structure, found, f"robot{index}", address, shown=few)
     yield "</section>\n"
 

@@ -19,20 +19,20 @@ FILES = 200
 
 def tables(report: Report) -> Iterator[str]:
     """The section of tables; nothing if nothing was found."""
-    if not report.open:
+    if not report.unsuppressed:
         return
     yield '<section id="counts" aria-labelledby="counts-title">\n'
     yield '<h2 id="counts-title">Counts</h2>\n<div class="tables">\n'
     yield _by_severity(report)
-    yield _by_rule(report.open)
-    yield _by_antipattern(report.open)
-    yield _by_file(report.open)
+    yield _by_rule(report.unsuppressed)
+    yield _by_antipattern(report.unsuppressed)
+    yield _by_file(report.unsuppressed)
     yield "</div>\n</section>\n"
 
 
 def _by_severity(report: Report) -> str:
     groups = {
-        severity: [one for one in report.open if one.severity is severity]
+        severity: [one for one in report.unsuppressed if one.severity is severity]
         for severity in sorted(Severity, reverse=True)
     }
     rows = []

@@ -13,5 +13,5 @@ from kinlint.reporters.terminal_style import Style
 def render(report: Report, style: Style) -> Iterator[str]:
     """The result as JSON."""
     made = Diagnostics(unsafe=report.unsafe)
-    listed = [*map(made.finding, report.open), *map(made.error, report.errors)]
+    listed = [*map(made.finding, report.unsuppressed), *map(made.error, report.errors)]
     yield json_text({"source": SOURCE, "diagnostics": listed}, style, indent=2) + "\n"

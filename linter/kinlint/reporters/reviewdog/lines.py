@@ -13,5 +13,5 @@ from kinlint.reporters.terminal_style import Style
 def render(report: Report, style: Style) -> Iterator[str]:
     """A line for each finding, then one for each file that cannot be read."""
     made = Diagnostics(unsafe=report.unsafe)
-    for one in (*map(made.finding, report.open), *map(made.error, report.errors)):
+    for one in (*map(made.finding, report.unsuppressed), *map(made.error, report.errors)):
         yield json_text({**one, "source": SOURCE}, style) + "\n"

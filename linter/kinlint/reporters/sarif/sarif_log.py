@@ -32,7 +32,7 @@ def log(report: Report) -> dict[str, Any]:
     top = repository_top(report.root)
     artifacts = Artifacts(report.root, top)
     results = Results(artifacts, catalogue)
-    silenced = len(report.open) < len(report.findings)
+    silenced = len(report.unsuppressed) < len(report.findings)
     found = [results.result(finding, silenced=silenced) for finding in report.findings]
     if report.baseline is not None:
         # Nothing that was known before is among them, and either all results say so or none does.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.json_text.json_values import Object
@@ -70,7 +70,7 @@ class Editor:
         if outermost is None:
             return {}
         declared = outermost.types["mappings"].keys()
-        return customary() if declared <= scope.keys["mappings"].keys() else {}
+        return model_prefixes() if declared <= scope.keys["mappings"].keys() else {}
 
 
 def _check(plan: EditPlan) -> None:
