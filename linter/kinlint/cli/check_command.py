@@ -7,9 +7,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 from kinlint import __version__
@@ -89,7 +87,9 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         more |= {"baseline": shown(Path(known[0]))} if known else {}
         return _show_settings(settings, more, found, book)
     if options.verbose:
-        _tell(verbose_pages().before(settings, book, map(layers.origin, found.inputs)))
+        from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
+
+        _tell(verbose.lines_before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
     report = LintRun(settings, found, book, phases, outputs.watched).report(
@@ -97,7 +97,9 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     )
     report = report if knowledge is None else knowledge.apply_to(report)
     if options.verbose:
-        _tell(verbose_pages().after(report, settings, book))
+        from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
+
+        _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
         _warn(found)
     if options.show_suppressed:
@@ -189,11 +191,6 @@ def _knowledge(
         revision = find_revision(options, found.inputs)
         before = FindingsAtRevision(revision, found, layers, book, settings_of).ledger(options)
     return KnownFindings(settings, book.rules, baseline, before, options)
-
-
-def verbose_pages() -> ModuleType:
-    """Import the module that prints what `-v` says."""
-    return import_module("kinlint.cli.verbose")
 
 
 def _tell(lines: Iterable[str]) -> None:
