@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from kinlint import resources
-from kinlint.contexts.model_prefixes import customary
+from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.engine.construct_template import Made, made_by, trimmed, variables_of
 from kinlint.engine.unfolding import is_reading, unfolded
 from kinlint.errors import RuleInvalid
