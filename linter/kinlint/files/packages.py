@@ -39,15 +39,14 @@ _URI = re.compile(r"(package|model)://([^/]+)/?(.*)", re.DOTALL)
 
 @dataclass
 class Packages:
-    """The packages that a file can name.
-
-    `given` are those that the user told of. `workspace` is where others are searched for; by
-    default, the repository of the file. `environment` has the search paths of ROS and Gazebo.
-    """
+    """Packages that a file can name."""
 
     given: Mapping[str, Path] = field(default_factory=dict)
+    """Packages that the user configured."""
     workspace: Path | None = None
+    """Directory in which others are searched for; by default, the repository of the file."""
     environment: Mapping[str, str] = field(default_factory=Environment)
+    """Environment variables with the search paths of ROS and Gazebo."""
     _known: dict[tuple[str, Path], Path | None] = field(default_factory=dict, repr=False)
     _indexed: dict[Path, Mapping[str, Path]] = field(default_factory=dict, repr=False)
     _names: dict[Path, str | None] = field(default_factory=dict, repr=False)

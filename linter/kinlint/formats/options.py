@@ -42,24 +42,24 @@ def _no_arguments(_name: str) -> Mapping[str, str]:
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """Options of reading.
-
-    `releases` are all releases to which a lost term is compared. `base` is what relative IRIs are
-    resolved against; an IRI below the default was relative in the text. `memory` is what a front
-    end keeps from one file for the next. `packages_of` and `xacro_arguments_of` return the packages
-    and the arguments for the source of a name. `overlay` holds texts that replace the content of
-    included files, by their paths with all links followed.
-    """
+    """Options of reading."""
 
     contexts: ContextLibrary = field(default_factory=Contexts.bundled)
+    """Library of JSON-LD contexts."""
     releases: tuple[str, ...] = RELEASES
+    """All releases to which a lost term is compared."""
     base: str = DOCUMENT_BASE
+    """Base of relative IRIs; an IRI below the default was relative in the text."""
     memory: dict[Hashable, Any] = field(default_factory=dict, repr=False, compare=False)
+    """Data that a front end keeps from one file for the next."""
     packages_of: Callable[[str], Packages] = field(default=_any_packages, compare=False)
+    """Function that finds the packages for the source of a name."""
     xacro_arguments_of: Callable[[str], Mapping[str, str]] = field(
         default=_no_arguments, compare=False
     )
+    """Function that finds the arguments for the source of a name."""
     overlay: Mapping[Path, SourceText] = field(default_factory=dict, repr=False, compare=False)
+    """Texts that replace the content of included files, by their paths with all links followed."""
 
     def overlaid_text(self, path: Path) -> SourceText | None:
         """Return the text that replaces the content of the file at *path*.

@@ -47,15 +47,14 @@ def parse(source: SourceText) -> ParsedJson:
 
 
 class ArrayElement(NamedTuple):
-    """An element of an array, where it stands, and the objects in it with repeated keys.
-
-    `closing` tells that it is none, but the bracket that ends the array.
-    """
+    """Element of an array."""
 
     value: Any
     span: Span
     repeats: list[Object]
+    """Objects in it with repeated keys."""
     closing: bool = False
+    """True if it is not an element, but the bracket that ends the array."""
 
 
 def element(source: SourceText, at: int, *, first: bool, depth: int) -> ArrayElement:

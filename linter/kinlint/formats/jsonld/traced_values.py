@@ -37,16 +37,16 @@ RELATIVE = frozenset({Reach.DOCUMENT_BASE, Reach.AUTHORS_BASE, Reach.NOWHERE})
 
 
 class Resolution(NamedTuple):
-    """The meaning of a string under an active context.
-
-    `blind` says that a context in force could not be read, so that the meaning is unknown. `terms`
-    are those of the context, where the string should have been one of them.
-    """
+    """Meaning of a string under an active context."""
 
     iri: str | None
+    """IRI that it expands to."""
     reach: Reach
+    """Kind of the expansion."""
     blind: bool = False
+    """True if a context in force could not be read, so that the meaning is unknown."""
     terms: Mapping[str, Any] = {}
+    """Terms of the context, where the string should have been one of them."""
 
     def nearest(self, written: str) -> str | None:
         """Return the term that *written* was perhaps meant to be."""

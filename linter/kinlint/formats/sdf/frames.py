@@ -21,18 +21,20 @@ Found: TypeAlias = SdfElement | None
 
 @dataclass(frozen=True)
 class FrameProblem:
-    """A reference that leads nowhere: `carrier` says *written* as its attribute or text `role`.
-
-    `members` are what else is on the cycle, if it is one.
-    """
+    """Reference that leads nowhere."""
 
     kind: str
     owner: SdfElement
     carrier: SdfElement
+    """Element with the reference."""
     role: str
+    """Attribute or text of the reference."""
     written: str
+    """The name."""
     resembles: str | None = None
+    """Similar name in the scope."""
     members: tuple[SdfElement, ...] = ()
+    """Other members of the cycle, if it is one."""
 
 
 @dataclass

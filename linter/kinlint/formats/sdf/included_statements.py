@@ -23,12 +23,15 @@ _OFFSET, _ROOT = f"<{SRC}offset>", f"<{SDF}sdf>"
 
 @dataclass(frozen=True)
 class IncludedDocument:
-    """An included `document`, the node of the `include`, and where its text begins."""
+    """Document that another includes."""
 
     document: Document
     include: Term
+    """Node of the `include`."""
     onto: Term
+    """Node of the including document."""
     start: int
+    """Offset of its text in the whole."""
 
     def outer_name(self, term: Term) -> Term:
         """Return the name in the whole document of *term* of the included file."""

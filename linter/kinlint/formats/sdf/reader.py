@@ -56,15 +56,14 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
 @dataclass
 class _Inclusion:
-    """The files that one file includes, directly or not.
-
-    `count` is how many times so far, and `stated` how many statements they make.
-    """
+    """Files that one file includes, directly or not."""
 
     options: ReadOptions
     packages: Packages
     count: int = 0
+    """Number of inclusions so far."""
     stated: int = 0
+    """Number of statements that they make."""
 
     def read(self, source: SourceText, chain: tuple[Path, ...]) -> Document:
         """Read *source* with its includes; *chain* are the files that include each other."""

@@ -16,16 +16,15 @@ SEPARATOR = "::"
 
 @dataclass(eq=False)
 class SdfScope:
-    """The names of one world or model, with those of models that are merged into it.
-
-    `unread` are the names of what it includes from files that nobody could read; None among them
-    is one whose name is in the file.
-    """
+    """Names of one world or model, with those of models that are merged into it."""
 
     element: SdfElement
     outer: SdfScope | None = None
+    """Enclosing scope."""
     names: dict[str, SdfElement] = field(default_factory=dict)
     unread: set[str | None] = field(default_factory=set)
+    """Names of included models from files that cannot be read; None stands for one whose name is in
+    the file."""
 
 
 @dataclass(frozen=True)
@@ -38,16 +37,17 @@ class UnknownName:
 
 @dataclass
 class Scopes:
-    """The scopes of a file: `of` the inside of each world and model, `around` each element.
-
-    `included` is the `include` that a model comes from, and `models` are all models.
-    """
+    """Scopes of a file."""
 
     world: SdfElement
     own: dict[SdfElement, SdfScope] = field(default_factory=dict)
+    """Scope of the inside of each world and model."""
     enclosing: dict[SdfElement, SdfScope] = field(default_factory=dict)
+    """Scope that each element is in."""
     included: dict[SdfElement, SdfElement] = field(default_factory=dict)
+    """`include` that a model comes from."""
     models: list[SdfElement] = field(default_factory=list)
+    """All models."""
 
     @classmethod
     def below(cls, root: SdfElement) -> Scopes:

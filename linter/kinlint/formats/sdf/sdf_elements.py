@@ -13,20 +13,19 @@ _CHILD, _AT, _TEXT = f"<{SDF}", f"<{ATTRIBUTE}", f"<{SRC}text"
 
 @dataclass(eq=False, slots=True)
 class SdfElement:
-    """An element: the node that stands for it, where it stands, and what it says.
-
-    `numbers` are the components of its text, if that is a vector; `order` is how many elements
-    stand before it.
-    """
+    """Element of SDF."""
 
     node: Term
+    """Its node in the graph."""
     tag: str
     parent: SdfElement | None
     order: int = 0
+    """Number of elements before it in the file."""
     attributes: dict[str, str] = field(default_factory=dict)
     children: list[SdfElement] = field(default_factory=list)
     text: str = ""
     numbers: list[float] = field(default_factory=list)
+    """Components of its text, if that is a vector."""
 
     @property
     def name(self) -> str:

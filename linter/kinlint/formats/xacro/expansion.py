@@ -64,39 +64,38 @@ class Failure(Exception):
 
 @dataclass(frozen=True)
 class Fault:
-    """Why an expansion failed: `reason`, at `span` of `source`."""
+    """Failure of an expansion, at `span` of `source`."""
 
     reason: str
     source: SourceText
     span: Span
     kind: str = ""
+    """Kind of an unknown name, if that is the cause."""
     name: str = ""
+    """The unknown name."""
 
 
 @dataclass(frozen=True)
 class Remark:
-    """Warning of xacro: `message`, at `span` of `source`.
-
-    `symbol` is the name of xacro's own that was redefined, if it is about that.
-    """
+    """Warning of xacro, at `span` of `source`."""
 
     message: str
     source: SourceText
     span: Span
     symbol: str = ""
+    """Name of xacro's own that was redefined, if it is about that."""
 
 
 @dataclass
 class Expansion:
-    """Expansion of a file: `parsed` is the robot, unless there is a `fault`.
-
-    `files` are the files before the expansion, the main one first. `includes` are the elements that
-    had files included, each with one of them.
-    """
+    """Expansion of a file."""
 
     parsed: ParsedXacro
+    """The robot, unless there is a fault."""
     files: Mapping[int, ParsedXacro]
+    """Files before the expansion, the main one first."""
     includes: list[tuple[Element, SourceText]] = field(default_factory=list)
+    """Elements that had files included, each with one of them."""
     remarks: list[Remark] = field(default_factory=list)
     fault: Fault | None = None
 

@@ -18,14 +18,14 @@ TABLES = (".yaml", ".yml", ".json")
 
 @dataclass
 class Pieces:
-    """The texts that an expansion reads, each once, and where each begins among all.
-
-    `main` is the file itself at `path`. The memory of `options` keeps texts for the next file.
-    """
+    """Texts that an expansion reads, each once, and their offsets in the whole."""
 
     main: SourceText
+    """The file itself."""
     path: Path
+    """Its path."""
     options: ReadOptions
+    """Options of reading; their memory keeps texts for the next file."""
     _begins: dict[int, int] = field(default_factory=dict)
     _listed: list[tuple[int, SourceText]] = field(default_factory=list)
     _end: int = 0

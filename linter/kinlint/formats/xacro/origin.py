@@ -32,17 +32,15 @@ def attributes(text: str, start: int, end: int) -> dict[str, AttributeSpans]:
 
 @dataclass
 class Origin:
-    """The text that wrote a node: `start` to `end` of `source`.
-
-    Of an element, `inside` is where its start tag ends and `closing` where its end tag begins;
-    they are the end if it has none.
-    """
+    """Text that wrote a node: `start` to `end` of `source`."""
 
     source: SourceText
     start: int
     end: int
     inside: int = 0
+    """End of the start tag of an element; else that of the node."""
     closing: int = 0
+    """Start of the end tag of an element; the end if it has none."""
 
     @property
     def span(self) -> Span:

@@ -15,23 +15,23 @@ _Place = TypeVar("_Place")
 
 
 class MappedRange(NamedTuple):
-    """A part of an expanded text from `at` on, written from `start` to `end`.
-
-    *exact*: character by character.
-    """
+    """Range of an expanded text, written from `start` to `end` of the source."""
 
     at: int
+    """Offset in the expanded text."""
     start: int
     end: int
     exact: bool
+    """True if both are equal character by character."""
 
 
 @dataclass(frozen=True)
 class MappedText:
-    """An expanded text; `leaves` cover all of it, in order."""
+    """Expanded text with the ranges that wrote it."""
 
     text: str
     leaves: tuple[MappedRange, ...]
+    """Ranges that cover all of it, in order."""
 
     @cached_property
     def _starts(self) -> tuple[int, ...]:

@@ -22,16 +22,16 @@ class UnknownSubstitution(Exception):
 
 @dataclass
 class Substitution:
-    """The substitutions of one expansion.
-
-    `arguments` are those given and those with defaults so far. `find` gives the directory of a
-    package, `directory` that of the file at work, `evaluate` the value of an expression.
-    """
+    """Substitutions of one expansion."""
 
     arguments: MutableMapping[str, str]
+    """Arguments that are given, and those with defaults so far."""
     find: Callable[[str], Path | None]
+    """Function that returns the directory of a package."""
     directory: Callable[[], Path]
+    """Function that returns the directory of the current file."""
     evaluate: Callable[[str, Mapping[str, Any]], Any]
+    """Function that returns the value of an expression."""
 
     def value(self, inside: str) -> str:
         """Return the text for `$(inside)`.

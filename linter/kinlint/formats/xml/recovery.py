@@ -16,11 +16,12 @@ from kinlint.text import Span
 
 
 class SyntaxFlaw(NamedTuple):
-    """Syntax error at *span*; *attribute* is the name of one given twice."""
+    """Syntax error at `span`."""
 
     span: Span
     reason: str
     attribute: str | None = None
+    """Name of an attribute that is given twice."""
 
 
 DECLARATION = re.compile(r"<\?[xX][mM][lL](?=[\s?])")
@@ -49,16 +50,14 @@ HIGHEST, LONGEST_CODE = 0x10FFFF, 8
 
 @dataclass(frozen=True, slots=True)
 class RecoveredText:
-    """A text as a parser gets it, and what was wrong with it.
-
-    `inserted` are the characters that the original lacks. `stands_for` maps others to what they
-    replace, which a parser would take for markup.
-    """
+    """Text in a form that a parser accepts, and what was wrong with it."""
 
     text: str
     flaws: Sequence[SyntaxFlaw] = ()
     inserted: Sequence[int] = ()
+    """Offsets of characters that the original lacks."""
     stands_for: Mapping[int, str] | None = None
+    """Replaced characters, which a parser would take for markup."""
 
     def cut(self, at: int, flaw: SyntaxFlaw) -> RecoveredText:
         """Return a copy with only space from the character *at* of the original on."""

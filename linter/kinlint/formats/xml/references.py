@@ -17,11 +17,13 @@ ROOTS = {each.namespace: each.roots for each in FORMATS}
 
 
 class NameUse(NamedTuple):
-    """At a `place`, a property of `element`, its `value` is the name of another one."""
+    """Reference of an element by name."""
 
     element: Term
     place: Term
+    """Property with the name."""
     value: Term
+    """The name."""
     reference: Reference
 
     @property

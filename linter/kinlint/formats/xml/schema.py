@@ -73,51 +73,58 @@ class Reference:
 
 @dataclass(eq=False, slots=True)
 class ElementType:
-    """An element as it may stand below certain others.
-
-    `once` are tags of children that may stand there once, `requires` those that must, `required`
-    the attributes that must. `choices` are the words that attributes can be, or its text ("").
-    `references` are by property, and `files` the properties that name files. `leads` are the
-    children, by theirs, below which there are any of these.
-    `scope` are the tags of what it knows by name. An
-    `open` one takes anything. A `dated` one is not in every version of the format, or one of its
-    attributes is not. What has to be `checked` asks something of its attributes.
-    """
+    """Type of an element below certain others."""
 
     tag: str
+    """Its tag; empty if any."""
     predicate: Term
+    """Property from the parent to the element."""
     attributes: dict[str, Slot] = field(default_factory=dict)
     children: dict[str, ElementType] = field(default_factory=dict)
     once: frozenset[str] = frozenset()
+    """Tags of children that may occur once."""
     required: tuple[str, ...] = ()
+    """Attributes that must be given."""
     requires: tuple[str, ...] = ()
+    """Tags of children that must occur."""
     content: Slot | None = None
+    """Slot of its text, if the format defines one."""
     choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """Words that attributes can be, or its text ("")."""
     references: dict[Term, Reference] = field(default_factory=dict)
+    """References by name, by property."""
     files: frozenset[Term] = frozenset()
+    """Properties that name files."""
     leads: dict[Term, ElementType] = field(default_factory=dict)
+    """Children with references below them, by their properties."""
     scope: tuple[str, ...] = ()
+    """Tags of the elements that it knows by name."""
     open: bool = False
+    """True if it takes any child and attribute."""
     lifetime: Lifetime | None = None
     lifetimes: dict[str, Lifetime] = field(default_factory=dict)
     dated: bool = False
+    """True if not every version of the format has it, or one of its attributes."""
     checked: bool = False
+    """True if its attributes need checks."""
 
 
 @dataclass(eq=False, slots=True)
 class Schema:
-    """A format: its roots, and for each tag the types that have it and the tags they stand below.
-
-    `names` is the attribute by which elements have names, and `version` what a file without one
-    is of.
-    """
+    """Schema of a format."""
 
     namespace: str
+    """Namespace of its elements."""
     roots: dict[str, ElementType]
+    """Types of root elements, by tag."""
     types: dict[str, list[ElementType]]
+    """All types with a tag."""
     parents: dict[str, list[str]]
+    """Tags of the possible parents of a tag."""
     names: str = ""
+    """Attribute by which elements have names."""
     version: str | None = None
+    """Version of a file without one."""
 
     @property
     def flat(self) -> bool:

@@ -29,15 +29,16 @@ INTRODUCTION = re.compile(r"[\s:,;-]*(?:--|\u2014|\u2013)?\s*")
 
 
 class _Comment(NamedTuple):
-    """A comment at the byte `at`; `before` is the element whose tag was read last.
-
-    `holder` is the element around it, and `behind` the next one, if that comes.
-    """
+    """Comment with a directive."""
 
     at: int
+    """Offset in bytes."""
     holder: int
+    """Element around it."""
     before: int
+    """Element whose tag was read last."""
     behind: int
+    """Next element, if one follows."""
 
 
 class Comments:

@@ -49,17 +49,18 @@ class _Touched:
 
 @dataclass
 class ContainerChanges:
-    """Changes of a JSON text.
+    """Changes of a JSON text: values are replaced, children of containers removed and added.
 
-    A value is replaced by its new JSON. Children of a container are removed and added. A container
-    that loses all its children goes too, save one in `lasting`. `cut` are the removed ranges.
+    A container that loses all its children is removed.
     """
 
     text: str
     tree: TextTree
     style: Style
     cut: DeletedRanges = field(default_factory=DeletedRanges)
+    """Removed ranges."""
     lasting: set[int] = field(default_factory=set)
+    """Containers that stay, even if they lose all their children."""
     _tokens: dict[Span, Any] = field(default_factory=dict)
     _wraps: dict[Span, tuple[list[Any], list[Any]]] = field(default_factory=dict)
     _touched: dict[int, _Touched] = field(default_factory=dict)

@@ -39,20 +39,26 @@ class Spelled(float):
 
 @dataclass(frozen=True)
 class Style:
-    """The manner of one file: `unit` indents; pads stand inside of brackets on one line.
-
-    `flat_arrays` and `flat_objects` tell whether brackets are ever opened and closed on one line.
-    """
+    """Layout of one file."""
 
     newline: str
+    """Line end."""
     unit: str
+    """Indentation of a level."""
     colon: str
+    """Separator of key and value."""
     comma: str
+    """Separator of values on one line."""
     array_pad: str
+    """Space inside the brackets of an array on one line."""
     object_pad: str
+    """Space inside the brackets of an object on one line."""
     flat_arrays: bool
+    """True if some array is opened and closed on one line."""
     flat_objects: bool
+    """True if some object is opened and closed on one line."""
     ascii: bool
+    """True if other characters are escaped."""
 
     def serialized(
         self, value: Any, indent: str, *, flat: bool | None = None, used: int = 0

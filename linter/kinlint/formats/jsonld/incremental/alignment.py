@@ -14,11 +14,14 @@ from kinlint.text import SourceText, Span
 
 
 class Difference(NamedTuple):
-    """A changed range: `start` to `old_end` in the old text, to `new_end` in the new one."""
+    """Range in which two texts differ."""
 
     start: int
+    """Start in both texts."""
     old_end: int
+    """End in the old text."""
     new_end: int
+    """End in the new text."""
 
     @property
     def shift(self) -> int:
@@ -58,16 +61,16 @@ NEAR = 8
 
 @dataclass
 class Aligned:
-    """The elements round a change: those that were parsed now, and the numbers of earlier ones.
-
-    `starts` is where each of them stands. Before them all goes what was before `first`, and behind
-    them what was at `rest` and later.
-    """
+    """Elements round a change."""
 
     first: int
+    """Number of earlier elements before them."""
     rest: int = 0
+    """Number of the first earlier element behind them."""
     elements: list[ArrayElement | int] = field(default_factory=list)
+    """Elements that were parsed now, and the numbers of earlier ones."""
     starts: list[int] = field(default_factory=list)
+    """Offsets of the elements."""
 
     def add(self, element: ArrayElement | int, start: int) -> None:
         """Add the next element, with its offset."""

@@ -43,20 +43,21 @@ class DeferredBlankNodes(BlankNodes):
 
 @dataclass(frozen=True, slots=True)
 class PartNotes:
-    """Statements of the source layer about a part, pending until the whole file is read.
-
-    `values` are losses by the value written there, which are none if it is among the `identifiers`
-    of the file; `within` are the nodes described in others; `others` are losses that come after
-    both.
-    """
+    """Statements of the source layer about a part, pending until the whole file is read."""
 
     losses: tuple[Loss, ...] = ()
     values: tuple[tuple[str, Loss], ...] = ()
+    """Losses by the value written there; void if it is among the identifiers of the file."""
     identifiers: frozenset[str] = frozenset()
+    """Relative identifiers of nodes."""
     within: tuple[tuple[Term, tuple[Nested, ...]], ...] = ()
+    """Nodes described in others, by the outermost node."""
     others: tuple[Loss, ...] = ()
+    """Losses that come after these."""
     uses: tuple[tuple[Span, str], ...] = ()
+    """Places and names of used contexts."""
     shadows: tuple[tuple[ShadowedTerm, Span], ...] = ()
+    """Uses of terms that a later context redefines."""
 
     def moved(self, move: Move) -> PartNotes:
         """Return a copy with moved places."""
@@ -105,12 +106,7 @@ NOTHING = PartNotes()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """Statements and nodes of one element, with their places when it was read.
-
-    `asked` are its blank nodes in the order of their creation, with their labels in the text if
-    they have some. `steps` counts those created by statements, then by keys without meaning, then
-    by values without effect; the others were created by repeated keys.
-    """
+    """Statements and nodes of one element, with their places when it was read."""
 
     whole: Span
     spans: Mapping[Triple, Span]
@@ -119,7 +115,10 @@ class Part:
     terms: Mapping[Term, Span]
     namespaces: Mapping[str, Span]
     asked: tuple[tuple[Term, str | None], ...] = ()
+    """Its blank nodes in the order of their creation, with their labels in the text."""
     steps: tuple[int, int, int] = (0, 0, 0)
+    """Blank nodes created by statements, then by keys without meaning, then by values without
+    effect; repeated keys created the others."""
     notes: PartNotes = field(default=NOTHING)
 
     def renamed(self, names: Names) -> Part:

@@ -22,15 +22,14 @@ __all__ = ["Indivisible", "Reading", "read_divided", "reread"]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Division:
-    """A text in parts: the elements of its outermost graph, and the hull around them.
-
-    `end` is where the graph ends; the `hull` is as it was read first.
-    """
+    """Text in parts: the elements of its outermost graph, and the hull around them."""
 
     stating: PartStatements
     elements: Arrangement
     hull: Part
+    """The hull as it was read first."""
     end: int
+    """End of the graph."""
 
     def assembled(self, source: SourceText, known: Named) -> Assembly:
         """Return the document of *source*, which is divided like that; *known* parts keep names."""

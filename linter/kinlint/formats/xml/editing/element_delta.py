@@ -23,16 +23,14 @@ class ValueChange:
 
 @dataclass
 class ElementChanges:
-    """Elements that go, that get another tag, that get children, and that say something else.
-
-    `children` are new nodes, or such as stood elsewhere, with their tags.
-    """
+    """Changes of elements: deletion, other tags, new children, other values."""
 
     known: Mapping[Term, StatedElement]
     deleted: list[Term] = field(default_factory=list)
     renamed: dict[Term, str] = field(default_factory=dict)
     moved: set[Term] = field(default_factory=set)
     children: dict[Term, list[tuple[str, Term]]] = field(default_factory=dict)
+    """New nodes, or moved ones, with their tags."""
     values: dict[Term, ValueChange] = field(default_factory=dict)
 
     @classmethod

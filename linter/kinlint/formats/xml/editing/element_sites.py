@@ -20,15 +20,15 @@ SEVERAL = "the text stands for several elements"
 
 
 class Site(NamedTuple):
-    """Place of an element: its number in a text, and the offset of that text in the document.
-
-    `tag` is the tag that it shall have.
-    """
+    """Place of an element in a text."""
 
     layout: ElementLayout
     number: int
+    """Number of the element in the text."""
     begin: int
+    """Offset of the text in the document."""
     tag: str
+    """Tag that it shall have."""
 
     @property
     def whole(self) -> Span:

@@ -16,14 +16,14 @@ COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n
 
 @dataclass(frozen=True)
 class ElementStyle:
-    """Layout of an element: the space before it, and the further indentation of its children.
-
-    `line_end` is empty if all is in one line.
-    """
+    """Layout of an element."""
 
     indent: str
+    """Indentation of the element."""
     step: str
+    """Further indentation of its children."""
     line_end: str
+    """Line end; empty if all is in one line."""
 
     @property
     def space(self) -> str:

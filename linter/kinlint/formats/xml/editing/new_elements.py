@@ -21,16 +21,16 @@ Taken = Callable[[Span], list[Edit]]
 
 @dataclass
 class NewElements:
-    """Writes what *changes* put into elements; *kept* are spellings that stay.
-
-    `written` are the nodes that were written so far.
-    """
+    """Writer of new and moved elements."""
 
     sites: Sites
     changes: ElementChanges
+    """Changes that ask for them."""
     kept: frozenset[str]
+    """Spellings that stay."""
     taken: Taken
     written: set[Term] = field(default_factory=set)
+    """Nodes that were written so far."""
 
     def element(self, tag: str, node: Term, layout: ElementLayout, quote: str) -> Written:
         """Return *node* as a new element with *tag*, for a text with a *layout*."""

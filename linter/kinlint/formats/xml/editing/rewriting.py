@@ -58,17 +58,17 @@ def matches(raw: str, values: Values) -> bool:
 
 @dataclass(frozen=True)
 class Rewriting:
-    """A value that changes from *old* to *new* where it stands in *text*.
-
-    *write* escapes; *place* tells where a component was read from; *kept* are spellings that stay.
-    """
+    """Change of a value in `text` from `old` to `new`."""
 
     text: str
     old: Values
     new: Values
     kept: frozenset[str]
+    """Spellings that stay."""
     write: Callable[[str], str]
+    """Function that escapes text."""
     place: Place
+    """Function that returns the place that a component was read from."""
 
     def edits(self, spans: Sequence[Span]) -> list[Edit]:
         """Return the edits of a value that stands literally at *spans*.

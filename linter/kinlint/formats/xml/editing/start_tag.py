@@ -36,16 +36,16 @@ def assignment(name: str, value: str, quote: str, layout: ElementLayout) -> str:
 
 @dataclass
 class StartTag:
-    """The start tag of an element that says *slots*.
-
-    *kept* are spellings that stay; *place* tells where a component of an attribute was read from.
-    """
+    """Start tag of an element."""
 
     layout: ElementLayout
     number: int
     slots: Slots
+    """Values of its attributes."""
     kept: frozenset[str]
+    """Spellings that stay."""
     place: Callable[[str, int], Span | None]
+    """Function that returns the place that a component of an attribute was read from."""
 
     def edits(self, change: ValueChange) -> Iterator[Edit]:
         """Yield the edits that make *change* of the attributes."""
