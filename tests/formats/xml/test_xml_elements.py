@@ -191,7 +191,19 @@ def test_an_unnamed_element_and_a_name_never_share_an_address() -> None:
             "<link name='a'><visual/></link>",
             "MissingElement",
             "visual",
-            {"tag": "geometry", "parentTag": "visual"},
+            {"tag": "geometry", "parentTag": "visual", "displayOnly": "true"},
+        ),
+        (
+            "<link name='a'><collision/></link>",
+            "MissingElement",
+            "collision",
+            {"tag": "geometry", "parentTag": "collision"},
+        ),
+        (
+            "<link name='a'><visual><geometry><box/></geometry></visual></link>",
+            "MissingAttribute",
+            "box",
+            {"attribute": "size", "tag": "box", "displayOnly": "true"},
         ),
         ("<link name='a'>\n why </link>", "StrayText", "why", {"written": "why", "tag": "link"}),
         (

@@ -147,7 +147,7 @@ class Elements:
             if type_ is ANY:
                 remarks.note_unlisted_element(number, outer, tag, first)
             elif type_.checked or not number:
-                remarks.check_element(number, type_, attributes)
+                remarks.check_element(number, type_, attributes, self._display_only)
             frames.append((address, node, type_, number, {}))
             if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
                 raise TooLarge(_excess(len(frames), address), starts[number])
@@ -167,12 +167,19 @@ class Elements:
                 self._text(number, node, type_, tag, written)
             for each in type_.requires:
                 if each not in first:
-                    remarks.note("MissingElement", number, None, tag=each, parentTag=tag)
+                    remarks.note(
+                        "MissingElement", number, None,
+                        tag=each, parentTag=tag, displayOnly=self._display_only(type_) or None,
+                    )  # fmt: skip
             if scopes and number in scopes:
                 remarks.leave_element(number)
             self.closed = number
 
         return end
+
+    def _display_only(self, type_: ElementType) -> bool:
+        """Tell whether an element of *type_* below the open ones only matters for display."""
+        return type_.display_only or any(frame[2].display_only for frame in self.frames)
 
     def _unlisted(
         self, number: int, node: Term, type_: ElementType, key: str, attributes: Mapping[str, str]

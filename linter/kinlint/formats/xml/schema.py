@@ -101,6 +101,8 @@ class ElementType:
     """Tags of the elements that it knows by name."""
     open: bool = False
     """True if it takes any child and attribute."""
+    display_only: bool = False
+    """True if it and what is in it only matter for display."""
     lifetime: Lifetime | None = None
     lifetimes: dict[str, Lifetime] = field(default_factory=dict)
     dated: bool = False
@@ -246,6 +248,7 @@ class _Tables:
             scope=tuple(each.rpartition("#")[2] for each in said.get("scope", ())),
             choices={name: tuple(words) for name, words in choices.items()},
             open="true" in said.get("open", ()),
+            display_only="true" in said.get("displayOnly", ()),
             lifetime=Lifetime(since, until) if since or until else None,
             lifetimes=lifetimes,
             dated=bool(since or until or lifetimes),

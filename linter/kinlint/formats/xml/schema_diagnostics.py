@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -115,13 +115,25 @@ class Diagnostics:
                     tag=tag, parentTag=outer.tag or None, resembles=resembles,
                 )  # fmt: skip
 
-    def check_element(self, number: int, type_: ElementType, attributes: Mapping[str, str]) -> None:
-        """Note missing attributes of an element, and features of other versions of the format."""
+    def check_element(
+        self,
+        number: int,
+        type_: ElementType,
+        attributes: Mapping[str, str],
+        display_only: Callable[[ElementType], bool],
+    ) -> None:
+        """Note missing attributes of an element, and features of other versions of the format.
+
+        *display_only* tells whether an element of a type would only matter for display here.
+        """
         if not number:
             self._version = attributes.get("version", self.schema.version)
         for name in type_.required:
             if name not in attributes:
-                self.note("MissingAttribute", number, None, attribute=name, tag=type_.tag)
+                self.note(
+                    "MissingAttribute", number, None,
+                    attribute=name, tag=type_.tag, displayOnly=display_only(type_) or None,
+                )  # fmt: skip
         for name in type_.choices:
             if name in attributes:
                 self.check_choice(number, type_, name, attributes[name])
