@@ -15,40 +15,40 @@ from kinlint.rule import Rule
 INTRODUCTION = """\
 # The rules of kinlint
 
-One Turtle file is one rule. It is a SHACL shape, and says in the same place what it finds and how
-bad that is, why it matters, which anti-patterns (AP1 to AP6) it witnesses, and what a bad and a
-good model look like. Carets show what is flagged in the bad one.
+Each rule is one Turtle file: a SHACL shape with its severity, the reason why it matters, the
+anti-patterns (AP1 to AP6) that it detects, and examples of bad and good models. Carets mark the
+reported place in a bad example.
 
-The index leads to the section of each rule. Index and sections are made from those files, by
-`kinlint rule --all --output-directory rules`; `kinlint rule CODE` explains one rule.
+The index links to the section of each rule. The index and the sections are generated from the rule
+files by `kinlint rule --all --output-directory rules`; `kinlint rule CODE` explains one rule.
 
-Some rules bring repairs, as SPARQL Updates. The index tells how far the best of them may be
-trusted: `safe` ones `kinlint --fix` makes, `unsafe` ones only with `--unsafe-fixes`.
+Some rules have repairs, written as SPARQL Updates. The index shows the applicability of the best
+one: `kinlint --fix` applies `safe` ones, `--unsafe-fixes` also `unsafe` ones.
 
-A rule needs no kinlint to run. Any SHACL engine that knows SPARQL constraints will do, with the
-ontology and the units beside the model, such as pySHACL from the top of this repository:
+Rules also run without kinlint, in any SHACL engine that supports SPARQL constraints, such as
+pySHACL, together with the ontology and the units. From the top of this repository:
 
 ```sh
 pyshacl -im -s rules/units/missing-unit.ttl -i owlrl \\
     model.ttl shapes/ontology/*.ttl shapes/units/*.ttl
 ```
 
-It tells which node is at fault, though not where in the file; and rules about what JSON-LD loses
-find nothing there, since it is lost before.
+The result has the node of each violation, but no place in the file. Rules about content that
+JSON-LD drops find nothing there, since the graph no longer contains it.
 
-A rule is ignored
+To ignore a rule
 
-- for one run: `--ignore CODE`
-- for a project: `ignore = ["CODE"]` under `[tool.kinlint]` in `pyproject.toml`
-- for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "CODE"`
+- in one run: `--ignore CODE`
+- in a project: `ignore = ["CODE"]` under `[tool.kinlint]` in `pyproject.toml`
+- on one node of a model: `"https://w3id.org/kinlint/ns#ignore": "CODE"`
 
-where CODE may be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`), too.
+CODE may also be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`).
 """
 SYMPTOM_INTRODUCTION = """
 ## Symptoms
 
-What the anti-patterns look like in a model, and which rules find them in each format. What is
-*inherent* in a format, no author can avoid: `kinlint --profile` tells it.
+The symptoms of the anti-patterns in a model, and the rules that find them in each format. Symptoms
+that are *inherent* in a format cannot be avoided by the author: `kinlint --profile` lists them.
 
 """
 _COLUMNS = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "What it finds")
