@@ -16,7 +16,7 @@ from kinlint import lint
 from kinlint.configuration.settings import Choice, FileSettings
 from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode
-from kinlint.formats.xml.xml_recognition import sniff
+from kinlint.formats.xml.xml_recognition import recognise_xml
 
 pytestmark = [pytest.mark.corpus, pytest.mark.xdist_group("messages")]
 
@@ -48,7 +48,7 @@ def chosen():
 def sources(number, example):
     """The files of an example, in a folder of their own."""
     for part in example.split(BETWEEN):
-        form = sniff(part) or BY_NAME["urdf"]
+        form = recognise_xml(part) or BY_NAME["urdf"]
         yield decode(f"{number}/robot{form.suffixes[0]}", part.encode())
 
 

@@ -47,8 +47,8 @@ class Repository:
     @cached_property
     def store(self) -> Path:
         """The directory that all working trees of the repository share."""
-        told = git(self.top, ["rev-parse", "--git-common-dir"])
-        return self.top / os.fsdecode(told).rstrip("\r\n")
+        output = git(self.top, ["rev-parse", "--git-common-dir"])
+        return self.top / os.fsdecode(output).rstrip("\r\n")
 
     def revision(self, name: str) -> Revision:
         """Return the commit that *name* stands for.
@@ -77,22 +77,22 @@ class Repository:
         # No name of a revision begins with a dash, so it cannot be taken for an option.
         if name and not name.startswith("-") and "\0" not in name:
             try:
-                told = git(self.top, ["rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"])
+                output = git(self.top, ["rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"])
             except GitFailed:
                 pass
             else:
-                return told.decode().strip()
+                return output.decode().strip()
         raise UsageError(
             f"unknown revision '{printable(name)}'{self._shallow() or self._hint(name)}"
         )
 
     def _shallow(self) -> str:
-        told = git(self.top, ["rev-parse", "--is-shallow-repository"])
-        return SHALLOW if told.strip() == b"true" else ""
+        output = git(self.top, ["rev-parse", "--is-shallow-repository"])
+        return SHALLOW if output.strip() == b"true" else ""
 
     def _hint(self, name: str) -> str:
-        told = git(self.top, ["for-each-ref", "--format=%(refname:short)"])
-        return did_you_mean(name, told.decode("utf-8", "replace").split())
+        output = git(self.top, ["for-each-ref", "--format=%(refname:short)"])
+        return did_you_mean(name, output.decode("utf-8", "replace").split())
 
 
 @dataclass(frozen=True)
@@ -116,15 +116,15 @@ class Revision:
     def ignored(self) -> Sequence[Path]:
         """Return the files and directories in the working tree that git ignores."""
         words = ["ls-files", "-z", "--others", "--ignored", "--exclude-standard", "--directory"]
-        told = git(self._top, words).split(b"\0")
-        return [self._path(name) for name in told if name]
+        output = git(self._top, words).split(b"\0")
+        return [self._path(name) for name in output if name]
 
     @cached_property
     def _tree(self) -> Sequence[tuple[Path, bytes, str]]:
         """Path, mode and content of each file."""
-        told = git(self._top, ["ls-tree", "-r", "-z", "--full-tree", self.commit])
+        output = git(self._top, ["ls-tree", "-r", "-z", "--full-tree", self.commit])
         found = []
-        for line in told.split(b"\0")[:-1]:
+        for line in output.split(b"\0")[:-1]:
             about, _, name = line.partition(b"\t")
             mode, _, blob = about.split()
             found.append((self._path(name), mode, blob.decode()))
@@ -153,19 +153,19 @@ class Revision:
         if not asked:
             return
         try:
-            told = git(self._top, ["cat-file", "--batch"], asked)
+            output = git(self._top, ["cat-file", "--batch"], asked)
         except GitFailed as error:
             raise UsageError(f"revision {self.commit[:12]} cannot be read: {error}") from None
         at = 0
-        while at < len(told):
-            end = told.index(b"\n", at)
-            _, kind, size = [*told[at:end].split(), b"", b""][:3]
+        while at < len(output):
+            end = output.index(b"\n", at)
+            _, kind, size = [*output[at:end].split(), b"", b""][:3]
             if kind != b"blob":
                 raise UsageError(
                     f"revision {self.commit[:12]} is not all here: a partial clone has to fetch it"
                 )
             at = end + 1 + int(size)
-            yield told[end + 1 : at]
+            yield output[end + 1 : at]
             at += 1
 
     @cached_property
@@ -188,7 +188,7 @@ class Revision:
             copy = Path(scratch) / "index"
             if own.is_file():
                 copyfile(own, copy)
-            # Even an empty file that git is told of is written to where objects are kept.
+            # Even an empty file that git is output of is written to where objects are kept.
             kept = str(self._of_git("objects")).replace("\\", "\\\\").replace('"', '\\"')
             other = {
                 "GIT_INDEX_FILE": str(copy),
@@ -222,8 +222,8 @@ class Revision:
 
     def _of_git(self, name: str) -> Path:
         """Return the file or directory *name* of those that git keeps for the working tree."""
-        told = git(self._top, ["rev-parse", "--git-path", name])
-        return self._top / os.fsdecode(told).rstrip("\r\n")
+        output = git(self._top, ["rev-parse", "--git-path", name])
+        return self._top / os.fsdecode(output).rstrip("\r\n")
 
     @property
     def _top(self) -> Path:

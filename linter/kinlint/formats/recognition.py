@@ -28,7 +28,7 @@ def with_format(source: SourceText) -> SourceText:
 
 
 def with_text(source: SourceText, text: str, *, bom: bool | None = None) -> SourceText:
-    """Return the file of *source* with another *text*, whose format is told anew."""
+    """Return the file of *source* with another *text*, whose format is recognised again."""
     bom = source.bom if bom is None else bom
     return with_format(replace(source, text=text, bom=bom, format=None))
 
@@ -83,9 +83,9 @@ def _tree(name: str, text: str) -> Format | None:
     """Return the format of a robot in XML, by its root element or the end of its name."""
     if not _begins_with_tag(text) and not name.lower().endswith(XML_SUFFIXES):
         return None
-    from kinlint.formats.xml.xml_recognition import sniff  # noqa: PLC0415  few files are XML
+    from kinlint.formats.xml.xml_recognition import recognise_xml  # noqa: PLC0415  few files are XML
 
-    return sniff(text, name)
+    return recognise_xml(text, name)
 
 
 def _has_context(text: str) -> bool:

@@ -7,7 +7,7 @@ from importlib import import_module
 from kinlint.file_format import Format
 
 FOLDERS = ("jsonld", "turtle", "nquads", "urdf", "xacro", "srdf", "sdf")
-"""The packages beside this module that have records, in the order in which formats are told."""
+"""The packages of formats that have records, in the order in which formats are listed."""
 
 
 def _records(folder: str) -> tuple[Format, ...]:

@@ -1,6 +1,6 @@
-"""Finds the URDF that an SRDF speaks of: the robot whose links and joints it names.
+"""Companions: the URDF that an SRDF refers to, whose links and joints it names.
 
-That is told from the texts, without parsing them: among the files of a run, or else in the
+That is decided from the texts, without parsing them: among the files of a run, or else in the
 folders beside the SRDF.
 """
 
@@ -114,13 +114,13 @@ def may_be_srdf(source: SourceText) -> bool:
 
 
 def find_companions(
-    sources: Iterable[SourceText], told: Callable[[str], str | None] = lambda _: None
+    sources: Iterable[SourceText], configured: Callable[[str], str | None] = lambda _: None
 ) -> dict[str, str]:
     """Return the name of the URDF among *sources* for each SRDF among them, by its name.
 
-    It is the one *told*, by its path, or one that has the robot's name and most of the links and
-    joints that the SRDF refers to: the nearest of several. If there are no others, one of both will
-    do.
+    It is the one *configured*, by its path, or one that has the robot's name and most of the links
+    and joints that the SRDF refers to: the nearest of several. If there are no others, one of both
+    will do.
     """
     every = [one for each in sources if (one := describe(each)) and not one.unexpanded]
     urdfs = [each for each in every if each.kind == URDF]
@@ -128,7 +128,7 @@ def find_companions(
     found: dict[str, str] = {}
     for srdf in srdfs:
         name = srdf.source.name
-        if (path := told(name)) is not None:
+        if (path := configured(name)) is not None:
             meant = [each for each in urdfs if _path(each) == path]
         else:
             alone = len(srdfs) == len(urdfs) == 1
@@ -151,7 +151,7 @@ def _path(description: Description) -> str:
 
 
 def join_companions(
-    documents: Sequence[Document], told: Callable[[str], str | None] = lambda _: None
+    documents: Sequence[Document], configured: Callable[[str], str | None] = lambda _: None
 ) -> list[Document]:
     """Return *documents*, in which each SRDF says which URDF it is about; see `partners`.
 
@@ -160,7 +160,7 @@ def join_companions(
     texts = [document.source for document in documents]
     if not any(map(may_be_srdf, texts)):
         return list(documents)
-    partner = find_companions(texts, told)
+    partner = find_companions(texts, configured)
     asked = {*partner, *partner.values()}
     whole = {
         each.source.name: each
@@ -202,15 +202,15 @@ def find_nearby(
     """
     if not any(map(may_be_srdf, sources)):
         return ()
-    told = settings.partner
-    known = find_companions(sources, told)
+    configured = settings.partner
+    known = find_companions(sources, configured)
     given = {absolute(source.name) for source in sources}
     found: dict[Path, SourceText] = {}
     for srdf in filter(None, map(describe, sources)):
         name = srdf.source.name
         if srdf.kind != SRDF or name in known:
             continue
-        if (path := told(name)) is not None:
+        if (path := configured(name)) is not None:
             found[Path(path)] = _told(Path(path), overlay)
         elif name[:1] != "<":
             near = (one for one in _urdfs_near(absolute(name)) if one not in given)

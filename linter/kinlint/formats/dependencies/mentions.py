@@ -1,4 +1,4 @@
-"""The robots, parts and files that an XML text names, told by its tags without parsing it.
+"""The robots, parts and files that an XML text names, found by its tags without parsing it.
 
 Files are grouped and paired before they are read; a text with faults is scanned like any other.
 """

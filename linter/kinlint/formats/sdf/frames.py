@@ -46,7 +46,7 @@ class Frames:
     _bases: dict[SdfElement, Found] = field(default_factory=dict)
     _bodies: dict[SdfElement, Found] = field(default_factory=dict)
     _places: dict[SdfElement, Transform | None] = field(default_factory=dict)
-    _told: set[tuple[SdfElement, str]] = field(default_factory=set)
+    _reported: set[tuple[SdfElement, str]] = field(default_factory=set)
 
     def find(self, name: str, owner: SdfElement, carrier: SdfElement, role: str) -> Found:
         """Return the element that *owner* calls *name* in its scope."""
@@ -62,8 +62,8 @@ class Frames:
     ) -> Found:
         if isinstance(found, SdfElement):
             return found
-        if found.certain and (carrier, role) not in self._told:
-            self._told.add((carrier, role))
+        if found.certain and (carrier, role) not in self._reported:
+            self._reported.add((carrier, role))
             near = nearest(name, found.known)
             self.problems.append(FrameProblem("UndefinedName", owner, carrier, role, name, near))
         return None
@@ -79,8 +79,8 @@ class Frames:
         """Return the frame that sees the pose of *element*: one in its scope, or a world."""
         if element not in self._bases:
             pose = self.pose(element)
-            told = pose.attributes if pose else {}
-            name = told.get("relative_to") or told.get("frame", "")
+            attributes = pose.attributes if pose else {}
+            name = attributes.get("relative_to") or attributes.get("frame", "")
             if pose is not None and name:
                 self._bases[element] = self.find(name, element, pose, "relative_to")
             elif element.tag == "joint":
@@ -133,9 +133,9 @@ class Frames:
 
     def _placement_frame(self, model: SdfElement) -> tuple[str, SdfElement]:
         include = self.scopes.included.get(model)
-        told = include.first("placement_frame") if include else None
-        if told is not None:
-            return told.text.strip(), told
+        placement = include.first("placement_frame") if include else None
+        if placement is not None:
+            return placement.text.strip(), placement
         return model.attributes.get("placement_frame", ""), model
 
     def _placed_by(self, model: SdfElement) -> Transform | None:
@@ -215,8 +215,8 @@ class Frames:
                 carrier, role, name = reason
                 others = tuple(other for other in order if other is not each)
                 problem = FrameProblem("CircularReference", each, carrier, role, name, None, others)
-                if (carrier, role) not in self._told:
-                    self._told.add((carrier, role))
+                if (carrier, role) not in self._reported:
+                    self._reported.add((carrier, role))
                     self.problems.append(problem)
                 return
 

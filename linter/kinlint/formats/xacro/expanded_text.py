@@ -26,7 +26,7 @@ def write(parsed: ParsedXacro, pieces: Pieces) -> MappedText:
     return MappedText("".join(writer.parts), tuple(writer.leaves))
 
 
-class _Said(NamedTuple):
+class _EvaluatedValue(NamedTuple):
     """A value that was evaluated, without its first `skipped` characters.
 
     What wrote it stands at `place`, which is `offset` characters into what was evaluated.
@@ -95,7 +95,7 @@ class _Writer:
         place = origin.stripped
         self._put(before, origin, Span(place.start, place.start))
         start = place.start - origin.start
-        self._evaluated(escape(inside), _Said(data, origin, place, len(before), start))
+        self._evaluated(escape(inside), _EvaluatedValue(data, origin, place, len(before), start))
         after = data[len(before) + len(inside) :]
         self._put(after, origin, Span(place.end, place.end))
 
@@ -141,10 +141,10 @@ class _Writer:
             self._put(as_read, origin, spans.value, exact=True)
         else:
             quoted = {quote: QUOTED[quote], **BLANKS}
-            self._evaluated(escape(value, quoted), _Said(value, origin, spans.value))
+            self._evaluated(escape(value, quoted), _EvaluatedValue(value, origin, spans.value))
         self._put(quote, origin, Span(spans.value.end, spans.value.end + 1))
 
-    def _evaluated(self, text: str, said: _Said) -> None:
+    def _evaluated(self, text: str, said: _EvaluatedValue) -> None:
         """Write *text*, the value of *said*, part by part."""
         value, skipped, origin, place = said.value, said.skipped, said.origin, said.place
         raw = origin.source[place]

@@ -125,7 +125,7 @@ class Session:
     def _own(self) -> Mapping[str, Any]:
         """Return the functions that files may call as `xacro.…`."""
 
-        def told(*words: Any, **_: Any) -> str:
+        def warn(*words: Any, **_: Any) -> str:
             self._add_remark(" ".join(map(str, words)))
             return ""
 
@@ -136,13 +136,13 @@ class Session:
             "abs_filename": lambda name: str(self._resolved(str(name))),
             "arg": self._substitution.argument,
             "dotify": dotted,
-            "error": told,
+            "error": warn,
             "fatal": fatal,
             "load_yaml": self._load_yaml,
             "message": lambda *_, **__: "",
             "print_location": lambda: "",
             "tokenize": tokenize,
-            "warning": told,
+            "warning": warn,
         }
 
     def _directory(self) -> Path:

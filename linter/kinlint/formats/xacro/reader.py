@@ -23,7 +23,7 @@ from kinlint.formats.xacro.format import XACRO
 from kinlint.formats.xacro.included_files import Pieces
 from kinlint.formats.xacro.source_mapping import MappedPlaces, MappedText
 from kinlint.formats.xacro.xacro_parser import ParsedXacro
-from kinlint.formats.xml.xml_recognition import sniff
+from kinlint.formats.xml.xml_recognition import recognise_xml
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
 
@@ -49,7 +49,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     layer = _layer(source, pieces, expansion)
     if expansion.fault is None and _is_robot(expansion.parsed):
         written = write(expansion.parsed, pieces)
-        form = sniff(written.text)
+        form = recognise_xml(written.text)
         if form is not None and form != XACRO:
             expanded = replace(source, text=written.text, format=form)
             try:

@@ -137,7 +137,7 @@ def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
 
 
 def _data(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Edit]:
-    """Change to text between tags."""
+    """Yield changes to text between tags."""
     edits = list(_ampersands(text, span, spare))
     at = text.find("]]>", *span)
     while at >= 0:
@@ -165,7 +165,7 @@ def _is_character(digits: str | None, base: int) -> bool:
 
 
 def _comment(text: str, span: Span) -> Iterator[_Edit]:
-    """Change to what a comment says; only the first is told."""
+    """Yield changes to the text of a comment; only the first is reported."""
     reason = "-- inside a comment"
     for match in HYPHENS.finditer(text, *span) if span.end > span.start else ():
         place = Span(*match.span())
@@ -195,7 +195,7 @@ def _declaration(text: str, span: Span) -> Iterator[_Edit]:
 
 
 def _attributes(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Edit]:
-    """Change to the attributes of a tag."""
+    """Yield changes to the attributes of a tag."""
     seen: set[str] = set()
     for match in ATTRIBUTE.finditer(text, *span):
         name, own = match[2], Span(*match.span(2))

@@ -34,7 +34,7 @@ def root(text: str) -> tuple[str, int] | None:
     return (match[1], at) if match and _may_be_xml(text[:at] or "<") else None
 
 
-def sniff(text: str, name: str = "") -> Format | None:
+def recognise_xml(text: str, name: str = "") -> Format | None:
     """Return the format of an XML *text*, None if it is no robot that is read.
 
     A file called `.xacro` is a source of xacro. One called otherwise after a format is of that

@@ -79,7 +79,7 @@ def _check(plan: EditPlan) -> None:
     for triple in plan.removed:
         if triple not in plan.settled and not (places.spans(triple) and plan.goes(triple)):
             raise NotExpressible("what is to go is written in a way that cannot be taken out alone")
-    if any(triple not in plan.said for triple in plan.added):
+    if any(triple not in plan.stated for triple in plan.added):
         raise NotExpressible("there is no place in the file for what is to be said")
     for cut in plan.changes.cut:
         for triple in places.within(cut):

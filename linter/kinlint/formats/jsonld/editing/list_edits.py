@@ -26,7 +26,11 @@ def edit_lists(plan: EditPlan) -> None:
                 done.add(head)
                 _change(plan, head)
     for triple in plan.added:
-        if triple[1] in LINKS and triple not in plan.said and plan.places.by_subject.get(triple[0]):
+        if (
+            triple[1] in LINKS
+            and triple not in plan.stated
+            and plan.places.by_subject.get(triple[0])
+        ):
             head = _head(plan, triple[0])
             if head is not None and head not in done:
                 done.add(head)
@@ -67,11 +71,11 @@ def _change(plan: EditPlan, head: Triple) -> None:
     plan.settled.update(
         t for c in cells for t in plan.places.by_subject.get(c, ()) if t in plan.removed
     )
-    plan.said.update(t for cell, _ in after for t in plan.new(cell))
+    plan.stated.update(t for cell, _ in after for t in plan.new(cell))
     if now != head[2]:
         plan.settled.add(head)
-        plan.said.add((head[0], head[1], now))
-    _List(plan, places[0], iri_value(head[1])).write(before, after)
+        plan.stated.add((head[0], head[1], now))
+    _ListEdits(plan, places[0], iri_value(head[1])).write(before, after)
 
 
 def _successor(plan: EditPlan, head: Triple) -> Term | None:
@@ -96,7 +100,7 @@ def _cells(plan: EditPlan, head: Term) -> list[tuple[Term, Term]]:
     return list(found.items())
 
 
-class _List:
+class _ListEdits:
     """A list of the text."""
 
     def __init__(self, plan: EditPlan, place: Place, prop: str) -> None:

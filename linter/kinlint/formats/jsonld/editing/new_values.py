@@ -110,7 +110,7 @@ class ValueWriter:
             raise NotExpressible("a node without an identifier would contain itself")
         self._within.add(term)
         compaction, triples = self._compaction, self._goal.new(term)
-        self._goal.said.update(triples)
+        self._goal.stated.update(triples)
         around = compaction.within(outer, key, {})
         types = [compaction.type(around, iri_value(v)) for _, p, v in triples if p == RDF_TYPE]
         skeleton = {compaction.keyword(around.keys, "@type"): types} if types else {}
@@ -137,7 +137,7 @@ class ValueWriter:
             return literal_items(term, self._kept_spellings(), old)
         if self._goal.is_list(term):
             sequence = self._goal.sequence(term)
-            self._goal.said.update(
+            self._goal.stated.update(
                 triple for cell, _ in sequence for triple in self._goal.new(cell)
             )
             forms = [self._items(value) for _, value in sequence]

@@ -93,7 +93,7 @@ def _settle(plan: EditPlan, triple: Triple, heir: Triple) -> None:
             if not any(value is element for element in described):
                 return
     plan.settled.add(triple)
-    plan.said.add(heir)
+    plan.stated.add(heir)
 
 
 _COLLECTIONS = frozenset({"@graph", "@included"})
@@ -150,7 +150,7 @@ def _member(plan: EditPlan, seat: Seat) -> tuple[Object, Key] | None:
 def add_nodes(plan: EditPlan) -> None:
     """Add each new node to the graph: behind a related one, or at the end."""
     for triple in list(plan.added):
-        if triple not in plan.said and triple[1] not in LINKS:
+        if triple not in plan.stated and triple[1] not in LINKS:
             _add(plan, triple[0])
 
 

@@ -25,7 +25,7 @@ def edit_properties(plan: EditPlan) -> None:
             subjects.setdefault(triple[0], ([], []))[0].append(triple)
     for triple in plan.added:
         node = plan.node(triple[0])
-        if triple not in plan.said and triple[1] not in LINKS and plan.places.objects(node):
+        if triple not in plan.stated and triple[1] not in LINKS and plan.places.objects(node):
             subjects.setdefault(node, ([], []))[1].append(triple)
     for node, (removed, added) in subjects.items():
         old = [triple for triple in removed if triple[1] == RDF_TYPE]
@@ -48,7 +48,7 @@ class _Node:
 
     def write(self, removed: Sequence[Triple], added: Sequence[Triple]) -> None:
         """Remove *removed* and add *added*; those of one property replace each other."""
-        waiting = [triple for triple in added if triple not in self.plan.said]
+        waiting = [triple for triple in added if triple not in self.plan.stated]
         for triple in removed:
             places = list(self.plan.places_of(triple))
             heir = next((new for new in waiting if new[1] == triple[1]), None)
@@ -59,7 +59,7 @@ class _Node:
                 self.plan.changes.lasting.add(id(place.owner))
                 self.plan.changes.remove(place.item)
         for triple in waiting:
-            if triple not in self.plan.said:
+            if triple not in self.plan.stated:
                 self._insert(triple)
         for (_, key), (owner, values) in self.members.items():
             value = values[0] if len(values) == 1 else values
@@ -74,13 +74,13 @@ class _Node:
         if content is not None:
             inner = plan.values.inner_value(scope, prop, heir[2], place.key, content)
             if inner is not None:
-                plan.said.add(heir)
+                plan.stated.add(heir)
                 plan.changes.replace(content.span, inner)
                 return True
         member = plan.values.member(scope, prop, heir[2], key=place.key, old=old)
         if member is None:
             return False
-        plan.said.add(heir)
+        plan.stated.add(heir)
         plan.changes.replace(place.item.span, member.value)
         return True
 
@@ -101,7 +101,7 @@ class _Node:
             raise NotExpressible(
                 "the file does not describe the node that something is to be said of"
             )
-        plan.said.add(triple)
+        plan.stated.add(triple)
         prop, scope = iri_value(triple[1]), plan.scope(owner)
         for key in plan.places.keys_of(owner, prop):
             if self._goes(owner, key):
@@ -147,7 +147,7 @@ def write_types(
     owner = plan.owner(node, RDF_TYPE)
     if owner is None:
         raise NotExpressible("the file does not describe the node that is to have a type")
-    plan.said.update(added)
+    plan.stated.update(added)
     scope = plan.scope(owner)
     names = [plan.compaction.type(scope, iri_value(triple[2])) for triple in added]
     touched: dict[int, tuple[Object, dict[Span, str | None]]] = {}

@@ -29,12 +29,12 @@ def edit_source_layer(plan: EditPlan) -> None:
         plan.settled.add(triple)
         if heir is not None:
             added.remove(heir)
-            plan.said.add(heir)
+            plan.stated.add(heir)
         _change(plan, triple, heir[2] if heir else None)
     for triple in added:
         if triple[:2] != (plan.document.graph, _CONTEXT):
             raise NotExpressible("it follows from what the file says")
-        plan.said.add(triple)
+        plan.stated.add(triple)
         add_context(plan, _text(triple[2]))
 
 

@@ -26,7 +26,7 @@ class TargetGraph:
         self.removed = dict.fromkeys(delta.removed)
         self.added = dict.fromkeys(delta.added)
         self.settled: set[Triple] = set()
-        self.said: set[Triple] = set()
+        self.stated: set[Triple] = set()
         self.renamed: dict[Term, Term] = {}
         self.mending = any(triple[1].startswith(f"<{SRC}") for triple in delta.added) or any(
             value.startswith(f"<{DOCUMENT_BASE}") for _, _, value in delta.removed

@@ -78,7 +78,7 @@ class Aligned:
         self.starts.append(start)
 
 
-def aligned(
+def align(
     old: Arrangement, before: str, source: SourceText, change: Difference, graph: Span
 ) -> Aligned:
     """Return the elements of *source* round *change*; before, they were *old*, in *graph*.

@@ -63,7 +63,7 @@ ASIDE = -1
 """Stands for the number of a part where no part says a thing, but the source layer."""
 
 
-def numbered(groups: Sequence[Collection[T]]) -> dict[T, int]:
+def group_numbers(groups: Sequence[Collection[T]]) -> dict[T, int]:
     """Map each item in *groups*, in the order of first occurrence, to the number of its group."""
     found: dict[T, int] = {}
     size = 0
@@ -89,7 +89,7 @@ class ShiftedNodeSpans(Mapping[Term, NodeSpans]):
 
     @cached_property
     def _numbers(self) -> dict[Term, int]:
-        numbers = numbered([part.nodes for part in self._parts])
+        numbers = group_numbers([part.nodes for part in self._parts])
         for node in self._own:
             numbers.setdefault(node, ASIDE)
         return numbers
@@ -161,7 +161,7 @@ class Assembly:
     named: Named
 
 
-def assembled(
+def assemble(
     source: SourceText, given: Arrangement, stating: PartStatements, known: Named
 ) -> Assembly:
     """Assemble the document of the *given* parts of *source*; parts that are *known* keep names.
@@ -180,7 +180,7 @@ def assembled(
     named = labelling.finish(known)
     arranged = Arrangement([named[each][1] if each.asked else each for each in parts], shifts)
     state_losses(layer, _losses(list(arranged.notes())))
-    stated = numbered([part.spans for part in arranged.parts])
+    stated = group_numbers([part.spans for part in arranged.parts])
     described = (triple for part in arranged.parts for triple in part.described)
     for triple in chain(file, described, layer.triples):
         stated.setdefault(triple, ASIDE)

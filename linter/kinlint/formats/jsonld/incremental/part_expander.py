@@ -17,7 +17,7 @@ class Indivisible(Exception):
     """The file is not the sum of its parts, or cannot be shown to be."""
 
 
-class PartedProcessor(Processor):
+class DividedProcessor(Processor):
     """A processor that leaves the elements of the outermost graph to *take*.
 
     It stays at the place of that graph: what `expand` gives is what it would give there. `around`

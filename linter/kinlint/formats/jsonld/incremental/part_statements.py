@@ -11,7 +11,7 @@ from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord
 from kinlint.formats.jsonld.incremental.part import NOTHING, DeferredBlankNodes, Part, PartNotes
-from kinlint.formats.jsonld.incremental.part_expander import Indivisible, PartedProcessor
+from kinlint.formats.jsonld.incremental.part_expander import DividedProcessor, Indivisible
 from kinlint.formats.jsonld.loss_report import LOOKED_UP, LossReport, ReleaseComparison
 from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
@@ -82,7 +82,7 @@ class PartStatements:
         self.release = options.contexts.release
         self._graph = document_iri(name)
         memory = ContextCache.from_options(options, options.contexts.release)
-        self._processor = PartedProcessor(memory, options.base, self._take)
+        self._processor = DividedProcessor(memory, options.base, self._take)
         self._compared = ReleaseComparison(options)
         self._hull = self._processor.record
         self._known = ExpansionRecord()
@@ -91,7 +91,7 @@ class PartStatements:
         self._repeats: list[tuple[int, int, Object]] = []
 
     @property
-    def worn(self) -> bool:
+    def exhausted(self) -> bool:
         """Tell whether so much was read that the caches should be dropped."""
         return self._processor.contexts > CONTEXTS or self._count > len(self.parts) + MANY
 

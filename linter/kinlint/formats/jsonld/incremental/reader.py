@@ -8,8 +8,8 @@ from kinlint.document import Document
 from kinlint.formats.json_text.json_parser import ArrayElement, parse
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS
-from kinlint.formats.jsonld.incremental.alignment import aligned, difference
-from kinlint.formats.jsonld.incremental.document_assembly import Assembly, Named, assembled
+from kinlint.formats.jsonld.incremental.alignment import align, difference
+from kinlint.formats.jsonld.incremental.document_assembly import Assembly, Named, assemble
 from kinlint.formats.jsonld.incremental.part import Arrangement, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
 from kinlint.formats.jsonld.incremental.part_statements import PartStatements
@@ -40,7 +40,7 @@ class Division:
 
         hull = self.hull if end == gap.end else self.hull.moved(move)
         given = Arrangement([*self.elements.parts, hull], [*self.elements.shifts, 0])
-        return assembled(source, given, self.stating, known)
+        return assemble(source, given, self.stating, known)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,7 +85,7 @@ def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading
     Raises Indivisible if that does not help, SourceError if *source* is no JSON.
     """
     last, old = before.document.source, before.division
-    if old.stating.worn or source.name != last.name or options != before.options:
+    if old.stating.exhausted or source.name != last.name or options != before.options:
         raise Indivisible
     if source == last:
         return before
@@ -97,7 +97,7 @@ def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading
     if change.start <= start or change.old_end >= old.end:
         raise Indivisible
     with undisturbed():
-        found = aligned(old.elements, last.text, source, change, Span(start, old.end))
+        found = align(old.elements, last.text, source, change, Span(start, old.end))
         try:
             parts = [_part(old, each, found.rest) for each in found.elements]
         except FAULTS as fault:

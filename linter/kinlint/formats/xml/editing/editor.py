@@ -37,9 +37,9 @@ class Editor:
         """
         rest, about = split_delta(self._document, delta)
         edits = _Writing(self._sites, rest).edits() if rest else []
-        return (
-            merged([*edits, *syntax_edits(self._document, self._sites, about)]) if about else edits
-        )
+        if not about:
+            return edits
+        return merged_edits([*edits, *syntax_edits(self._document, self._sites, about)])
 
 
 class _Writing:
@@ -73,7 +73,7 @@ class _Writing:
         self._delete(gone)
         if any(self._awaited.values()):
             raise NotExpressible(SEVERAL)
-        return merged(self._edits)
+        return merged_edits(self._edits)
 
     def _is_below(self, node: Term, others: Iterable[Term]) -> bool:
         """Tell whether *node* is one of *others* or written within one of them."""
@@ -175,7 +175,7 @@ def _place(layout: ElementLayout, parent: int, tag: str) -> int | None:
     return next(alike, children[-1] if children else None)
 
 
-def merged(edits: Iterable[Edit]) -> list[Edit]:
+def merged_edits(edits: Iterable[Edit]) -> list[Edit]:
     """Return *edits* in order, insertions at one place as one."""
     merged: list[Edit] = []
     for edit in sorted(edits, key=lambda each: each.span):
