@@ -16,19 +16,22 @@ from kinlint.text import Span
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A finding as it is remembered: `fingerprint` says nothing of the file, `path` is that file.
-
-    `entity` and `message` are for people. `elsewhere` tells that the entity has an IRI of its own,
-    so that it is the same in whatever file. `span` is where a baseline says it.
-    """
+    """A finding as a baseline remembers it."""
 
     path: str
+    """Path of the file, relative to the root of the baseline."""
     rule: str
+    """Code of the rule."""
     entity: str
+    """The entity concerned, for people."""
     message: str
+    """The message, for people."""
     fingerprint: str
+    """The fingerprint, which does not depend on the file."""
     elsewhere: bool = field(default=False, compare=False)
+    """True if the entity has an IRI of its own, the same in whatever file."""
     span: Span = field(default=Span(0, 0), compare=False)
+    """The place of the entry in the baseline file."""
 
     @property
     def key(self) -> tuple[str, ...]:
@@ -38,13 +41,12 @@ class Entry:
 
 @dataclass(frozen=True)
 class Names:
-    """Names of files relative to `root`, an absolute path with links followed.
-
-    `renamed` has other names for some of them.
-    """
+    """Names of files relative to a root."""
 
     root: Path
+    """An absolute path with links followed."""
     renamed: Mapping[str, str] = field(default_factory=dict)
+    """Other names for some of the files."""
     _known: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
 
     def relative_path(self, name: str) -> str:

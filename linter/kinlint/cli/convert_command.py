@@ -74,13 +74,17 @@ def run(arguments: Sequence[str]) -> int:
 
     from kinlint.conversion.composition import compose  # noqa: PLC0415
     from kinlint.conversion.output import WRITERS  # noqa: PLC0415
-    from kinlint.conversion.robot_files import documents  # noqa: PLC0415
+    from kinlint.formats.dependencies.companions import join_companions  # noqa: PLC0415
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415
+    from kinlint.formats.registry import read  # noqa: PLC0415
     from kinlint.project.reading import read_models  # noqa: PLC0415  engines are slow to import
 
     sources, errors = read_models(found.inputs, settings)
     for error in (*found.errors, *errors):
         raise error
-    model = compose(documents(sources, settings), options.namespace)
+    reading = ReadOptions.from_settings(settings)
+    documents = join_companions([read(source, reading) for source in sources], settings.partner)
+    model = compose(documents, options.namespace)
     text = WRITERS[form](model)
     if options.output_file == STDOUT:
         sys.stdout.write(text)

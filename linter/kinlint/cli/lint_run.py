@@ -25,13 +25,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class LintRun:
-    """One lint: files, settings and rules; with *watched*, progress is shown."""
+    """A lint run as options ask for it."""
 
     settings: Settings
+    """The settings."""
     found: Found
+    """The files."""
     book: Rulebook
+    """The rules."""
     phases: Phases
+    """The stopwatch of the run."""
     watched: bool = False
+    """True if progress is shown."""
 
     def report(self, options: Namespace, outputs: Outputs, wanted: Sieve | None = None) -> Report:
         """The report for *outputs*; with `--fix` and its like, of what is left.

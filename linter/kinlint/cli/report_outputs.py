@@ -31,14 +31,14 @@ SUMMARY = "GITHUB_STEP_SUMMARY"
 
 @dataclass(frozen=True, slots=True)
 class Outputs:
-    """Outputs of a run: format `main` to `path` or standard output, and `copies` to files.
-
-    `only_fixes` omits what was not fixed. `would` says that fixes were shown, not made.
-    """
+    """The outputs of a run."""
 
     main: str
+    """The format of the main report."""
     path: Path | None = None
+    """The file of the main report; None for standard output."""
     copies: tuple[tuple[str, Path], ...] = ()
+    """Further formats, each with its file."""
     color: When = "auto"
     statistics: bool = False
     quiet: bool = False
@@ -46,7 +46,9 @@ class Outputs:
     verbose: bool = False
     show_fixes: bool = False
     only_fixes: bool = False
+    """True if what was not fixed is omitted."""
     would: bool = False
+    """True if fixes were shown, not made."""
 
     @property
     def tells_fixes(self) -> bool:

@@ -54,14 +54,12 @@ ADDING = ("choices", "packages", "xacro_args")
 
 @dataclass(frozen=True)
 class Config:
-    """What one configuration says, with all that it extends; None where it says nothing.
-
-    `choices` are layers of rule selection, the lowest first. `home` is where the file lies that
-    says it. Of `packages` and `xacro_args`, later ones count.
-    """
+    """A configuration with all that it extends; None for keys that it does not set."""
 
     origin: str
+    """The file, or "command line", for messages."""
     choices: tuple[Choice, ...] = ()
+    """Layers of rule selection, the lowest first."""
     exclude: tuple[Glob, ...] | None = None
     extend_exclude: tuple[Glob, ...] = ()
     per_file_ignores: tuple[PerFile, ...] | None = None
@@ -81,8 +79,11 @@ class Config:
     engine: str | None = None
     baseline: Path | None = None
     home: Path | None = None
+    """The directory of the configuration file."""
     packages: tuple[tuple[str, Path], ...] = ()
+    """Directories of ROS packages by name; of equal names, the later counts."""
     xacro_args: tuple[XacroArgument, ...] = ()
+    """Arguments of xacro files; of equal names, the later counts."""
 
     def extended_by(self, above: Config) -> Config:
         """The two as one, *above* on top: lists that extend add up, the rest replaces.

@@ -18,14 +18,12 @@ from kinlint.rule import Applicability, Rule
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """The fixes that choices allow, and the applicability they count as.
-
-    `fixable` are the rules whose findings are fixed. `unsafe` has, by code, whether the fixes of a
-    rule count as unsafe whatever they are; False is that unsafe ones count as safe.
-    """
+    """The fixes that choices allow, and the applicability they count as."""
 
     fixable: frozenset[str]
+    """Codes of the rules whose findings are fixed."""
     unsafe: Mapping[str, bool]
+    """For some codes, True if all fixes count as unsafe, False if unsafe ones count as safe."""
 
     def allows_fixes(self, rule: Rule) -> bool:
         """Tell whether findings of *rule* are fixed at all."""

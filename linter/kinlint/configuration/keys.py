@@ -60,15 +60,16 @@ TARGETS = (
 
 @dataclass(frozen=True)
 class Key:
-    """A key: the `kind` of its values, what it means, and an `example` in TOML.
-
-    `default` is what holds where nobody says anything, in words or as TOML.
-    """
+    """A key of configuration files."""
 
     kind: Kind
+    """The kind of its values."""
     default: str
+    """The default, in words or as TOML."""
     meaning: str
+    """The documentation of the key."""
     example: str
+    """An example in TOML."""
 
 
 def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:

@@ -15,13 +15,12 @@ from kinlint.rule import Rule, Severity
 
 @dataclass(frozen=True, slots=True)
 class Policy:
-    """The outcome of selection in one file: severities by code, None for a silent rule.
-
-    `imposed` are the codes whose severity a target or the configuration set.
-    """
+    """The outcome of selection in one file."""
 
     severities: Mapping[str, Severity | None]
+    """Severities by code; None for a silent rule."""
     imposed: frozenset[str] = frozenset()
+    """Codes whose severity a target or the configuration set."""
 
     def severity(self, rule: Rule) -> Severity | None:
         """Return the severity of *rule* here; None if it is off. Unknown rules are on."""

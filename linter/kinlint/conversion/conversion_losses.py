@@ -39,11 +39,14 @@ UNUSED = "nothing in the model takes it here"
 
 @dataclass(frozen=True, slots=True)
 class Loss:
-    """`count` elements or attributes called `what` that are not in the result."""
+    """Elements or attributes of one name that are not in the result."""
 
     what: str
+    """The name."""
     count: int
+    """Number of elements or attributes."""
     why: str
+    """The reason."""
 
     def __str__(self) -> str:
         return f"{self.count} {self.what}: {self.why}"

@@ -30,16 +30,16 @@ class Changes(Protocol):
 
 @dataclass(frozen=True)
 class Texts:
-    """The texts that are `given`, and all that changed so far in place of files, by real paths.
-
-    `streamed` are the names of those that are no files, with which what they include stays as it
-    is. Those called one of `kept` stay as they are.
-    """
+    """The texts of a run, and their changes so far."""
 
     given: Sequence[SourceText]
+    """The texts as they were read."""
     streamed: Collection[str] = ()
+    """Names of texts that are no files; what they include stays as it is, too."""
     kept: Collection[str] = ()
+    """Names of texts that stay as they are."""
     changed: Mapping[Path, SourceText] = field(default_factory=dict)
+    """The changed texts by the real paths of their files."""
     _paths: dict[str, Path] = field(default_factory=dict, repr=False)
 
     def same(self, other: Texts) -> bool:

@@ -30,17 +30,20 @@ NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
 
 @dataclass
 class Unit:
-    """A lifting query, with the triples that it made of each of its solutions.
-
-    A solution has the values of `names`, the last of which is the variable that `narrow` is about.
-    """
+    """A lifting query, with the triples that it made of each of its solutions."""
 
     select: str
+    """The query as a SELECT."""
     names: tuple[str, ...]
+    """Variables of a solution; the last is the one that `narrow` restricts."""
     template: Sequence[tuple[str, str, tuple[str, ...] | str]]
+    """Subject, predicate and object, or the items of a list, of each triple to make."""
     dependencies: Dependencies
+    """Properties and classes that the query names."""
     narrow: Restriction | None
+    """The variable by which the query can be restricted, if there is one."""
     made: dict[Row, list[tuple[Triple, ...]]] | None = None
+    """The triples of each solution, once for each time that it came; None before the first run."""
 
     @classmethod
     def from_lifting(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:

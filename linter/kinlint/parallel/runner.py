@@ -27,16 +27,18 @@ def _nobody(_files: int) -> None:
 
 @dataclass(frozen=True)
 class ParallelRunner:
-    """Runs a job in `jobs` processes.
-
-    `memory` is the cache of reports. `advance` is called with the number of files done.
-    """
+    """A runner of a lint job in several processes."""
 
     job: Job
+    """Settings and rules."""
     jobs: int = 1
+    """Number of processes."""
     memory: ReportCache | None = None
+    """The cache of reports, if it may be used."""
     phases: Phases = field(default_factory=Phases)
+    """The stopwatch of the run."""
     advance: Callable[[int], None] = _nobody
+    """A function that is called with the number of files done."""
 
     def report(self, sources: Sequence[SourceText], errors: Sequence[SourceError]) -> Report:
         """Lint *sources*; *errors* are of files that could not even be decoded.

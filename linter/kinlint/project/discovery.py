@@ -27,41 +27,42 @@ HEAD = 1 << 16
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A file to read, called `name` in messages; standard input has no `path`.
-
-    `named` tells that the user meant this very file.
-    """
+    """A file to read."""
 
     name: str
+    """The name in messages."""
     path: Path | None
+    """The path; None for standard input."""
     named: bool = True
+    """True if the user named this very file."""
 
 
 @dataclass
 class Found:
-    """The inputs, what could not be looked at, and what was searched in vain.
-
-    `asides` are the names of those that are looked at for what they say of others; nothing that
-    lies in them is reported.
-    """
+    """The result of a search."""
 
     inputs: list[Input] = field(default_factory=list)
+    """The files found."""
     errors: list[SourceError] = field(default_factory=list)
+    """Directories and files that cannot be accessed."""
     barren: list[str] = field(default_factory=list)
+    """Arguments that were searched in vain."""
     asides: frozenset[str] = frozenset()
+    """Names of files that are read for what they state about others; their findings are not
+    reported.
+    """
 
 
 @dataclass(frozen=True)
 class Search:
-    """A search for files.
-
-    `excluding` gives the patterns of paths to pass over in a directory. They hold for what is
-    found, and with `force` for what is named, too. `stdin` is the name of `-`.
-    """
+    """A search for files."""
 
     excluding: Callable[[Path], Sequence[Glob]]
+    """A function that returns the patterns of paths to pass over in a directory."""
     force: bool = False
+    """True if these patterns hold for named files, too."""
     stdin: str = "<stdin>"
+    """The name of `-`."""
 
     def find(self, paths: Sequence[str]) -> Found:
         """The inputs that *paths* stand for, each file once, in their order."""

@@ -38,14 +38,14 @@ On the rest of `WIDE` they must agree.
 
 @dataclass
 class Layers:
-    """The configuration of each directory, `top` (the options) on top of its file.
-
-    `here` is where the run begins: what is passed over by default is passed over below it.
-    """
+    """The configuration of each directory: options on top of its file."""
 
     files: Configs
+    """The configuration files."""
     top: Config
+    """The options."""
     here: Path = field(default_factory=Path.cwd)
+    """The directory that default exclusions are relative to."""
     _known: dict[Path, Config] = field(default_factory=dict)
 
     def config_for(self, directory: Path) -> Config:

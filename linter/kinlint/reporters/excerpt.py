@@ -34,12 +34,16 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """The part of a line that is shown: offsets into the source, and whether more is there."""
+    """The part of a line that is shown."""
 
     start: int
+    """Offset in the source at which it begins."""
     end: int
+    """Offset at which it ends."""
     before: bool
+    """True if the line has more before it."""
     after: bool
+    """True if the line has more after it."""
 
     def holds(self, offset: int) -> bool:
         """Tell whether *offset* is shown; the end of the line belongs to the line."""

@@ -16,16 +16,20 @@ NEAR = 1_000
 
 @dataclass(frozen=True, slots=True)
 class Hunk:
-    """Lines that give way to others: `removed` from line `old` on, `added` from line `new` on.
+    """Lines that give way to others, without what both begin or end with.
 
-    Lines count from one and come without their ends. What both begin or end with is not in it.
-    Of a long line only what is near the edits is there, more than fits a terminal.
+    Lines count from one and come without their ends. Of a long line only what is near the edits is
+    there, more than fits a terminal.
     """
 
     old: int
+    """Number of the first line removed."""
     removed: tuple[str, ...]
+    """The lines removed."""
     new: int
+    """Number of the first line added."""
     added: tuple[str, ...]
+    """The lines added."""
 
 
 def edits_by_source(fix: Fix) -> Iterator[tuple[SourceText, list[Edit]]]:

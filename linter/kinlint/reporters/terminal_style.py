@@ -34,15 +34,16 @@ LEAST_WIDTH = 40
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """Capabilities of an output: the 16 ANSI colours, OSC 8 links, characters beyond ASCII.
-
-    `width` is that of the terminal, in columns. Nothing is ever said by colour alone.
-    """
+    """Capabilities of an output. Nothing is ever said by colour alone."""
 
     color: bool = False
+    """True if the 16 ANSI colours may be used."""
     links: bool = False
+    """True if OSC 8 links may be used."""
     unicode: bool = True
+    """True if characters beyond ASCII may be used."""
     width: int = PLAIN_WIDTH
+    """Width of the terminal in columns."""
 
     def ink(self, text: str, ink: Ink) -> str:
         """Return *text* in a colour, if colours may be used."""

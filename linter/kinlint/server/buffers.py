@@ -24,18 +24,20 @@ Change = TextDocumentContentChangePartial | TextDocumentContentChangeWholeDocume
 
 @dataclass(frozen=True)
 class Buffer:
-    """An open text, never changed: each change makes another.
-
-    `path` is the file, or a path of the same name in the working directory for what is none.
-    `marked` tells that the client has the byte order mark in the text.
-    """
+    """An open text, never changed: each change makes another."""
 
     uri: str
+    """The URI that the client uses."""
     path: Path
+    """The file; for a text that is no file, a path of the same name in the working directory."""
     version: int
+    """The version that the client numbers."""
     source: SourceText
+    """The text without a byte order mark."""
     marked: bool = False
+    """True if the client has the byte order mark in the text."""
     saved: bool = True
+    """True if the file holds the same text."""
 
     @classmethod
     def from_text(cls, uri: str, version: int, text: str) -> Buffer:

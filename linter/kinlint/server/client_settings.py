@@ -26,17 +26,18 @@ KNOWN = (*LISTS, "configuration", "run", "unsafeFixes")
 
 @dataclass(frozen=True)
 class ClientSettings:
-    """`keys` are those of configuration files, on top of these; `file` is the only one, if given.
-
-    `on_save` tells that texts are examined when they are saved, and `unsafe_fixes` that fixes
-    that are not safe are offered, too. `problems` are what cannot be used, for people.
-    """
+    """Settings that a client sends."""
 
     keys: Mapping[str, Any] = field(default_factory=dict)
+    """Keys of configuration files, which override these."""
     file: str | None = None
+    """The only configuration file, if given."""
     on_save: bool = False
+    """True if texts are analyzed when they are saved."""
     unsafe_fixes: bool = True
+    """True if unsafe fixes are offered, too."""
     problems: tuple[str, ...] = ()
+    """Messages about settings that cannot be used."""
 
     @classmethod
     def from_json(cls, said: object) -> ClientSettings:

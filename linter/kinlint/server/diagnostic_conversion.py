@@ -31,11 +31,14 @@ SEVERITIES = {
 
 @dataclass(frozen=True)
 class FileDiagnostics:
-    """The diagnostics of one file, with its text; `version` is that of the open buffer."""
+    """The diagnostics of a file."""
 
     items: tuple[types.Diagnostic, ...] = ()
+    """The diagnostics."""
     source: SourceText | None = None
+    """The text that their ranges refer to."""
     version: int | None = None
+    """The version of the open buffer; None if the file is not open."""
 
     @cached_property
     def result_id(self) -> str:

@@ -12,21 +12,22 @@ from kinlint.server.client_settings import ClientSettings
 
 @dataclass(frozen=True)
 class FrozenState:
-    """The state that the `generation`-th change led to.
-
-    `epoch` counts the changes that files on disk may have something to do with. `buffers` are the
-    open texts by their paths, the one that changed last first. `roots` are the folders of the
-    workspace. `wanted` are files that somebody waits for, open or not; `everything` tells that all
-    are.
-    """
+    """An immutable snapshot of open texts, folders and settings."""
 
     generation: int
+    """Number of changes so far."""
     epoch: int
+    """Number of changes that may concern files on disk."""
     buffers: Mapping[Path, Buffer]
+    """The open texts by their paths, the one that changed last first."""
     roots: tuple[Path, ...]
+    """The folders of the workspace."""
     preferences: ClientSettings
+    """The settings of the client."""
     wanted: frozenset[Path] = frozenset()
+    """Files that a request waits for, open or not."""
     everything: bool = False
+    """True if a request waits for all files."""
 
     def root_of(self, path: Path) -> Path | None:
         """The innermost folder of the workspace that *path* lies in."""

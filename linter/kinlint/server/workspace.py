@@ -31,20 +31,24 @@ class Outdated(Exception):
 
 @dataclass(frozen=True)
 class Step:
-    """The result of analyzing one model: what was `found` in the files of the model `key`.
-
-    `done`: nothing is left to analyze. `fresh`: the files whose analysis is complete. `models`: all
-    models of the workspace. `problems` are for the user, `faults` for maintainers of kinlint.
-    """
+    """The result of analyzing one model."""
 
     generation: int
+    """The generation of the snapshot that was analyzed."""
     key: frozenset[Path] = frozenset()
+    """The paths of the files of the model."""
     found: Mapping[Path, FileDiagnostics] = field(default_factory=dict)
+    """The diagnostics by file."""
     done: bool = False
+    """True if nothing is left to analyze."""
     fresh: frozenset[Path] = frozenset()
+    """The files whose analysis is complete."""
     models: Mapping[frozenset[Path], Model] = field(default_factory=dict)
+    """All models of the workspace by their keys."""
     problems: Sequence[str] = ()
+    """Messages for the user."""
     faults: Sequence[str] = ()
+    """Messages for maintainers of kinlint."""
 
 
 class Workspace:

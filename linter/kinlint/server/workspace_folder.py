@@ -23,16 +23,18 @@ from kinlint.text import SourceText
 
 @dataclass(frozen=True)
 class Model:
-    """Files that are judged together, with `beside` what they were written for.
-
-    `errors` are of files that cannot be read at all.
-    """
+    """Files that are judged together."""
 
     paths: Mapping[str, Path]
+    """The paths of the files by their names."""
     sources: tuple[SourceText, ...]
+    """The texts."""
     settings: Settings
+    """The settings of the run."""
     beside: tuple[SourceText, ...] = ()
+    """Companion files that the model was written for."""
     errors: tuple[SourceError, ...] = ()
+    """The files that cannot be read at all."""
 
     @property
     def key(self) -> frozenset[Path]:

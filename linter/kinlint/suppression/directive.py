@@ -32,23 +32,28 @@ _COMMENT = iri(f"{SRC}Comment")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Directive:
-    """One `kl:ignore` on `node`, about one selector.
-
-    `codes` are the rules that `selector` names, none if it is unknown. `until` is the end date as
-    written; `active` says that it has not passed. `whole_file` says that `node` is the name of the
-    file's graph. `extent` is the place within which findings are covered.
-    """
+    """A `kl:ignore` statement, or a comment that says so, about one selector."""
 
     document: Document
+    """The document that contains the statement."""
     statement: Triple
+    """The triple whose subject is the node to silence."""
     span: Span
+    """The place of the statement."""
     selector: str
+    """The selector as written."""
     codes: frozenset[str]
+    """Codes of the rules that `selector` names; none if it is unknown."""
     reason: str | None = None
+    """The reason given, if there is one."""
     until: str | None = None
+    """The end date as written."""
     active: bool = True
+    """True if the end date has not passed."""
     whole_file: bool = False
+    """True if `node` is the name of the file's graph."""
     extent: Location | None = None
+    """The place within which findings are covered; None for the node alone."""
 
     @property
     def node(self) -> Term:

@@ -31,19 +31,24 @@ ROUND = 1.16
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """One shape: `above` is the index of the one it hangs below, or -1.
-
-    `rows` are the name and what is written below it, `label` the text at the edge to it.
-    """
+    """A shape of a picture."""
 
     kind: Kind
+    """The kind of the part that it shows."""
     iri: str
+    """IRI of the part."""
     title: str
+    """The name of the part."""
     rows: tuple[str, ...]
+    """The name and the lines below it."""
     above: int
+    """Index of the box that it hangs below, or -1."""
     label: tuple[str, ...] = ()
+    """The text at the edge to that box."""
     badge: Badge | None = None
+    """The mark of its findings."""
     findings: tuple[Finding, ...] = ()
+    """The findings about the part."""
 
     @property
     def width(self) -> float:
