@@ -49,6 +49,12 @@ class Assemblies:
         """
         return self.companions.bodies.get(self.companions.relations.get(node, node))
 
+    def weighed(self, node: Term) -> tuple[Term, float] | None:
+        """Return the body that *node* is about and its mass in kg; None unless that is positive."""
+        body = self.body(node)
+        mass = self.masses.get(body, 0.0) if body is not None else 0.0
+        return (body, mass) if body is not None and mass > 0.0 else None
+
     @cached_property
     def masses(self) -> Mapping[Term, float]:
         """The mass in kg of each body, the largest where several are stated."""

@@ -59,8 +59,9 @@ UNKNOWN = Extents(None, None, None)
 class BodyShapes:
     """Shapes of each body of a model."""
 
-    def __init__(self, scan: PredicateIndex, units: Units) -> None:
+    def __init__(self, scan: PredicateIndex, units: Units, placements: Placements) -> None:
         self.scan = scan
+        self.placements = placements
         self.units = units
         self._known: dict[Term, Extents] = {}
 
@@ -199,12 +200,8 @@ class BodyShapes:
 
         None where it is not known.
         """
-        placed = self._placements.shape_placement(node)
+        placed = self.placements.shape_placement(node)
         return placed.point if placed is not None else None
-
-    @cached_property
-    def _placements(self) -> Placements:
-        return Placements(self.scan)
 
 
 def _measures(kind: Term, size: tuple[float, ...]) -> tuple[float, float]:

@@ -51,10 +51,12 @@ class Description:
 class DescriptionDrifts:
     """Robots of a run that are described more than once."""
 
-    def __init__(self, scan: PredicateIndex, assemblies: Assemblies) -> None:
+    def __init__(
+        self, scan: PredicateIndex, assemblies: Assemblies, placements: Placements
+    ) -> None:
         self.scan = scan
         self.assemblies = assemblies
-        self.placements = Placements(scan)
+        self.placements = placements
 
     def facts(self) -> Iterator[Triple]:
         """Yield each difference: the part, the quantity, and both values."""

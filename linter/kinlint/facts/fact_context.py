@@ -10,6 +10,7 @@ from kinlint.facts.basis import Bases
 from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.coordinate_agreement import CoordinateAgreements
 from kinlint.facts.drift import DescriptionDrifts
+from kinlint.facts.frame_placement import Placements
 from kinlint.facts.identifier_slips import IdentifierSlips
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.inertia_repair import InertiaRepairs
@@ -91,16 +92,25 @@ class FactContext:
         lambda own, scan: Assemblies(scan, own.inertias, own.trees), ("inertias", "trees")
     )
     """Bodies that are fixed to each other."""
-    geometries = Part(lambda own, scan: BodyShapes(scan, own.units), ("units",))
+    placements = Part(lambda _, scan: Placements(scan))
+    """Poses of frames on their bodies."""
+    geometries = Part(
+        lambda own, scan: BodyShapes(scan, own.units, own.placements), ("units", "placements")
+    )
     """The shapes of bodies."""
     amendments = Part(
-        lambda own, scan: InertiaRepairs(scan, own.inertias, own.assemblies, own.geometries),
-        ("inertias", "assemblies", "geometries"),
+        lambda own, scan: InertiaRepairs(
+            scan, own.inertias, own.assemblies, own.geometries, own.placements
+        ),
+        ("inertias", "assemblies", "geometries", "placements"),
     )
     """Numbers that wrong inertias may have been meant to have."""
     twins = Part(lambda own, scan: MirrorTwins(scan, own.assemblies), ("assemblies",))
     """Parts that mirror each other."""
-    drifts = Part(lambda own, scan: DescriptionDrifts(scan, own.assemblies), ("assemblies",))
+    drifts = Part(
+        lambda own, scan: DescriptionDrifts(scan, own.assemblies, own.placements),
+        ("assemblies", "placements"),
+    )
     """Files that describe one robot differently."""
     planning = Part(lambda own, scan: PlanningGroups(scan, own.trees), ("trees",))
     """The groups of SRDF files."""

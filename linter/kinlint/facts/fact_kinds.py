@@ -141,16 +141,14 @@ KINDS = (
     FactKind(
         "mass_distribution",
         {"astray": (*inputs.SIZES, geom("RigidBody"))},
-        lambda own: com_outside(own.assemblies, own.geometries, own.scan.part("astray")),
-        ("assemblies", "geometries", "astray"),
+        lambda own: com_outside(own.assemblies, own.geometries, own.placements),
+        ("assemblies", "geometries", "placements"),
     ),
     FactKind(
         "parallel_axis",
         {"transfer": (*inputs.INERTIAS, *inputs.PLACED)},
-        lambda own: parallel_axis_residuals(
-            own.inertias, own.assemblies, own.scan.part("transfer")
-        ),
-        ("assemblies", "transfer"),
+        lambda own: parallel_axis_residuals(own.inertias, own.assemblies, own.placements),
+        ("assemblies", "placements"),
     ),
     FactKind(
         "inertia_repair",

@@ -10,7 +10,16 @@ from itertools import chain
 from kinlint.document import FROM
 from kinlint.facts.coordinate_pairs import CoordinatePairs
 from kinlint.facts.fact_statements import derived, numbers
-from kinlint.facts.linear_algebra import ZERO, Matrix, Vector, dot, eigenvalues, length, scale
+from kinlint.facts.linear_algebra import (
+    ZERO,
+    Matrix,
+    Vector,
+    difference,
+    dot,
+    eigenvalues,
+    length,
+    scale,
+)
 from kinlint.facts.metamodel_terms import body
 from kinlint.facts.metamodel_terms import inertia as inertial
 from kinlint.facts.predicate_index import PredicateIndex
@@ -134,16 +143,20 @@ def about_centre(tensor: Matrix, mass: float, centre: Vector) -> Matrix:
     By the parallel axis theorem of Huygens and Steiner, I_c = I_o - m (c·c 1 - c cᵀ) (Featherstone,
     Rigid Body Dynamics Algorithms, 2008, section 2.13).
     """
-    square = dot(centre, centre)
-    a, b, c = (
+    return difference(tensor, about_origin(mass, centre))
+
+
+def about_origin(mass: float, at: Vector) -> Matrix:
+    """Return the tensor in kg m² of a point mass at *at*, about the origin: m (r·r 1 - r rᵀ)."""
+    square = dot(at, at)
+    x, y, z = (
         tuple(
-            tensor[row][column]
-            - mass * ((square if row == column else 0.0) - centre[row] * centre[column])
+            mass * ((square if row == column else 0.0) - at[row] * at[column])
             for column in range(3)
         )
         for row in range(3)
     )
-    return (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2])
+    return (x[0], x[1], x[2]), (y[0], y[1], y[2]), (z[0], z[1], z[2])
 
 
 def _moments(node: Term, tensor: Matrix, principal: Vector, kind: str) -> Iterator[Triple]:

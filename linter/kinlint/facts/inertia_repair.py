@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
-from functools import cached_property
 from itertools import count
 
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.body_shapes import BOX, CYLINDER, SPHERE, BodyShapes, Shape
 from kinlint.facts.fact_statements import double, fact, fact_node
 from kinlint.facts.frame_placement import Placement, Placements
-from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias
+from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias, about_origin
 from kinlint.facts.linear_algebra import Matrix, eigenvalues
 from kinlint.facts.metamodel_terms import body, kin
 from kinlint.facts.metamodel_terms import inertia as inertial
-from kinlint.facts.parallel_axis import about_origin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.terms import Term, Triple
 
@@ -49,11 +47,13 @@ class InertiaRepairs:
         inertias: Inertias,
         assemblies: Assemblies,
         geometries: BodyShapes,
+        placements: Placements,
     ) -> None:
         self.scan = scan
         self.inertias = inertias
         self.assemblies = assemblies
         self.geometries = geometries
+        self.placements = placements
 
     def decimal_slips(self) -> Iterator[Triple]:
         """Yield the one entry whose decimal point stands in the wrong place, if that is all.
@@ -99,14 +99,13 @@ class InertiaRepairs:
         """Yield the tensor of each body of one primitive about its centre, if it were solid."""
         numbers = count(1)
         for node, entries in self._stated():
-            owner = self.assemblies.body(node)
-            mass = self.assemblies.masses.get(owner, 0.0) if owner is not None else 0.0
-            shape = self.geometries.sole(owner) if owner is not None else None
-            if shape is None or mass <= 0.0 or node not in self.inertias.central:
+            weighed = self.assemblies.weighed(node) if node in self.inertias.central else None
+            shape = self.geometries.sole(weighed[0]) if weighed is not None else None
+            if weighed is None or shape is None:
                 continue
-            inertial = self._placements.inertial(owner) if owner is not None else None
-            here = self._place(inertial)
-            there = self._place(self._placements.shape_placement(shape.node))
+            owner, mass = weighed
+            here = self._place(self.placements.inertial(owner))
+            there = self._place(self.placements.shape_placement(shape.node))
             if here is not None and here == there:
                 tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
@@ -122,7 +121,7 @@ class InertiaRepairs:
         for owner, nodes in sorted(self.geometries.references.items()):
             shape = self.geometries.uniform(owner) if owner not in weighed else None
             if shape is None or any(
-                self._place(self._placements.shape_placement(each)) != ORIGIN for each in nodes
+                self._place(self.placements.shape_placement(each)) != ORIGIN for each in nodes
             ):
                 continue
             mass = WATER * shape.volume
@@ -137,8 +136,8 @@ class InertiaRepairs:
         numbers = count(1)
         for node, entries in self._stated():
             owner = self.assemblies.body(node)
-            centre = self._placements.centres.get(owner) if owner is not None else None
-            if owner is None or centre is None or owner in self._placements.turned:
+            centre = self.placements.centres.get(owner) if owner is not None else None
+            if owner is None or centre is None or owner in self.placements.turned:
                 continue
             moved = about_origin(self.assemblies.masses.get(owner, 0.0), centre)
             flat = (*(moved[at][at] for at in range(3)), moved[0][1], moved[0][2], moved[1][2])
@@ -170,10 +169,6 @@ class InertiaRepairs:
         if placed is None or placed.point is None or placed.turn is None or not placed.by_angles:
             return None
         return (*placed.point, *placed.turn)
-
-    @cached_property
-    def _placements(self) -> Placements:
-        return Placements(self.scan)
 
 
 def _amended(

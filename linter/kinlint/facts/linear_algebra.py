@@ -68,6 +68,11 @@ def product(m: Matrix, n: Matrix) -> Matrix:
     )
 
 
+def difference(m: Matrix, n: Matrix) -> Matrix:
+    """Return the difference of two matrices."""
+    return subtract(m[0], n[0]), subtract(m[1], n[1]), subtract(m[2], n[2])
+
+
 def determinant(m: Matrix) -> float:
     """Return the signed volume that the rows span."""
     (a, b, c), (d, e, f), (g, h, i) = m

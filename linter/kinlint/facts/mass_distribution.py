@@ -11,15 +11,14 @@ from kinlint.facts.fact_statements import numbers
 from kinlint.facts.frame_placement import Placements
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.linear_algebra import IDENTITY
-from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.terms import Triple
 
 
 def com_outside(
-    assemblies: Assemblies, geometries: BodyShapes, scan: PredicateIndex
+    assemblies: Assemblies, geometries: BodyShapes, placements: Placements
 ) -> Iterator[Triple]:
     """Yield the distance in m of each centre of mass outside all shapes of its body."""
-    for body, centre in sorted(Placements(scan).centres.items()):
+    for body, centre in sorted(placements.centres.items()):
         gap = geometries.outside(body, centre) if assemblies.masses.get(body, 0.0) > 0.0 else None
         if gap is not None and gap > 0.0:
             yield from numbers(body, [("astray", gap)])
@@ -35,10 +34,9 @@ def proportions(
     body has visual and collision shapes.
     """
     for node, tensor in inertias.central.items():
-        body = assemblies.body(node)
-        mass = assemblies.masses.get(body, 0.0) if body is not None else 0.0
-        if body is None or mass <= 0.0:
+        if (weighed := assemblies.weighed(node)) is None:
             continue
+        body, mass = weighed
         size = geometries.extents(body)
         greatest = inertias.principal[node][2]
         if greatest > 0.0 and tensor != IDENTITY:
@@ -46,8 +44,8 @@ def proportions(
         if size.extent is not None:
             yield from numbers(node, [("extent", size.extent)])
     for node, mass in inertias.quantities.masses.items():
-        body = assemblies.body(node)
-        size = geometries.extents(body) if body is not None else UNKNOWN
+        owner = assemblies.body(node)
+        size = geometries.extents(owner) if owner is not None else UNKNOWN
         if mass > 0.0 and size.least_volume and size.greatest_volume:
             least, greatest = mass / size.greatest_volume, mass / size.least_volume
             yield from numbers(node, [("least-density", least), ("greatest-density", greatest)])

@@ -140,9 +140,9 @@ def shared_inertias(
     """
     groups: dict[tuple[object, ...], list[tuple[Term, Term]]] = {}
     for node, tensor in inertias.tensors.items():
-        body = assemblies.body(node)
-        mass = assemblies.masses.get(body, 0.0) if body is not None else 0.0
-        if body is not None and mass > 0.0 and tensor != IDENTITY and _any(tensor):
+        weighed = assemblies.weighed(node)
+        if weighed is not None and tensor != IDENTITY and _any(tensor):
+            body, mass = weighed
             groups.setdefault((_split(body)[0], mass, tensor), []).append((node, body))
     for group in groups.values():
         if len(group) >= SEVERAL:
