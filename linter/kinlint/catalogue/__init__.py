@@ -1,1 +1,1 @@
-"""The rules: their files, the catalogue compiled of them, and what each speaks of."""
+"""The rules: their files, the catalogue compiled of them, and the formats that they apply to."""

@@ -1,4 +1,4 @@
-"""Which rules speak of which files: a rule names the formats that it applies to."""
+"""The rules that apply to files, by the formats that rules name."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ COMPOSABLE = frozenset(each.name for each in FORMATS if not each.is_tree)
 def applicability(
     rules: Iterable[Rule], documents: Sequence[Document]
 ) -> Mapping[str, frozenset[Format]]:
-    """The rules, by IRI, that apply to some of *documents*, each with the formats it applies to."""
+    """Return the rules, by IRI, that apply to some of *documents*, with the formats of these."""
     present = {document.format for document in documents}
     found = {rule.iri: frozenset(f for f in present if covers(rule.formats, f)) for rule in rules}
     return {owner: formats for owner, formats in found.items() if formats}
@@ -34,7 +34,10 @@ def applicability(
 def applicable(
     constraints: Iterable[Constraint], owners: Mapping[str, frozenset[Format]]
 ) -> list[Constraint]:
-    """Those of *constraints* that look at a format which their rule, of *owners*, applies to."""
+    """Return those of *constraints* that look at a format which their rule applies to.
+
+    *owners* are the rules, by IRI, with these formats.
+    """
     return [
         each
         for each in constraints
@@ -43,7 +46,7 @@ def applicable(
 
 
 def covers(named: Collection[str], form: Format) -> bool:
-    """Whether what is for the formats *named*, or for all if none is, is for files of *form*."""
+    """Tell whether the formats *named* include *form*; without names, all are included."""
     if not named:
         return True
     if not form.is_tree:
@@ -52,7 +55,7 @@ def covers(named: Collection[str], form: Format) -> bool:
 
 
 def formats(documents: Iterable[Document]) -> Mapping[str, str]:
-    """The name of the format of each text, by its name; macros count as what they expand to."""
+    """Return the format of each text, by its name; macros count as what they expand to."""
     return {
         source.name: document.format.lifted_as
         for document in documents
@@ -65,7 +68,7 @@ def applies(
     documents: Sequence[Document],
     owners: Mapping[str, frozenset[Format]],
 ) -> Iterator[Result]:
-    """Those of *results* that are about a file of a format that their rule applies to."""
+    """Yield those of *results* that are about a file of a format that their rule applies to."""
     present = {document.format for document in documents}
     if len(present) == 1 or not any(each.is_tree for each in present):
         yield from results
@@ -87,7 +90,7 @@ def applies(
 def demand(
     constraints: Iterable[Constraint], repairs: Iterable[Repair] = ()
 ) -> frozenset[Term] | None:
-    """The terms that *constraints* and *repairs* look at, and what those are computed from.
+    """Return the terms that *constraints* and *repairs* look at, and what those are computed from.
 
     None stands for any.
     """
@@ -101,7 +104,7 @@ def possible(
     store: Lookup,
     coming: frozenset[Term],
 ) -> list[Constraint]:
-    """Those of *constraints* that something may violate, by what is in *store*, just loaded.
+    """Return those of *constraints* that something may violate, by what *store* has after loading.
 
     What is *coming* and what is lifted or computed may yet be there. Where no file is lifted, all:
     what is asked for makes no difference there.
@@ -116,7 +119,7 @@ def possible(
 def axioms_for(
     documents: Iterable[Document], axioms: Sequence[Axiom], wanted: frozenset[Term] | None
 ) -> Sequence[Axiom]:
-    """The *axioms* worth applying: where every file is lifted, those that make what is *wanted*.
+    """Return the *axioms* worth applying: where every file is lifted, those that serve *wanted*.
 
     What is lifted is complete by construction, and most of it asked for by nobody.
     """

@@ -1,4 +1,4 @@
-"""Which facts a rule asks for, and where its file does so."""
+"""The facts that a rule asks for, and where its file does so."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class AskedFact(NamedTuple):
     name: str
     line: int
     for_repairs: bool
-    """Whether it stands in a repair, for which more facts are computed."""
+    """The fact stands in a repair, for which more facts are computed."""
 
 
 def asked_facts(file: ShapesFile, prefixes: dict[str, str]) -> Iterator[AskedFact]:

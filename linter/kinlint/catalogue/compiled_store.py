@@ -12,9 +12,9 @@ from typing import Any
 from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
 STORED = ("catalogue-*.json", "catalogue-*.tmp")
-"""How compiled catalogues in a cache are called, and those that are being written."""
+"""Patterns for the names of compiled catalogues in a cache, and of those being written."""
 KEPT = 8
-"""How many compiled catalogues a cache keeps: one for each set of rules lately in use."""
+"""The number of compiled catalogues that a cache keeps: one for each set of rules lately in use."""
 
 
 def read_catalogue(stored: Path) -> dict[str, Any] | None:

@@ -1,4 +1,4 @@
-"""Compiles rule files one by one: each by itself, or together with those that it refers to."""
+"""Compile rule files one by one: each by itself, or together with those that it refers to."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from kinlint.terms import RDF, Term, is_iri
 from kinlint.vocabulary import OWL, RDFS, SH
 
 Unit: TypeAlias = dict[str, Any]
-"""What a file is compiled to, as JSON: its key, its links, its rules and its constraints."""
+"""A compiled file as JSON: its key, its links, its rules and its constraints."""
 SHACL, UNTOLD = f"<{SH}", (f"<{SH}", f"<{RDF}")
-"""How terms of SHACL begin, and those that no file refers to another one by."""
+"""The beginning of SHACL's terms, and those of terms by which no file refers to another."""
 AXIOMATIC = {f"<{RDFS}{name}>" for name in ("subClassOf", "subPropertyOf", "domain", "range")}
 SCHEMA = (f"<{OWL}", f"<{RDFS}")
 
 
 @dataclass(frozen=True)
 class Links:
-    """How a file may refer to others."""
+    """The ways in which a file may refer to others."""
 
     defined: frozenset[Term]
     """IRIs that it says something of that the compiler reads: shapes, prefixes, parameters."""
@@ -37,7 +37,7 @@ class Links:
 
 
 def links(file: ShapesFile) -> Links:
-    """Return how *file* may refer to others, and they to it."""
+    """Return the ways in which *file* may refer to others, and they to it."""
     parameters = {o for _, p, o in file.triples if p == sh("parameter")}
     defined = {
         s
@@ -53,7 +53,7 @@ def links(file: ShapesFile) -> Links:
 
 
 class Units:
-    """What files were compiled to, one by one."""
+    """Files as compiled, one by one."""
 
     def __init__(self, known: Iterable[Unit], code: str, prefixes: Path) -> None:
         """Begin with the *known*; *code* stands for what compiles, *prefixes* are in each unit."""

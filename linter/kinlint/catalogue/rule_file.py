@@ -43,7 +43,7 @@ def stated_rules(file: ShapesFile) -> tuple[Rule, ...]:
 
 
 class _RuleReader:
-    """What *graph* says of the rule *subject* of the file *name*."""
+    """A reader of the rule *subject* of the file *name*, which *graph* describes."""
 
     def __init__(self, graph: ShapesGraph, subject: Term, name: str) -> None:
         self.graph = graph

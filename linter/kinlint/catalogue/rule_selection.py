@@ -1,4 +1,4 @@
-"""What a run asks of its documents: rules, and all that these look at."""
+"""The rules that a run asks of its documents, and all that these look at."""
 
 from __future__ import annotations
 
@@ -17,18 +17,20 @@ from kinlint.rule import Repair, Rule
 
 @dataclass(frozen=True)
 class RuleSelection:
-    """What a run asks of documents of some names and formats.
-
-    `asked` are the rules that speak of any of them, `owners` those by IRI that do of their formats,
-    with these formats; `repairs` are theirs, if they are wanted.
-    """
+    """The rules that apply to documents of some names and formats, with their constraints."""
 
     rulebook: Rulebook
+    """The whole catalogue."""
     policies: Policies
+    """The settings of each file."""
     asked: Sequence[Rule]
+    """The enabled rules."""
     owners: Mapping[str, frozenset[Format]]
+    """Those of `asked` that apply to some document, by IRI, with the formats that they apply to."""
     constraints: Sequence[Constraint]
+    """The constraints of `owners` for these formats."""
     repairs: Sequence[Repair]
+    """The repairs of `owners`, if they are wanted."""
 
     @classmethod
     def for_documents(
@@ -39,7 +41,7 @@ class RuleSelection:
         *,
         repairing: bool,
     ) -> RuleSelection:
-        """What *settings* ask of *documents*, and if *repairing*, for repairs."""
+        """Return the selection by *settings* for *documents*, and if *repairing*, for repairs."""
         policies = Policies(settings, rulebook.rules, formats(documents))
         enabled = policies.enabled(document.source.name for document in documents)
         asked = [

@@ -23,33 +23,34 @@ from kinlint.vocabulary import FACT, SRC
 
 PREFIXES = "prefixes.ttl"
 SHIPPED = Path(__file__).parent / "compiled"
-"""Where a wheel carries the compiled built-in catalogue; a checkout has none."""
+"""The directory of a wheel with the compiled built-in catalogue; a checkout has none."""
 
 ASKED = 2
-"""How many catalogues of a cache, the newest, are asked for units of another set of rules."""
+"""The number of catalogues of a cache, the newest, that are asked for units of another set."""
 CODE = ("rule.py", "terms.py", "vocabulary.py", "facts/fact_kinds.py", "formats/records.py")
 """Modules outside the packages that compile which decide what is compiled, too."""
 OWN = (f"<{SRC}", f"<{FACT}")
-"""How what kinlint itself says of a model begins."""
+"""The beginnings of terms by which kinlint itself describes a model."""
 
 
 @dataclass(frozen=True)
 class Rulebook:
-    """Everything that judges.
-
-    `vocabulary` are the Turtle files that are loaded with the data, `shapes` all files that
-    hold constraints, with the prefixes that their queries use. `digest` stands for all that was
-    compiled; it is empty where nothing does.
-    """
+    """The rules of a run, with all that is compiled of them and of the vocabulary."""
 
     rules: tuple[Rule, ...]
+    """Rules, sorted by code."""
     constraints: tuple[Constraint, ...]
+    """The constraints of all rules and shapes."""
     axioms: tuple[Axiom, ...]
+    """The axioms of the vocabulary, in order of evaluation."""
     vocabulary: tuple[Path, ...]
+    """The Turtle files that are loaded with the data."""
     shapes: tuple[Path, ...]
+    """All files that hold constraints, with the prefixes that their queries use."""
     digest: str = ""
+    """The digest of all that was compiled; empty where nothing was."""
     recalled: bool = field(default=False, compare=False)
-    """Whether nothing had to be compiled."""
+    """Nothing had to be compiled."""
 
     @cached_property
     def terms(self) -> frozenset[Term]:
@@ -77,10 +78,10 @@ class Rulebook:
 def load(
     rules: Sequence[Path] = (), shapes: Sequence[Path] = (), cache: Path | None = None
 ) -> Rulebook:
-    """The built-in catalogue with the rule files below *rules* and the SHACL files *shapes*.
+    """Return the built-in catalogue with the rule files below *rules* and the SHACL files *shapes*.
 
-    What these files say besides is vocabulary too: axioms are compiled with those of the
-    ontology, and everything else is there for queries. Nothing that they import is read.
+    What these files say besides is vocabulary too: axioms are compiled with those of the ontology,
+    and everything else is there for queries. Nothing that they import is read.
 
     *cache* is a directory for compiled catalogues; None keeps none. Files that one of them has
     compiled already are not compiled again. Raises `RuleInvalid`.
@@ -128,7 +129,7 @@ class _Parts(NamedTuple):
     lifting: tuple[Path, ...]
     """Lifting queries."""
     inputs: tuple[Path, ...]
-    """All that decide what the catalogue is."""
+    """All files that decide what the catalogue is."""
 
 
 def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
@@ -145,7 +146,7 @@ def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
 
 
 def built_in() -> tuple[str, int]:
-    """What tells the built-in catalogue from others, and how many rules it has."""
+    """Return the digest of the built-in catalogue, and the number of its rules."""
     parts = _parts((), ())
     return _digest(parts.inputs), len(parts.files)
 
@@ -183,7 +184,7 @@ def _compile(
 
 
 def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> Rule:
-    """A rule that stands for a user's shape, which says nothing of codes and reasons."""
+    """Return a rule that stands for a user's shape, which says nothing of codes and reasons."""
     from kinlint.catalogue.rule_file import SEVERITIES  # noqa: PLC0415
 
     own = [each for each in constraints if each.owner == owner]
@@ -220,7 +221,7 @@ def _rule_files(given: Iterable[Path]) -> Iterator[Path]:
 
 
 def _others(files: Iterable[Path], given: Sequence[Path]) -> Iterator[Path]:
-    """Those *files* that are not *given* as well, by the same path or as a copy."""
+    """Yield those *files* that are not *given* as well, by the same path or as a copy."""
     named = {file.name: file for file in given}
     for file in files:
         twin = named.get(file.name)

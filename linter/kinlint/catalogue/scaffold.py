@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from string import Template
 
 MARK = "TODO:"
-"""What stands where something is to be filled in; no rule is done that has it."""
+"""The mark of what is to be filled in; no rule is done that has it."""
 
 _RULE = Template('''\
 @prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
@@ -66,7 +66,7 @@ EXAMPLES = {
 
 
 def scaffold(name: str, code: str, version: str, form: str) -> str:
-    """The text of a file for the rule *name* with examples in the format *form*."""
+    """Return the text of a file for the rule *name* with examples in the format *form*."""
     formats, example, bad, good = EXAMPLES[form]
     return _RULE.substitute(
         name=name,
@@ -80,7 +80,7 @@ def scaffold(name: str, code: str, version: str, form: str) -> str:
 
 
 def unfilled(text: str) -> Iterator[tuple[int, str]]:
-    """The lines of *text*, counted from one, that wait for being filled in."""
+    """Yield the lines of *text*, counted from one, that wait for being filled in."""
     for number, line in enumerate(text.splitlines(), 1):
         if MARK in line:
             yield number, line.strip()

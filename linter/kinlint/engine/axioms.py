@@ -15,17 +15,18 @@ Pattern = Triple
 
 @dataclass(frozen=True, slots=True)
 class Axiom:
-    """If all patterns of `body` hold, `head` holds.
-
-    `label` says so in words. Axioms are evaluated by ascending `stratum`; those that feed
-    themselves or each other share one and are `recursive`.
-    """
+    """An OWL axiom as a rule: if all patterns of its body hold, its head holds."""
 
     label: str
+    """The axiom in words."""
     body: tuple[Pattern, ...]
+    """The premises."""
     head: Pattern
+    """The conclusion."""
     stratum: int = 0
+    """Axioms are evaluated by ascending strata."""
     recursive: bool = False
+    """It feeds itself, or others of its stratum that feed it."""
 
     @property
     def update(self) -> str:
@@ -33,7 +34,7 @@ class Axiom:
         return insertion(self, INFERRED_GRAPH)
 
     def to_json(self) -> dict[str, Any]:
-        """The axiom in values that JSON can say."""
+        """Return the axiom in values that JSON can say."""
         return {
             "label": self.label,
             "body": [list(pattern) for pattern in self.body],
@@ -44,7 +45,7 @@ class Axiom:
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> Axiom:
-        """The axiom that `to_json` said."""
+        """Return the axiom that `to_json` said."""
         return cls(
             label=value["label"],
             body=tuple((s, p, o) for s, p, o in value["body"]),
@@ -55,7 +56,7 @@ class Axiom:
 
 
 def insertion(axiom: Axiom, into: Term, delta: tuple[int, Term] | None = None) -> str:
-    """The SPARQL update that adds to the graph *into* what *axiom* gives and nobody states.
+    """Return the SPARQL update that adds to the graph *into* what *axiom* gives and nobody states.
 
     With *delta*, a position in the body and a graph, that pattern is matched in that graph only.
     """
@@ -75,19 +76,19 @@ def _text(pattern: Pattern) -> str:
 
 
 def is_variable(term: Term) -> bool:
-    """Whether *term* is a variable of a pattern."""
+    """Tell whether *term* is a variable of a pattern."""
     return term.startswith("?")
 
 
 def unify(pattern: Pattern, other: Pattern) -> bool:
-    """Whether a triple can match both patterns; repeated variables are not compared."""
+    """Tell whether a triple can match both patterns; repeated variables are not compared."""
     return all(
         a == b or is_variable(a) or is_variable(b) for a, b in zip(pattern, other, strict=True)
     )
 
 
 def match(pattern: Pattern, triple: Triple) -> dict[Term, Term] | None:
-    """The variables of *pattern* for which it is *triple*, or None."""
+    """Return the variables of *pattern* for which it is *triple*, or None."""
     bindings: dict[Term, Term] = {}
     for part, term in zip(pattern, triple, strict=True):
         if is_variable(part):
@@ -99,7 +100,7 @@ def match(pattern: Pattern, triple: Triple) -> dict[Term, Term] | None:
 
 
 def instantiate(pattern: Pattern, bindings: Mapping[Term, Term]) -> Pattern:
-    """*pattern* with the variables that *bindings* knows replaced."""
+    """Return *pattern* with the variables that *bindings* knows replaced."""
     subject, predicate, value = pattern
     return (
         bindings.get(subject, subject),
@@ -109,7 +110,7 @@ def instantiate(pattern: Pattern, bindings: Mapping[Term, Term]) -> Pattern:
 
 
 def name(term: Term) -> str:
-    """What people call *term*: the last part of an IRI, the text of a literal."""
+    """Return the label of *term* for people: the last part of an IRI, the text of a literal."""
     if is_literal(term):
         return literal_value(term)
     if is_iri(term):

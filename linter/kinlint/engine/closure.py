@@ -36,7 +36,7 @@ def close(store: Store, axioms: Sequence[Axiom]) -> None:
 
 
 def _feasible(axioms: Sequence[Axiom], presence: Presence) -> Iterator[Axiom]:
-    """Those of *axioms* of which each premise is like something stated, or concluded by others."""
+    """Yield those of *axioms* whose premises all match something stated, or concluded by others."""
     coming: set[Key] = set()
     chosen: set[int] = set()
     grew = True
@@ -56,7 +56,7 @@ def _feasible(axioms: Sequence[Axiom], presence: Presence) -> Iterator[Axiom]:
 
 
 def _key(pattern: Pattern) -> Key:
-    """What of *pattern* a triple that matches it must have: its property, or its class."""
+    """Return the property, or the class, that a triple must have to match *pattern*."""
     _, predicate, value = pattern
     return predicate, value if predicate == RDF_TYPE and not is_variable(value) else None
 

@@ -21,7 +21,7 @@ from kinlint.vocabulary import FACT, QUDT, SRC
 
 COMPUTED, COMPUTED_TOO = "computed from", "computed from the same"
 COMPUTED_ALONE = "computed from the elements"
-"""What stands in place of an axiom: numbers follow, were shown before, or there are none."""
+"""The label in place of an axiom: numbers follow, were shown before, or there are none."""
 
 DERIVED_FROM = iri(f"{FACT}derived-from")
 TYPE_FACTS = frozenset(iri(f"{FACT}{name}") for name in ("excluded-type", "entailed-type"))
@@ -32,14 +32,16 @@ CONTRADICTED = iri(f"{FACT}contradicted")
 UNIT = iri(f"{QUDT}unit")
 FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
 FEW = 3
-"""Of so many sources all numbers are told; of each of more, only one."""
+"""Up to this many sources are shown with all of their numbers; of each of more, one number."""
 
 RESOLVED = f"<{SRC}"
-"""How the properties begin that readers resolve, such as poses in the frame of a body: no file
-states their numbers."""
+"""The beginning of properties that readers resolve, such as poses in the frame of a body.
+
+No file states their numbers.
+"""
 
 NODE = "<urn:kinlint:fact:"
-"""How the names of computed nodes begin."""
+"""The beginning of the names of computed nodes."""
 
 KIND_OF = 3
 """The rank of what a node is, after that of numbers, units and lists."""
@@ -47,17 +49,20 @@ KIND_OF = 3
 MOST_READ = 200
 MOST_ITEMS = 3
 MOST = 12
-"""No more statements are told of one computed triple."""
+"""The number of statements that are shown for one computed triple, at most."""
 
 
 def is_fact(triple: Triple) -> bool:
-    """Whether *triple* is computed: such triples have properties and classes of their own."""
+    """Tell whether *triple* is computed: such triples have properties and classes of their own."""
     space = f"<{FACT}"
     return triple[1].startswith(space) or (triple[1] == RDF_TYPE and triple[2].startswith(space))
 
 
 def sources(store: Store, triple: Triple) -> Sequence[Term]:
-    """The node that a computed triple is about, unless it is itself computed, and its sources."""
+    """Return the node that a computed triple is about, and its sources.
+
+    A node that is itself computed is not among them.
+    """
     subject, _, value = triple
     own = () if subject.startswith(NODE) else (subject,)
     for node in (subject, value):
@@ -67,13 +72,13 @@ def sources(store: Store, triple: Triple) -> Sequence[Term]:
 
 
 def statements(store: Store, nodes: Sequence[Term]) -> Iterator[Triple]:
-    """What is said of *nodes* that numbers are computed from: numbers, lists, units."""
+    """Yield the statements about *nodes* that numbers are computed from: numbers, lists, units."""
     each = MOST if len(nodes) <= FEW else 1
     return islice((triple for node in nodes for triple in _told(store, node, each)), MOST)
 
 
 def items(store: Store, head: Term) -> Sequence[Term]:
-    """The first items of the list at *head*; none if it is no list."""
+    """Return the first items of the list at *head*; none if it is no list."""
     found: list[Term] = []
     for _ in range(MOST_ITEMS):
         if not is_blank(head):
@@ -84,7 +89,7 @@ def items(store: Store, head: Term) -> Sequence[Term]:
 
 
 def _told(store: Store, node: Term, most: int) -> Sequence[Triple]:
-    """At most *most* of these, numbers first; what the node is if there are none."""
+    """Return at most *most* of these, numbers first; what the node is if there are none."""
     ranked = sorted(
         (_rank(store, value, predicate), predicate, value)
         for predicate, value in islice(store.described(node), MOST_READ)

@@ -1,4 +1,4 @@
-"""One SHACL constraint, compiled: what a run needs to check it, as plain JSON values."""
+"""A SHACL constraint, compiled: all that a run needs to check it, as plain JSON values."""
 
 from __future__ import annotations
 
@@ -17,45 +17,55 @@ PLAIN = re.compile(r"<[^<>]*>")
 
 @dataclass(frozen=True, slots=True)
 class Constraint:
-    """A constraint of one shape, reached on one way from a target.
-
-    `owner`, `component` and `severity` are IRIs (`owner` is a blank node label for a blank
-    shape outside a rule); `severity` is its own, or that of the shape; `shape` is the token of the
-    source shape. `path` is the token of the shape's predicate, None for node shapes and longer
-    paths. `messages` are templates with `{?name}`, the one for readers of English first.
-
-    `select` finds every violation at once. It projects `?root` (the target node), `?this` (the
-    focus node: `?root` unless the constraint sits in a property of a property), and, as far
-    as the component says them, `?value`, `?path` and the variables of messages. `single` is the
-    same for one target node: its text has `FOCUS` where the node's token belongs. A blank node
-    cannot be written there.
-
-    `premises` are the triple patterns that hold wherever the constraint is violated, variables
-    with `?`; names that `select` projects mean the same in both. Sequences and inverses are
-    taken apart; a predicate that is any other path is SPARQL text. `targets` are the patterns by
-    one of which the target node was chosen, with classes as if closed; there are none where a shape
-    names its target nodes. `deferred` says why only the reference engine may judge this; then
-    `select` and `single` are empty. `formats` are those of its rule that it looks at, none for all:
-    one that speaks of the text of a format spares what another says of the model. `needs` are the
-    properties and classes that the query looks at, None for any.
-    """
+    """A constraint of one shape, reached on one way from a target."""
 
     owner: str
+    """The IRI of its rule, or of a shape outside rules; of a blank shape, the label."""
     shape: Term
+    """The token of the source shape."""
     component: str
+    """The IRI of its constraint component."""
     severity: str
+    """The IRI of its own severity, or that of the shape."""
     messages: tuple[str, ...] = ()
+    """Templates with `{?name}`, the one for readers of English first."""
     path: Term | None = None
+    """The predicate of the shape; None for node shapes and longer paths."""
     select: str = ""
+    """The query for every violation at once.
+
+    It projects `?root` (the target node), `?this` (the focus node: `?root` unless the constraint
+    sits in a property of a property), and, as far as the component has them, `?value`, `?path` and
+    the variables of messages.
+    """
     single: str = ""
+    """The same query for one target node.
+
+    Its text has `FOCUS` where the token of the node belongs; a blank node cannot be written there.
+    """
     premises: tuple[Triple, ...] = ()
+    """The triple patterns that hold wherever the constraint is violated.
+
+    Variables have `?`; names that `select` projects mean the same in both. Sequences and inverses
+    are taken apart; a predicate that is any other path is SPARQL text.
+    """
     targets: tuple[Triple, ...] = ()
+    """The patterns by one of which the target node was chosen.
+
+    Classes are as if closed; there are none where a shape names its target nodes.
+    """
     deferred: str | None = None
+    """The reason why only the reference engine may judge this, and there are no queries."""
     formats: tuple[str, ...] = ()
+    """The formats of its rule that it looks at, none for all.
+
+    A constraint that speaks of the text of a format spares what another says of the model.
+    """
     needs: tuple[Term, ...] | None = None
+    """The properties and classes that the query looks at, None for any."""
 
     def to_json(self) -> dict[str, Any]:
-        """The constraint as JSON values; what has its default is left out."""
+        """Return the constraint as JSON values; what has its default is left out."""
         values = asdict(self)
         needs = {"needs": values.pop("needs")} if self.needs is not None else {}
         return needs | {
@@ -64,7 +74,7 @@ class Constraint:
 
     @classmethod
     def from_json(cls, values: dict[str, Any]) -> Constraint:
-        """The constraint that `to_json` wrote."""
+        """Return the constraint that `to_json` wrote."""
         return cls(
             **{
                 **values,

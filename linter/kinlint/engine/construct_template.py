@@ -1,4 +1,4 @@
-"""The part of a CONSTRUCT query that makes what a run needs."""
+"""The triples of a CONSTRUCT template, and the part of a query that makes the needed ones."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from kinlint.terms import RDF_TYPE, Term
 
 
 class Made(NamedTuple):
-    """One triple of a template; an object that is a list is one term, `( ?x ?y )`."""
+    """A triple of a template; an object that is a list is one term, `( ?x ?y )`."""
 
     subject: str
     predicate: str

@@ -1,4 +1,4 @@
-"""How the values that a lifting query makes come about, read off the query.
+"""Derivations of the values that a lifting query makes, read off the query.
 
 The object of a template triple is bound by a pattern of the WHERE, `?limit at:lower ?lower`, or
 worked out from such variables by BIND. Both are known before anything is read.
@@ -27,7 +27,7 @@ _ELEMENTS = tuple(f"<{each}" for each in ELEMENTS)
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """What a pattern binds."""
+    """A value that a pattern binds."""
 
     element: str
     """The variable for the node that has the value."""
@@ -64,7 +64,7 @@ class Negation:
 
 @dataclass(frozen=True, slots=True)
 class Combination:
-    """What is worked out from all of its parts, in a way that is not looked into."""
+    """A value worked out from all of its parts, in a way that is not analysed."""
 
     parts: tuple[Derivation, ...] = ()
 
@@ -79,12 +79,12 @@ class Stated:
 
     made: Made
     members: tuple[Derivation, ...]
-    """How the object comes about, or each member of a list."""
+    """The derivation of the object, or of each member of a list."""
 
 
 @dataclass
 class Derivations:
-    """How the values of one lifting query come about."""
+    """The derivations of the values of one lifting query."""
 
     lifting: Lifting
     probes: dict[str, str] = field(default_factory=dict)

@@ -13,21 +13,21 @@ from kinlint.terms import Term, is_blank, is_iri, literal_value
 
 
 class Queryable(Lookup, Protocol):
-    """What answers SELECT queries with tokens, such as `kinlint.engine.store.Store`."""
+    """A store that answers SELECT queries with tokens, such as `kinlint.engine.store.Store`."""
 
     def rows(self, text: str) -> Iterator[dict[str, Term]]:
-        """The solutions of a query: the tokens of bound variables by name."""
+        """Yield the solutions of a query: the tokens of bound variables by name."""
         ...
 
 
 def check(
     store: Queryable, constraints: Iterable[Constraint], focus: Term | None = None
 ) -> Iterator[Result]:
-    """The violations of *constraints*; deferred ones are passed over.
+    """Yield the violations of *constraints*; deferred ones are passed over.
 
-    With a *focus*, only those of that target node and of what is reached from it. That takes
-    about a millisecond a constraint at any size of the model, unless *focus* is a blank node,
-    which no query can name: then everything is checked and the rest dropped.
+    With a *focus*, only those of that target node and of what is reached from it. That takes about
+    a millisecond a constraint at any size of the model, unless *focus* is a blank node, which no
+    query can name: then everything is checked and the rest dropped.
     """
     by_name = focus is not None and not is_blank(focus)
     presence = Presence(store)
@@ -44,12 +44,12 @@ def check(
 
 
 def rows(store: Queryable, constraint: Constraint) -> list[dict[str, Term]]:
-    """All violations of *constraint* as its query has them, sorted."""
+    """Return all violations of *constraint* as its query has them, sorted."""
     return sorted(store.rows(constraint.select), key=rank, reverse=True)
 
 
 def result(constraint: Constraint, row: Mapping[str, Term]) -> Result:
-    """The violation of *constraint* that its query has a *row* for."""
+    """Return the violation of *constraint* that its query has a *row* for."""
     path = row.get("path")
     return Result(
         constraint=constraint,

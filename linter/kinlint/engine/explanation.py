@@ -30,20 +30,21 @@ CHOSEN = frozenset({"?k_c", "?k_t"})
 
 
 class Step(NamedTuple):
-    """A triple of a proof, in the store's spelling, followed by its premises one level deeper.
-
-    `axiom` says by which axiom it follows, or that it was computed; it is empty for what is stated.
-    """
+    """A triple of a proof, in the store's spelling, followed by its premises one level deeper."""
 
     triple: Triple
+    """The triple that holds."""
     axiom: str = ""
+    """The axiom by which it follows, or that it was computed; empty for what is stated."""
     depth: int = 0
+    """0 for the triple that is proved, one more for each inference in between."""
 
 
 def explain(store: Store, axioms: Sequence[Axiom], triple: Triple) -> tuple[Step, ...]:
-    """A proof of *triple* with the fewest levels, down to what documents or vocabulary state.
+    """Return a proof of *triple* with the fewest levels, down to statements of documents.
 
-    Empty if the triple does not hold. A triple whose proof is deeper than `DEEPEST` stands alone.
+    Statements of the vocabulary end it as well. Empty if the triple does not hold. A triple whose
+    proof is deeper than `DEEPEST` is returned alone.
     """
     goal = (triple[0], triple[1], normal(triple[2]))
     if not store.holds(goal):
@@ -58,10 +59,10 @@ def explain(store: Store, axioms: Sequence[Axiom], triple: Triple) -> tuple[Step
 def premises_of(
     store: Store, constraint: Constraint, result: Result
 ) -> tuple[tuple[Triple, bool], ...]:
-    """The triples that *constraint* matched for *result*, each with whether it was inferred.
+    """Return the triples that *constraint* matched for *result*, each with whether it was inferred.
 
-    The first is the one by which the target was chosen. If they do not hold together (an author
-    may bind a variable to something computed), those that hold by themselves.
+    The first is the one by which the target was chosen. If they do not hold together (an author may
+    bind a variable to something computed), those that hold by themselves.
     """
     known = {f"?{name}": term for name, term in result.bindings.items()}
     known["?this"] = result.focus
@@ -79,7 +80,7 @@ def premises_of(
 
 
 def _ways(triple: Pattern) -> tuple[Pattern, ...]:
-    """*triple*, or the triples one of which holds where its path has alternatives."""
+    """Return *triple*, or the triples one of which holds where its path has alternatives."""
     subject, path, value = triple
     return tuple((subject, each, value) for each in path.split("|") if PLAIN.fullmatch(each))
 
@@ -87,10 +88,10 @@ def _ways(triple: Pattern) -> tuple[Pattern, ...]:
 def because(
     store: Store, axioms: Sequence[Axiom], constraint: Constraint, result: Result
 ) -> tuple[Step, ...]:
-    """What *result* rests on: each triple matched at depth 0, inferred ones with their proof.
+    """Return the triples that *result* rests on, at depth 0, inferred ones with their proof.
 
-    Computed ones are followed by what they were computed from, the first time it is the same;
-    what was computed of a class stands for being of that class.
+    Computed ones are followed by what they were computed from, the first time it is the same; what
+    was computed of a class stands for being of that class.
     """
     steps: list[Step] = []
     for matched, _ in premises_of(store, constraint, result):
@@ -119,7 +120,7 @@ class _Search:
         self.failed: dict[Triple, int] = {}
 
     def proof(self, goal: Triple, levels: int) -> tuple[Step, ...]:
-        """A proof of at most *levels* inferences; empty if there is none."""
+        """Return a proof of at most *levels* inferences; empty if there is none."""
         if not self.store.is_inferred(goal):
             return (Step(goal),)
         if levels <= self.failed.get(goal, 0):
@@ -149,7 +150,7 @@ class _Search:
 def _solutions(
     store: Store, patterns: Sequence[Pattern], known: dict[Term, Term]
 ) -> Iterator[dict[Term, Term]]:
-    """The ways to match all *patterns* that agree with *known*, which is part of each, sorted."""
+    """Yield the sorted matches of all *patterns*, each with *known* as a part."""
     used = {term for pattern in patterns for term in pattern if is_variable(term)}
     text = f"SELECT * WHERE {{ {' '.join(' '.join(pattern) + ' .' for pattern in patterns)} }}"
     # Substituted, not written into the text: that could name neither blank nodes nor odd IRIs.

@@ -30,7 +30,7 @@ class Expressions:
         self.schema = schema
 
     def implication(self, part: Term, whole: Term) -> Iterator[Axiom]:
-        """What follows if every *part* is a *whole*."""
+        """Yield the axioms by which every *part* is a *whole*."""
         for condition in self.conditions(part, "?x", count(1)):
             if is_iri(part):
                 yield from self.conclusions(whole, "?x", condition.body, f"every {name(part)}")
@@ -39,7 +39,7 @@ class Expressions:
                 yield from self.conclusions(whole, "?x", condition.body, subject)
 
     def definition(self, defined: Term) -> Iterator[Axiom]:
-        """What follows if *defined* is a name for the expression it bears itself."""
+        """Yield the axioms of *defined*, a name for the class expression that it has itself."""
         member = (("?x", RDF_TYPE, defined),)
         yield from self._drawn(defined, "?x", member, f"every {name(defined)}")
         for condition in self._met(defined, "?x", count(1)):
@@ -48,7 +48,7 @@ class Expressions:
             )
 
     def conditions(self, kind: Term, of: Term, fresh: Iterator[int]) -> Iterator[Condition]:
-        """The alternative ways in which *of* is recognised as a member of *kind*."""
+        """Yield the alternative ways in which *of* is recognised as a member of *kind*."""
         if is_iri(kind):
             if kind not in (THING, NOTHING) and not self.schema.is_datatype(kind):
                 yield Condition(((of, RDF_TYPE, kind),), f"is {article(name(kind))}")
@@ -56,7 +56,7 @@ class Expressions:
             yield from self._met(kind, of, fresh)
 
     def _met(self, kind: Term, of: Term, fresh: Iterator[int]) -> Iterator[Condition]:
-        """The conditions of the expression that the node *kind* bears."""
+        """Yield the conditions of the expression that the node *kind* bears."""
         for items in self._get(kind, "unionOf"):
             for member in self.schema.list(items):
                 yield from self.conditions(member, of, fresh)
@@ -72,7 +72,7 @@ class Expressions:
     def _restricted(
         self, kind: Term, relation: Term, of: Term, fresh: Iterator[int]
     ) -> Iterator[Condition]:
-        """The conditions of the restriction *kind* of *relation*."""
+        """Yield the conditions of the restriction *kind* of *relation*."""
         said = self.schema.phrase(relation)
         for value in self._get(kind, "hasValue"):
             yield Condition((self.schema.arc(relation, of, value),), f"has {name(value)} as {said}")
@@ -91,7 +91,7 @@ class Expressions:
     def conclusions(
         self, kind: Term, of: Term, body: tuple[Pattern, ...], subject: str
     ) -> Iterator[Axiom]:
-        """What follows if *of* is a member of *kind* whenever *body* holds."""
+        """Yield the axioms by which *of* is a member of *kind* whenever *body* holds."""
         if not is_iri(kind):
             yield from self._drawn(kind, of, body, subject)
         elif kind == NOTHING:
@@ -102,7 +102,7 @@ class Expressions:
     def _drawn(
         self, kind: Term, of: Term, body: tuple[Pattern, ...], subject: str
     ) -> Iterator[Axiom]:
-        """The conclusions from the expression that the node *kind* bears."""
+        """Yield the conclusions from the expression that the node *kind* bears."""
         for items in self._get(kind, "intersectionOf"):
             for member in self.schema.list(items):
                 yield from self.conclusions(member, of, body, subject)
@@ -122,7 +122,7 @@ class Expressions:
 
 
 def _one(subject: str) -> str:
-    """The subject of a sentence about all as one of them: `every Joint` as `a Joint`."""
+    """Return the subject of a sentence about all as one of them: `every Joint` as `a Joint`."""
     if subject.startswith("every "):
         return article(subject.removeprefix("every "))
     return subject.replace("whatever", "something that", 1)

@@ -71,7 +71,7 @@ class Lifting:
         return group
 
     def serves(self, wanted: Collection[Term]) -> bool:
-        """Whether it makes something of what is *wanted*."""
+        """Tell whether the query makes anything that is *wanted*."""
         return self.name in FOUNDATION or not self.makes.isdisjoint(wanted)
 
     def update(self, wanted: Collection[Term] | None = None) -> str:
@@ -144,7 +144,7 @@ def lift(
 
 
 def asked(formats: Iterable[Format], wanted: Collection[Term] | None = None) -> Iterator[Lifting]:
-    """Yield the queries for *formats* that make something *wanted*; all if nothing says what is."""
+    """Yield the queries for *formats* that make something *wanted*; all if that is None."""
     present = {each.lifted_as for each in formats}
     for form in LIFTED:
         if form.name in present:

@@ -1,4 +1,4 @@
-"""How a document spells the literals that a store gives back in its own way."""
+"""Spellings of literals in documents, of which a store gives back its own canonical form."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ class Spelling:
         self._by_property: dict[Term, Mapping[Term, Sequence[Term]]] = {}
 
     def as_written(self, triple: Triple) -> Triple | None:
-        """The triple that the document has a place for and that says the same, if there is one."""
+        """Return the triple that the document writes for *triple*.
+
+        None if it has no place for any.
+        """
         if triple in self.document.map.triples:
             return triple
         subject, predicate, value = triple
@@ -34,7 +37,7 @@ class Spelling:
         return None if same is None else (subject, predicate, same)
 
     def _normals(self, subject: Term, predicate: Term) -> dict[Term, Term]:
-        """What is written of a property of a node, by what a store makes of it."""
+        """Return the literals of a property of a node as written, by their form in a store."""
         key = (subject, predicate)
         if key not in self._known:
             written = self._literals(predicate).get(subject, ())
@@ -42,7 +45,7 @@ class Spelling:
         return self._known[key]
 
     def _literals(self, predicate: Term) -> Mapping[Term, Sequence[Term]]:
-        """The literals of a property that the document has places for, by subject."""
+        """Return the literals of a property that the document has places for, by subject."""
         if predicate not in self._by_property:
             index: dict[Term, list[Term]] = {}
             for triple in self.document.saying(predicate):
@@ -53,14 +56,14 @@ class Spelling:
 
 
 class Spellings:
-    """Which of some documents, by their graphs, say a triple, each with its own spelling."""
+    """The documents, by graph, that state a triple, each with its own spelling."""
 
     def __init__(self, documents: Mapping[Term, Document]) -> None:
         self.documents = documents
         self._known: dict[Term, Spelling] = {}
 
     def written(self, triple: Triple) -> Iterator[tuple[Document, Triple]]:
-        """The documents that say *triple*, as they spell it."""
+        """Yield the documents that say *triple*, as they spell it."""
         for document in self._speaking(triple[0]):
             if document.graph not in self._known:
                 self._known[document.graph] = Spelling(document)
@@ -69,7 +72,10 @@ class Spellings:
                 yield document, spelled
 
     def _speaking(self, subject: Term) -> Sequence[Document]:
-        """The documents that may say something of *subject*: of elements and blank nodes, one."""
+        """Return the documents that may state something of *subject*.
+
+        One for elements and blank nodes.
+        """
         own = self.documents.get(document_of(subject))
         if own is not None:
             return (own,)
@@ -92,13 +98,13 @@ class Spellings:
 
 
 def _is_exact(value: Term) -> bool:
-    """Whether stores keep the spelling: IRIs, blank nodes and plain strings."""
+    """Tell whether stores keep the spelling: IRIs, blank nodes and plain strings."""
     return value[0] != '"' or value[-1] == '"'
 
 
 @lru_cache(maxsize=4096)
 def normal(value: Term) -> Term:
-    """*value* as Oxigraph gives it back."""
+    """Return *value* as Oxigraph gives it back."""
     if _is_exact(value):
         return value
     scratch = ox.Store()
@@ -107,6 +113,6 @@ def normal(value: Term) -> Term:
 
 
 def component(property_: Term) -> tuple[str, int]:
-    """Sorts properties of the numbers of one attribute by these, the last one first."""
+    """Return a sort key for properties of the numbers of one attribute: the last one first."""
     stem, _, number = property_[:-1].rpartition("-")
     return (stem, -int(number)) if number.isdecimal() else (property_, 0)

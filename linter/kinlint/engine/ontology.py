@@ -17,15 +17,15 @@ DEFINITIONS = ("intersectionOf", "unionOf", "onProperty")
 
 
 def compile_axioms(files: Iterable[Path]) -> tuple[Axiom, ...]:
-    """The axioms of ontology *files* that conclude triples, in order of evaluation.
+    """Return the axioms of ontology *files* that conclude triples, in order of evaluation.
 
     Read are, by OWL 2 Profiles 4.3: cax-sco, cax-eqc, prp-spo1, prp-spo2, prp-eqp, prp-dom,
     prp-rng, prp-inv, prp-symp, prp-trp, cls-int, cls-uni, cls-svf, cls-avf and cls-hv, with class
     expressions nested to any depth and no membership in anonymous classes. Nothing is concluded
     about equality, datatypes or the schema itself, and disjointness is left to rules.
 
-    Raises `RuleInvalid` for a file that is no Turtle and for property chains without the order
-    that `check_regular` asks of them.
+    Raises `RuleInvalid` for a file that is no Turtle and for property chains without the order that
+    `check_regular` asks of them.
     """
     schema = Schema.read(files)
     check_regular(schema)
@@ -37,7 +37,7 @@ def compile_axioms(files: Iterable[Path]) -> tuple[Axiom, ...]:
 
 
 def _properties(schema: Schema) -> Iterator[Axiom]:
-    """What follows from a relation between two things about others."""
+    """Yield the axioms by which a relation between two things implies other relations."""
     for part, whole in schema.pairs(f"<{RDFS}subPropertyOf>"):
         yield _renamed(schema, part, whole, f"{schema.phrase(part)} implies {name(whole)}")
     for one, other in schema.pairs(f"<{OWL}equivalentProperty>"):
@@ -64,7 +64,7 @@ def _properties(schema: Schema) -> Iterator[Axiom]:
 
 
 def _typings(schema: Schema) -> Iterator[Axiom]:
-    """What follows from a relation between two things about their classes."""
+    """Yield the axioms by which a relation between two things implies their classes."""
     expressions = Expressions(schema)
     for each, kind in schema.pairs(f"<{RDFS}domain>"):
         label = f"whatever has {name(each)}"
@@ -75,7 +75,7 @@ def _typings(schema: Schema) -> Iterator[Axiom]:
 
 
 def _classes(schema: Schema) -> Iterator[Axiom]:
-    """What follows from membership in a class."""
+    """Yield the axioms by which membership in a class implies others."""
     expressions = Expressions(schema)
     for part, whole in schema.pairs(f"<{RDFS}subClassOf>"):
         yield from expressions.implication(part, whole)

@@ -18,7 +18,7 @@ DATATYPES = (f"<{XSD}", f"<{RDFS}Literal>", f"<{RDF}langString>", f"<{RDF}PlainL
 
 
 class Schema:
-    """What an ontology states, asked by predicate."""
+    """The statements of an ontology, indexed by predicate."""
 
     def __init__(self, triples: Iterable[Triple]) -> None:
         self.triples = tuple(triples)
@@ -28,7 +28,7 @@ class Schema:
 
     @classmethod
     def read(cls, files: Iterable[Path]) -> Schema:
-        """The schema in Turtle *files*; `RuleInvalid` if one is no Turtle."""
+        """Return the schema in Turtle *files*; `RuleInvalid` if one is no Turtle."""
         triples: list[Triple] = []
         for file in files:
             try:
@@ -45,19 +45,19 @@ class Schema:
         return cls(triples)
 
     def pairs(self, predicate: Term) -> list[tuple[Term, Term]]:
-        """The subjects and objects that *predicate* relates."""
+        """Return the subjects and objects that *predicate* relates."""
         return self._pairs.get(predicate, [])
 
     def objects(self, subject: Term, predicate: Term) -> list[Term]:
-        """What *subject* has as *predicate*."""
+        """Return the values of *predicate* for *subject*."""
         return [value for each, value in self.pairs(predicate) if each == subject]
 
     def instances(self, kind: Term) -> list[Term]:
-        """The subjects of type *kind*."""
+        """Return the subjects of type *kind*."""
         return [each for each, value in self.pairs(RDF_TYPE) if value == kind]
 
     def list(self, node: Term) -> tuple[Term, ...]:
-        """The members of the RDF list that begins at *node*."""
+        """Return the members of the RDF list that begins at *node*."""
         members: list[Term] = []
         while first := self.objects(node, f"<{RDF}first>"):
             members.append(first[0])
@@ -65,18 +65,18 @@ class Schema:
         return tuple(members)
 
     def is_datatype(self, kind: Term) -> bool:
-        """Whether members of *kind* are literals."""
+        """Tell whether members of *kind* are literals."""
         return kind.startswith(DATATYPES) or kind in self.instances(f"<{RDFS}Datatype>")
 
     def arc(self, relation: Term, start: Term, end: Term) -> Pattern:
-        """*start* has *end* as *relation*, which may be an anonymous inverse."""
+        """Return *start* has *end* as *relation*, which may be an anonymous inverse."""
         if relation.startswith("_:"):
             for inverse in self.objects(relation, INVERSE):
                 return end, inverse, start
         return start, relation, end
 
     def phrase(self, relation: Term) -> str:
-        """*relation* in words."""
+        """Return *relation* in words."""
         if relation.startswith("_:"):
             return "inverse of " + " or ".join(map(name, self.objects(relation, INVERSE)))
         return name(relation)

@@ -1,4 +1,4 @@
-"""Where lifted values are written: which attribute or text of which element.
+"""Provenance of lifted values: the attribute or text of the element where they are written.
 
 Nothing is kept while lifting. A query whose values somebody asks for is asked once more for what
 its derivations read (`kinlint.engine.derivation`), and answers for all that it made.
@@ -39,7 +39,7 @@ from kinlint.vocabulary import ATTRIBUTE, KINLINT, SRC
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 TEXT = f"{SRC}text"
 WORKED_OUT = "lifting/worked-out.tsv"
-"""Where below shapes/ stands what readers work out, and from what."""
+"""The table, below shapes/, of what readers work out, and from what."""
 
 Row: TypeAlias = Mapping[str, Term]
 """A solution: terms by variables, these with `?`."""
@@ -54,7 +54,7 @@ class Written(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """What a lifted value was made of."""
+    """The origin of a lifted value."""
 
     written: tuple[Written, ...] = ()
     """The triples of documents that the value follows from; none for a default."""

@@ -14,15 +14,15 @@ COMPUTED = f"<{FACT}"
 
 
 class Lookup(Protocol):
-    """What finds triples by predicate and object, such as `kinlint.engine.store.Store`."""
+    """A store that finds triples by predicate and object, such as `kinlint.engine.store.Store`."""
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
-        """What has *predicate*, with *value* if one is given."""
+        """Yield the subjects of *predicate*, with *value* if one is given."""
         ...
 
 
 class Presence:
-    """What a store holds, asked once for each pair of predicate and object.
+    """The predicates and objects that a store has, each pair looked up once.
 
     It may yet come to hold what has properties, or is of classes, among those that are *coming*,
     and anything computed.
@@ -43,7 +43,7 @@ class Presence:
                 self._below.clear()
 
     def may_violate(self, constraint: Constraint) -> bool:
-        """Whether something may be a target of *constraint*, and each premise matches something.
+        """Tell whether anything may be a target of *constraint*, and each premise match something.
 
         Each is looked up by itself, whatever the others match.
         """
@@ -66,7 +66,7 @@ class Presence:
         return any(self.matches(step, value if is_iri(value) else None) for step in steps)
 
     def _narrower(self, kind: Term) -> tuple[Term, ...]:
-        """*kind* and all its subclasses."""
+        """Return *kind* and all its subclasses."""
         if kind not in self._below:
             self._below[kind] = tuple(self._subclasses(kind))
         return self._below[kind]
@@ -80,7 +80,7 @@ class Presence:
             waiting += found
 
     def matches(self, predicate: Term, value: Term | None) -> bool:
-        """Whether anything has *predicate*, with *value* if one is given."""
+        """Tell whether anything has *predicate*, with *value* if one is given."""
         if predicate.startswith("?"):
             return True
         key = predicate, value

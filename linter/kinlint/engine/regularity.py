@@ -42,7 +42,7 @@ def check_regular(schema: Schema) -> None:
 
 
 def _inner(chain: tuple[Term, ...], whole: Term) -> tuple[Term, ...]:
-    """The members of *chain* that must come before *whole*."""
+    """Return the members of *chain* that must come before *whole*."""
     if chain == (whole, whole):
         return ()
     if chain[:1] == (whole,):
@@ -51,7 +51,7 @@ def _inner(chain: tuple[Term, ...], whole: Term) -> tuple[Term, ...]:
 
 
 def _plain(schema: Schema, relation: Term) -> Term:
-    """*relation*, or what it is the anonymous inverse of."""
+    """Return *relation*, or what it is the anonymous inverse of."""
     if relation.startswith("_:"):
         return next(iter(schema.objects(relation, INVERSE)), relation)
     return relation

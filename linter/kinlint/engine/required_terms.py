@@ -1,4 +1,4 @@
-"""Which terms the constraints of a run look at, and which axioms can make those."""
+"""The terms that the constraints of a run look at, and the axioms that can make those."""
 
 from __future__ import annotations
 
@@ -117,13 +117,13 @@ def _named(pattern: Triple) -> set[Term]:
 
 
 def relevant(axioms: Sequence[Axiom], wanted: frozenset[Term]) -> tuple[Axiom, ...]:
-    """Those of *axioms* from which a statement with one of the *wanted* terms may follow."""
+    """Return those of *axioms* from which a statement with one of the *wanted* terms may follow."""
     needed = behind(axioms, wanted)
     return tuple(axiom for axiom in axioms if _head(axiom) in needed)
 
 
 def behind(axioms: Sequence[Axiom], wanted: Iterable[Term]) -> frozenset[Term]:
-    """The *wanted* terms, and those from which they follow by *axioms*."""
+    """Return the *wanted* terms, and those from which they follow by *axioms*."""
     bodies: dict[Term, set[Term]] = {}
     for axiom in axioms:
         body = bodies.setdefault(_head(axiom), set())
@@ -137,7 +137,7 @@ def behind(axioms: Sequence[Axiom], wanted: Iterable[Term]) -> frozenset[Term]:
 
 
 def made(axioms: Iterable[Axiom]) -> frozenset[Term]:
-    """The properties and classes of what *axioms* conclude."""
+    """Return the properties and classes of what *axioms* conclude."""
     return frozenset(map(_head, axioms))
 
 

@@ -27,7 +27,7 @@ CHUNK = 20_000
 
 
 def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
-    """The N-Triples token of a term of the store, spelled as `kinlint.terms` spells it."""
+    """Return the N-Triples token of a term of the store, spelled as `kinlint.terms` spells it."""
     text = str(term)
     if "\\u" in text and isinstance(term, ox.Literal):
         return literal(term.value, term.datatype.value, term.language or "")
@@ -35,7 +35,7 @@ def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
 
 
 def statement(triple: Triple) -> ox.Quad:
-    """A triple of tokens as terms of the store, in its default graph.
+    """Return a triple of tokens as terms of the store, in its default graph.
 
     Raises `ValueError` for tokens that no RDF store accepts, such as a malformed language tag.
     """
@@ -48,25 +48,25 @@ def statement(triple: Triple) -> ox.Quad:
 
 
 def rank(solution: Mapping[str, Term]) -> tuple[tuple[str, Term], ...]:
-    """What solutions of one query are sorted by: stores have no order that lasts."""
+    """Return the sort key of solutions of one query: stores have no order that lasts."""
     return tuple(sorted(solution.items()))
 
 
 def _address(term: Term) -> tuple[str, Term]:
-    """Sorts what is named by where it is, such as an element before those within."""
+    """Return a sort key by place: an element comes before those within it."""
     return term[:-1], term
 
 
 class Store:
-    """What all documents of a run say, with the vocabulary and what follows from both.
+    """All statements of the documents of a run and the vocabulary, with what follows from both.
 
-    There are four named graphs, asserted, lifted, inferred and computed, which share no
-    triple. One for each document would not do: Oxigraph's union of graphs repeats a triple that
-    two of them hold, and with it solutions and counts.
+    There are four named graphs, asserted, lifted, inferred and computed, which share no triple. One
+    for each document would not do: Oxigraph's union of graphs repeats a triple that two of them
+    hold, and with it solutions and counts.
 
-    Blank node labels of documents are kept, so documents must not share them. Literals come
-    back in Oxigraph's spelling, which for typed ones may differ from the document's: `written`
-    finds the way back.
+    Blank node labels of documents are kept, so documents must not share them. Literals come back in
+    Oxigraph's spelling, which for typed ones may differ from the document's: `written` finds the
+    way back.
     """
 
     def __init__(self) -> None:
@@ -131,7 +131,7 @@ class Store:
             self.vocabulary.append(file)
 
     def clear(self, document: Document) -> None:
-        """Forget what *document* says, and with it all that was inferred."""
+        """Remove the statements of *document*, and with them all that was inferred."""
         self.documents.pop(document.graph, None)
         documents, vocabulary = tuple(self.documents.values()), tuple(self.vocabulary)
         self.oxigraph = ox.Store()
@@ -151,11 +151,11 @@ class Store:
         substitutions: Mapping[str, Term] | None = None,
         functions: Mapping[ox.NamedNode, Function] | None = None,
     ) -> ox.QuerySolutions | ox.QueryBoolean | ox.QueryTriples:
-        """The answer of the store to a query over the union of all graphs.
+        """Return the answer of the store to a query over the union of all graphs.
 
-        *substitutions* gives terms to variables (named without `?`), which the query must
-        project, before evaluation. This is not SHACL's pre-binding: `BOUND`, sub-selects and
-        aggregates see it differently. *functions* are there beside those of SPARQL.
+        *substitutions* gives terms to variables (named without `?`), which the query must project,
+        before evaluation. This is not SHACL's pre-binding: `BOUND`, sub-selects and aggregates see
+        it differently. *functions* are there beside those of SPARQL.
         """
         return self.oxigraph.query(
             text,
@@ -170,7 +170,7 @@ class Store:
         substitutions: Mapping[str, Term] | None = None,
         functions: Mapping[ox.NamedNode, Function] | None = None,
     ) -> Iterator[dict[str, Term]]:
-        """The solutions of a SELECT, each with the tokens of its bound variables."""
+        """Yield the solutions of a SELECT, each with the tokens of its bound variables."""
         solutions = self.query(text, substitutions, functions)
         assert isinstance(solutions, ox.QuerySolutions)
         names = [variable.value for variable in solutions.variables]
@@ -187,19 +187,19 @@ class Store:
         self._extend(tuple(facts), FACTS_GRAPH)
 
     def lifted(self) -> Iterator[Triple]:
-        """What the lifting queries made."""
+        """Yield the triples that lifting queries made."""
         return self._statements(LIFTED_GRAPH)
 
     def facts(self) -> Iterator[Triple]:
-        """What was computed."""
+        """Yield the computed triples."""
         return self._statements(FACTS_GRAPH)
 
     def inferred(self) -> Iterator[Triple]:
-        """What was inferred."""
+        """Yield the inferred triples."""
         return self._statements(INFERRED_GRAPH)
 
     def infers(self, predicate: Term | None, value: Term | None = None) -> bool:
-        """Whether something of *predicate* was inferred; None is any.
+        """Tell whether something of *predicate* was inferred; None is any.
 
         Of types, only whether *value* was, if it is given.
         """
@@ -214,24 +214,24 @@ class Store:
             yield token(quad.subject), token(quad.predicate), token(quad.object)
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
-        """What has *predicate*, with *value* if one is given; from no graph in particular."""
+        """Yield the subjects of *predicate*, with *value* if one is given, in any graph."""
         quad = statement(("<any:>", predicate, value or "<any:>"))
         given = quad.object if value else None
         for found in self.oxigraph.quads_for_pattern(None, quad.predicate, given, None):
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
-        """The values of *predicate*, whoever says so, sorted."""
+        """Yield the values of *predicate* in all graphs, sorted."""
         given = statement((subject, predicate, "<any:>"))
         quads = self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None)
         yield from sorted((token(quad.object) for quad in quads), key=_address)
 
     def predicate_objects(self, subject: Term) -> Iterator[tuple[Term, Term]]:
-        """What documents and vocabulary say of *subject*, sorted by property."""
+        """Yield the asserted properties and values of *subject*, sorted by property."""
         yield from self._said(subject, ASSERTED_GRAPH)
 
     def described(self, subject: Term) -> Iterator[tuple[Term, Term]]:
-        """What documents and vocabulary say of *subject*, and what was lifted, by property."""
+        """Yield the asserted and lifted properties and values of *subject*, by property."""
         for name in (ASSERTED_GRAPH, LIFTED_GRAPH):
             yield from self._said(subject, name)
 
@@ -242,19 +242,19 @@ class Store:
         return sorted(said, key=lambda pair: (pair[0], *_address(pair[1])))
 
     def holds(self, triple: Triple) -> bool:
-        """Whether *triple* is asserted or inferred."""
+        """Tell whether *triple* is asserted or inferred."""
         return self._graph(triple) is not None
 
     def says(self, triple: Triple) -> bool:
-        """Whether *triple* is asserted, or was made of what is."""
+        """Tell whether *triple* is asserted, or was made of what is."""
         return self._graph(triple) in (ASSERTED_GRAPH, LIFTED_GRAPH)
 
     def is_lifted(self, triple: Triple) -> bool:
-        """Whether *triple* was made of what an XML format says."""
+        """Tell whether *triple* was lifted from an XML format."""
         return self._graph(triple) == LIFTED_GRAPH
 
     def is_inferred(self, triple: Triple) -> bool:
-        """Whether *triple* was inferred, which what is asserted never is."""
+        """Tell whether *triple* was inferred, which what is asserted never is."""
         return self._graph(triple) == INFERRED_GRAPH
 
     def _graph(self, triple: Triple) -> Term | None:
@@ -268,16 +268,16 @@ class Store:
     def written(
         self, subject: Term, predicate: Term | None, value: Term
     ) -> Iterator[tuple[Document, Triple]]:
-        """The documents that say *subject* *predicate* *value*, each with its own spelling.
+        """Yield the documents that say *subject* *predicate* *value*, each with its own spelling.
 
-        The triples are keys of `document.map.triples`. No *predicate* means any. Triples that
-        were inferred or stand in the vocabulary are written nowhere.
+        The triples are keys of `document.map.triples`. No *predicate* means any. Triples that were
+        inferred or stand in the vocabulary are written nowhere.
         """
         for each in (predicate,) if predicate else self._between(subject, value):
             yield from self._spellings.written((subject, each, value))
 
     def _between(self, subject: Term, value: Term) -> list[Term]:
-        """The properties that *subject* has *value* for."""
+        """Return the properties that *subject* has *value* for."""
         try:
             quad = statement((subject, "<any:>", value))
         except ValueError:
@@ -286,7 +286,7 @@ class Store:
         return sorted((str(each.predicate) for each in found), key=component)
 
     def spelled(self, subject: Term, predicate: Term | None, value: Term) -> Triple | None:
-        """The triple as the first document that says it spells it, or None if none does."""
+        """Return the triple as spelled by the first document that states it; None if none does."""
         return next((triple for _, triple in self.written(subject, predicate, value)), None)
 
 

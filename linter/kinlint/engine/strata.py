@@ -12,7 +12,7 @@ Node = TypeVar("Node", bound=Hashable)
 
 
 def stratified(axioms: Sequence[Axiom]) -> tuple[Axiom, ...]:
-    """*axioms* in an order in which those that feed others come first, with their strata."""
+    """Return *axioms* in an order in which those that feed others come first, with their strata."""
     feeds = {
         index: [other for other, fed in enumerate(axioms) if _feeds(axiom, fed)]
         for index, axiom in enumerate(axioms)
@@ -36,7 +36,7 @@ def stratified(axioms: Sequence[Axiom]) -> tuple[Axiom, ...]:
 
 
 def _feeds(axiom: Axiom, fed: Axiom) -> bool:
-    """Whether *fed* may conclude something new from what *axiom* concludes.
+    """Tell whether *fed* may conclude something new from what *axiom* concludes.
 
     It cannot if it only leads back to a premise of *axiom*, as the other half of an inverse does.
     """
@@ -48,7 +48,7 @@ def _feeds(axiom: Axiom, fed: Axiom) -> bool:
 
 
 def components(edges: Mapping[Node, Iterable[Node]]) -> list[tuple[Node, ...]]:
-    """The strongly connected components, each after all those it leads to (Tarjan)."""
+    """Return the strongly connected components, each after all those it leads to (Tarjan)."""
     found: list[tuple[Node, ...]] = []
     number: dict[Node, int] = {}
     low: dict[Node, int] = {}

@@ -22,7 +22,7 @@ from kinlint.vocabulary import INTERMEDIATE
 
 
 def is_reading(query: Construct) -> bool:
-    """Whether *query* makes a record of the intermediate vocabulary."""
+    """Tell whether *query* makes a record of the intermediate vocabulary."""
     return any(word.startswith(f"<{INTERMEDIATE}") for word in query.template.tokens)
 
 
@@ -38,11 +38,11 @@ def unfolded(query: Construct, reading: Construct) -> Construct | None:
 
 @dataclass
 class _Unfolding:
-    """One record put in place."""
+    """The unfolding of a shared query by one reading."""
 
     reading: Construct
     values: dict[str, str] = field(default_factory=dict)
-    """What stands for the variables of the shared query."""
+    """The terms in place of the variables of the shared query."""
 
     def unfold(self, query: Construct) -> Construct | None:
         record, values = _record(self.reading)
@@ -67,7 +67,7 @@ class _Unfolding:
         return Construct(Triples(self._words(query.template.tokens)), group, ())
 
     def _matches(self, pattern: Pattern, record: str, values: Mapping[Term, Sequence[str]]) -> bool:
-        """Whether the record has what *pattern* asks for; its variable then has that value."""
+        """Tell whether the record has what *pattern* asks for; its variable then has that value."""
         (predicate,) = pattern.path
         known = values.get(predicate, ())
         self._set(pattern.subject, record)
@@ -96,7 +96,7 @@ class _Unfolding:
                 self._matches(pattern, record, values)
 
     def _rename(self, query: Construct) -> None:
-        """Give the variables that *query* has beside the record names that the reading has not."""
+        """Rename the other variables of *query* where the reading has variables of these names."""
         taken = variables(self.reading.group)
         free = variables(query.group) | set(filter(is_variable, query.template.tokens))
         for name in sorted(free - self.values.keys()):

@@ -25,7 +25,7 @@ BREAKS = {".": 0, ";": 1, "||": 2, "&&": 3, ",": 4, "|": 5, "/": 80}
 """After which tokens a line that is too long is broken, the best first."""
 
 LAST_RESORT = 90
-"""How bad it is to break a line at any other space; a bracket deeper is as bad as 10."""
+"""The cost of breaking a line at any other space; a bracket deeper costs 10."""
 
 
 class Piece(NamedTuple):

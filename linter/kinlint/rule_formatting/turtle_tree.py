@@ -43,7 +43,7 @@ class Property:
     """Comments before it, and among its objects."""
 
     spaced: bool = False
-    """Whether a blank line stands before it."""
+    """A blank line stands before it."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Statement:
     """Comments before it."""
 
     spaced: bool = False
-    """Whether a blank line stands before it."""
+    """A blank line stands before it."""
 
 
 @dataclass

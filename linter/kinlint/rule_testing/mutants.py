@@ -36,7 +36,7 @@ def repeats(query: Select) -> bool:
 
 
 def mutants(query: Select) -> Iterator[tuple[str, Select]]:
-    """*query* less one triple pattern or filter, for each in it, with the text of what is gone.
+    """Yield *query* without one triple pattern or filter, for each in it, with the removed text.
 
     The steps of a path are patterns of their own.
     """

@@ -34,7 +34,7 @@ from kinlint.terms import literal_value
 from kinlint.text import SourceText, Span
 
 Outcome = tuple[tuple[Span, str, str, str], ...]
-"""Where the findings of an example are, about what and which property, and what they say."""
+"""The findings of an example: their place, subject, property and message."""
 
 
 @dataclass(frozen=True)
@@ -49,11 +49,11 @@ class MutationHarness:
     def for_rule(
         cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]
     ) -> MutationHarness:
-        """The harness for the examples *texts* of *rule*."""
+        """Return the harness for the examples *texts* of *rule*."""
         return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
 
     def outcomes(self, constraints: tuple[Constraint, ...]) -> list[Outcome]:
-        """What *constraints* find in each example."""
+        """Return the findings of *constraints* in each example."""
         return [
             tuple(
                 sorted(
@@ -76,9 +76,9 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
 
 
 def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
-    """What could be deleted from the queries of a rule without any example noticing.
+    """Yield the parts of a rule's queries that could be deleted without any example noticing.
 
-    Nothing for a rule that only the reference engine can judge, nor for a query that `repeats`.
+    None for a rule that only the reference engine can judge, nor for a query that `repeats`.
     """
     rule = harness.rule
     text = Path(rule.path).read_text("utf-8-sig")
@@ -115,7 +115,7 @@ def _queries(graph: ShapesGraph) -> Iterator[tuple[str, dict[str, str]]]:
 
 
 def _replaced(text: str, query: str, by: str) -> str:
-    """The rule file *text* with *query* in it replaced."""
+    """Return the rule file *text* with *query* in it replaced."""
     written = query if query in text else query.replace("\\", "\\\\")
     return text.replace(written, by.replace("\\", "\\\\"))
 

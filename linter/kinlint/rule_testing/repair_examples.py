@@ -21,7 +21,7 @@ Shown = tuple[int, Example, Sequence[SourceText]]
 def shown(
     rule: Rule, rulebook: Rulebook, settings: Settings, bad: Sequence[Shown]
 ) -> Iterator[str]:
-    """What the *bad* examples of *rule* show to be wrong with its repairs.
+    """Yield faults of the repairs of *rule* that its *bad* examples show.
 
     The preferred repair makes the good text of the bad one, to the character, or the one that the
     example says; each repair is offered somewhere, as safe as it claims to be.

@@ -38,7 +38,7 @@ Texts: TypeAlias = tuple[SourceText, ...]
 
 
 def unmarked(text: str) -> tuple[str, list[Span]]:
-    """*text* without its `[|…|]` marks, and the spans they stood round."""
+    """Return *text* without its `[|…|]` marks, and the spans they stood round."""
     spans, shift = [], 0
     for match in MARK.finditer(text):
         start = match.start() - shift
@@ -74,7 +74,7 @@ def _nonstandard(rule: Rule) -> Iterator[str]:
 
 
 def _unfilled(rule: Rule) -> Iterator[str]:
-    """What `kinlint new` left to the author of *rule*."""
+    """Yield what `kinlint new` left to the author of *rule*."""
     text = Path(rule.path).read_text("utf-8-sig")
     for number, line in unfilled(text):
         yield f"line {number} is not filled in: {line}"
@@ -117,7 +117,7 @@ def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> It
 
 
 def _disputed(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
-    """Bad examples on which the two engines disagree."""
+    """Yield bad examples on which the two engines disagree."""
     for number, example in enumerate(rule.examples, 1):
         if example.bad is None or example.format not in FORMATS:
             continue
@@ -150,7 +150,7 @@ def _texts(example: Example) -> Iterator[Texts]:
 
 @contextmanager
 def _beside(example: Example) -> Iterator[str]:
-    """The name of a directory that has the files beside *example*; none if there are none."""
+    """Yield the name of a directory that has the files beside *example*; none if there are none."""
     if not example.beside:
         yield ""
         return
@@ -162,7 +162,7 @@ def _beside(example: Example) -> Iterator[str]:
 
 
 def _source(example: Example, text: str, home: str) -> Texts:
-    """An example, and what is read with it."""
+    """Return an example, and what is read with it."""
     others = (
         SourceText(_path(home, f"companion{number}", form), other, companion=True)
         for number, (form, other) in enumerate(example.companions)
@@ -192,14 +192,14 @@ def _bad(
 
 
 def found(rule: Rule, rulebook: Rulebook, texts: Texts) -> list[Finding]:
-    """The findings of *rule* in an example."""
+    """Return the findings of *rule* in an example."""
     return _lint(rule, rulebook, texts, "oxigraph")
 
 
 def results(
     rule: Rule, rulebook: Rulebook, texts: Texts, engine: Literal["oxigraph", "pyshacl"]
 ) -> set[tuple[Span, str | None]]:
-    """Where an engine finds *rule* broken in an example, and by which path."""
+    """Return the places where an engine finds *rule* broken in an example, each with its path."""
     every = _lint(rule, rulebook, texts, engine)
     return {(finding.location.span, finding.path) for finding in every}
 
@@ -217,7 +217,7 @@ def _lint(
 def _alone(
     rule: Rule, rulebook: Rulebook, engine: Literal["oxigraph", "pyshacl"]
 ) -> tuple[Rulebook, Settings]:
-    """*rulebook* with the constraints of *rule* only, and settings under which it speaks."""
+    """Return *rulebook* with the constraints of *rule* only, and settings under which it speaks."""
     own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
@@ -231,7 +231,7 @@ def _place(finding: Finding) -> str:
 
 
 def messages(rule: Rule) -> Iterator[str]:
-    """Messages end in a period and put the name of the focus node into single quotes."""
+    """Yield messages without a period at the end, or with the focus node outside single quotes."""
     for message in rule.messages:
         if not message.endswith("."):
             yield f"message does not end in a period: {message}"
@@ -240,7 +240,7 @@ def messages(rule: Rule) -> Iterator[str]:
 
 
 def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
-    """What a rule groups by is a variable of its queries, or all that is in a file."""
+    """Yield variables that a rule groups by and none of its queries has."""
     queries = [each.select for each in rulebook.constraints if each.owner == rule.iri]
     known = {"?file"}.union(*(tokens(query, {}) for query in queries))
     for name in rule.group_by:
@@ -249,7 +249,7 @@ def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 
 def form(rule: Rule) -> Iterator[str]:
-    """What the rule's file says against `shapes/rule.ttl`."""
+    """Yield violations of `shapes/rule.ttl` in the file of *rule*."""
     from kinlint.engine.compiler.shapes_compiler import compile_shapes  # noqa: PLC0415
 
     shapes = compile_shapes([resources.data("shapes") / "rule.ttl"])

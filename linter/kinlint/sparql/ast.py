@@ -42,7 +42,7 @@ class Bind:
 
 @dataclass(frozen=True)
 class Union:
-    """One group, or several with UNION between them."""
+    """A group, or several with UNION between them."""
 
     branches: tuple[Group, ...]
 
@@ -95,7 +95,7 @@ Query: TypeAlias = Select | Construct | Update
 
 
 def render(part: Group | Element | Expression | Query | str) -> str:
-    """*part* as SPARQL."""
+    """Return *part* as SPARQL."""
     match part:
         case str():
             text = part
@@ -132,13 +132,13 @@ def _query(part: Query) -> str:
 
 
 def _spaced(part: str | Group) -> str:
-    """*part* with a space after it, but where Oxigraph takes none before a parenthesis."""
+    """Return *part* with a space after it, but where Oxigraph takes none before a parenthesis."""
     text = render(part)
     return text if text.upper() in ("CONCAT", "COALESCE") else text + " "
 
 
 def walk(part: Group | Element | Expression) -> Iterator[Group | Element]:
-    """*part* and every group and element in it, expressions included."""
+    """Yield *part* and every group and element in it, expressions included."""
     match part:
         case tuple():
             inner: tuple[Group | Element | Expression | str, ...] = part

@@ -125,14 +125,14 @@ class _Reader:
         return tuple(tail)
 
     def block(self) -> str:
-        """The braces of a VALUES clause, which hold no structure."""
+        """Return the braces of a VALUES clause, which hold no structure."""
         start = self.at
         while self.take() != "}":
             pass
         return " ".join(self.tokens[start : self.at])
 
     def piece(self) -> str | Group:
-        """One token of an expression, or the group after EXISTS."""
+        """Read one token of an expression, or the group after EXISTS."""
         if self.next == "{":
             return self.group()
         return self.take()
@@ -183,7 +183,7 @@ class _Reader:
         return Union(tuple(branches))
 
     def constraint(self) -> Expression:
-        """`(…)`, `NAME(…)`, `<iri>(…)`, `EXISTS {…}` or `NOT EXISTS {…}`."""
+        """Return `(…)`, `NAME(…)`, `<iri>(…)`, `EXISTS {…}` or `NOT EXISTS {…}`."""
         head: list[str | Group] = []
         while self.next not in ("(", "{"):
             head.append(self.take())

@@ -31,15 +31,15 @@ class Pattern(NamedTuple):
 
     @property
     def closes(self) -> bool:
-        """Whether the path follows edges any number of times."""
+        """True if the path follows edges any number of times."""
         return "*" in self.path or "+" in self.path
 
 
 def patterns(tokens: tuple[str, ...], names: count[int]) -> list[Pattern]:
-    """The patterns of a triples block.
+    """Return the patterns of a triples block.
 
-    Blank nodes become variables, and paths that are sequences become patterns of their steps:
-    the solutions are the same, but for how often each occurs.
+    Blank nodes become variables, and paths that are sequences become patterns of their steps: the
+    solutions are the same, but for how often each occurs.
     """
     reader = _Reader(tokens, names)
     while reader.at < len(tokens):
@@ -66,7 +66,7 @@ def template(tokens: tuple[str, ...], *, lists: bool = False) -> list[Triple]:
 
 
 def literal_token(term: str) -> str:
-    """A term of SPARQL as an N-Triples token: numbers and booleans written out."""
+    """Return a term of SPARQL as an N-Triples token: numbers and booleans written out."""
     if term in ("true", "false"):
         return f'"{term}"^^<{XSD}boolean>'
     if term[0] not in "+-.0123456789":
@@ -87,7 +87,7 @@ def normalised(term: str) -> Term:
 
 
 def premises(found: list[Pattern]) -> tuple[Triple, ...]:
-    """*found* as triples of tokens; paths of one predicate lose their parentheses."""
+    """Return *found* as triples of tokens; paths of one predicate lose their parentheses."""
     return tuple(
         (literal_token(s), "".join(path) if len(path) > 1 else path[0], literal_token(o))
         for s, path, o in found
@@ -111,7 +111,7 @@ def _steps(pattern: Pattern, names: count[int]) -> list[Pattern]:
 
 
 def _bare(path: tuple[str, ...]) -> tuple[str, ...]:
-    """*path* without parentheses round all of it, and `a` spelled out."""
+    """Return *path* without parentheses round all of it, and `a` spelled out."""
     while path[0] == "(" and path[-1] == ")" and _is_balanced(path[1:-1]):
         path = path[1:-1]
     return tuple(RDF_TYPE if word == "a" else word for word in path)

@@ -43,7 +43,7 @@ class NotSparql(Exception):
         self.start = start
 
     def offset(self, text: str) -> int:
-        """Return where in *text*, which is that which was read, the token lies."""
+        """Return the offset of the token in *text*, the text that was read."""
         if self.start is not None:
             return self.start
         found = split(text)
@@ -52,11 +52,14 @@ class NotSparql(Exception):
 
 
 class Token(NamedTuple):
-    """A token as it stands in a text, from the offset `start` on, and its kind."""
+    """A token as it is spelled in a text."""
 
     kind: str
+    """The name of its kind."""
     text: str
+    """The token."""
     start: int
+    """Its offset in the text."""
 
 
 def tokens(text: str, prefixes: Mapping[str, str]) -> tuple[str, ...]:
@@ -136,5 +139,5 @@ def _full(found: Token, known: Mapping[str, str], base: str, at: int) -> str:
 
 
 def is_variable(token: str) -> bool:
-    """Whether *token* is a variable."""
+    """Tell whether *token* is a variable."""
     return len(token) > 1 and token[0] == "?"

@@ -1,4 +1,4 @@
-"""Which variables a part of a query names, may bind and certainly binds."""
+"""Tokens and variables of the parts of a query: named, possibly bound, certainly bound."""
 
 from __future__ import annotations
 
@@ -80,12 +80,12 @@ def triple_patterns(part: Group | Element | Expression) -> list[Pattern]:
 
 
 def variables(part: Group | Element | Expression) -> set[str]:
-    """Every variable that occurs in *part*."""
+    """Return every variable that occurs in *part*."""
     return {word for word in words(part) if is_variable(word)}
 
 
 def projection(select: Select) -> list[str]:
-    """The variables that *select* projects, in order; those of `*` sorted."""
+    """Return the variables that *select* projects, in order; those of `*` sorted."""
     head = [word for word in select.head[1:] if not isinstance(word, Group)]
     if "*" in head and "(" not in head:
         return sorted(visible(select.group))
@@ -99,7 +99,7 @@ def projection(select: Select) -> list[str]:
 
 
 def visible(part: Group | Element) -> set[str]:
-    """The variables that may be bound where *part* ends: SPARQL 18.2.1."""
+    """Return the variables that may be bound where *part* ends: SPARQL 18.2.1."""
     match part:
         case Group(parts) | Union(parts):
             return {name for each in parts for name in visible(each)}
@@ -129,7 +129,7 @@ def assigned(part: Group | Element | Expression) -> set[str]:
 
 
 def certain(part: Group | Element) -> frozenset[str]:
-    """Variables that every solution of *part* binds; perhaps not all of them."""
+    """Return variables that every solution of *part* binds; perhaps not all of them."""
     match part:
         case Group(elements):
             return frozenset().union(*(certain(each) for each in elements))
@@ -144,5 +144,5 @@ def certain(part: Group | Element) -> frozenset[str]:
 
 
 def with_names(select: Select, names: list[str]) -> Select:
-    """*select* with `*` spelled out as *names*."""
+    """Return *select* with `*` spelled out as *names*."""
     return replace(select, head=tuple(" ".join(names) if w == "*" else w for w in select.head))

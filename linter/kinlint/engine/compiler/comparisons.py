@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def has_value(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:hasValue`."""
+    """Yield the violations of `sh:hasValue`."""
     for value in scope.shape.values("hasValue"):
         wanted = constant(value)
         name = shown(scope.shape, value) if is_iri(value) else literal_value(value)
@@ -41,7 +41,7 @@ def _same(scope: ShapeScope, term: Term) -> str:
 
 
 def unique_lang(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:uniqueLang`: one violation for each tag that several values have."""
+    """Yield a violation of `sh:uniqueLang` for each tag that several values have."""
     if not scope.shape.graph.is_true(scope.shape.node, sh("uniqueLang")):
         return
     value, tag = scope.out, scope.extra
@@ -57,7 +57,7 @@ def unique_lang(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def equals(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:equals`: violated by what only one of two properties has."""
+    """Yield the violations of `sh:equals`: values that only one of two properties has."""
     for other in scope.shape.values("equals"):
         focus, out = scope.focus, scope.out
         here = scope.value_pattern(out) if scope.shape.path else f"BIND({focus} AS {out})"
@@ -76,12 +76,12 @@ def equals(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def less_than(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:lessThan`."""
+    """Yield the violations of `sh:lessThan`."""
     return _ordered(scope, "LessThan", "<", "less than")
 
 
 def less_than_or_equals(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:lessThanOrEquals`."""
+    """Yield the violations of `sh:lessThanOrEquals`."""
     return _ordered(scope, "LessThanOrEquals", "<=", "at most")
 
 
@@ -101,7 +101,7 @@ def _ordered(scope: ShapeScope, name: str, operator: str, words: str) -> Iterato
 
 
 def closed(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:closed`: violated by every value of a property that the shape does not list."""
+    """Yield a violation of `sh:closed` for every value of a property that is not listed."""
     shape = scope.shape
     if not shape.graph.is_true(shape.node, sh("closed")):
         return

@@ -51,7 +51,7 @@ def _spelled_out(triple: Triple) -> Iterator[Triple]:
 
 
 def _implied(triple: Triple, chosen: set[Term]) -> Iterator[Triple]:
-    """Yield what *triple* implies; the nodes *chosen* say which prefixes they use."""
+    """Yield what *triple* implies; the nodes *chosen* declare their prefixes."""
     node, way, value = triple
     if way in QUERIES and node not in chosen:
         yield node, *PREFIXES

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def min_count(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:minCount`."""
+    """Yield the violations of `sh:minCount`."""
     for least in _numbers(scope, "minCount"):
         if least < 1:
             continue
@@ -27,7 +27,7 @@ def min_count(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def max_count(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:maxCount`."""
+    """Yield the violations of `sh:maxCount`."""
     for most in _numbers(scope, "maxCount"):
         message = f"There are more than {most} values." if most else "There is a value."
         groups = _more(scope, scope.out, scope.value_pattern(scope.out), most)
@@ -35,7 +35,7 @@ def max_count(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def qualified_min(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:qualifiedMinCount`."""
+    """Yield the violations of `sh:qualifiedMinCount`."""
     for least, end, found, name in _qualified(scope, "qualifiedMinCount"):
         if least > 0:
             text = f"There are fewer than {least} values that conform to '{name}'."
@@ -44,7 +44,7 @@ def qualified_min(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def qualified_max(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:qualifiedMaxCount`."""
+    """Yield the violations of `sh:qualifiedMaxCount`."""
     for most, end, found, name in _qualified(scope, "qualifiedMaxCount"):
         text = f"There are more than {most} values that conform to '{name}'."
         groups = _more(scope, end, found, most)
@@ -52,7 +52,7 @@ def qualified_max(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def _fewer(scope: ShapeScope, end: str, found: str, least: int) -> tuple[str, ...]:
-    """Groups that hold if *found* binds *end* to fewer than *least* terms."""
+    """Return groups that hold if *found* binds *end* to fewer than *least* terms."""
     if least == 1:
         return (f"FILTER NOT EXISTS {{ {found} }}",)
     number = scope.fresh()
@@ -62,7 +62,7 @@ def _fewer(scope: ShapeScope, end: str, found: str, least: int) -> tuple[str, ..
 
 
 def _more(scope: ShapeScope, end: str, found: str, most: int) -> tuple[str, ...]:
-    """Groups that hold if *found* binds *end* to more than *most* terms."""
+    """Return groups that hold if *found* binds *end* to more than *most* terms."""
     if most == 0:
         return (f"FILTER EXISTS {{ {found} }}",)
     having = f"HAVING (COUNT(DISTINCT {end}) > {most})"
@@ -85,7 +85,7 @@ def _qualified(scope: ShapeScope, name: str) -> Iterator[tuple[int, str, str, st
 
 
 def _siblings(scope: ShapeScope, qualifier: Term) -> list[Term]:
-    """The other qualified value shapes of the parents of a shape: SHACL 4.7.3."""
+    """Return the other qualified value shapes of the parents of a shape: SHACL 4.7.3."""
     graph = scope.shape.graph
     found = {
         sibling: None

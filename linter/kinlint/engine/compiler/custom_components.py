@@ -38,7 +38,7 @@ class Parameter:
 
 
 def custom(scope: ShapeScope) -> Iterator[Violation]:
-    """The violations of every declared component whose parameters the shape gives."""
+    """Yield the violations of every declared component whose parameters the shape gives."""
     graph = scope.shape.graph
     for node in graph.subjects():
         if not graph.values(node, sh("parameter")) or not is_iri(node):
@@ -79,7 +79,7 @@ def _parameters(graph: ShapesGraph, node: Term) -> list[Parameter]:
 
 
 def _validator(scope: ShapeScope, node: Term) -> Term | None:
-    """The validator that SHACL 6.3 chooses for the kind of shape."""
+    """Return the validator that SHACL 6.3 chooses for the kind of shape."""
     special = "propertyValidator" if scope.shape.path else "nodeValidator"
     found = scope.shape.graph.values(node, sh(special), sh("validator"))
     return found[0] if found else None
@@ -114,7 +114,7 @@ def _violation(
 
 
 def _asked(scope: ShapeScope, body: Group, binds: tuple[str, ...]) -> tuple[str, ...]:
-    """Groups with a solution for each value node for which *body* has none."""
+    """Return groups with a solution for each value node for which *body* has none."""
     groups = (f"BIND({scope.value} AS ?value)", *binds, f"FILTER NOT EXISTS {render(body)}")
     if scope.top:
         return (*scope.value_groups, *groups)
@@ -125,7 +125,7 @@ def _asked(scope: ShapeScope, body: Group, binds: tuple[str, ...]) -> tuple[str,
 
 
 def _passing(select: Select, parameters: tuple[str, ...]) -> Select:
-    """*select* with *parameters* among its variables, so that their values reach its WHERE."""
+    """Return *select* with *parameters* among its variables: their values then reach its WHERE."""
     missing = [name for name in parameters if name not in select.head]
     if not missing:
         return select

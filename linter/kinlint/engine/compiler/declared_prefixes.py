@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:
-    """The namespaces by prefix that `sh:prefixes` of *node* gives, imports followed."""
+    """Return the namespaces by prefix that `sh:prefixes` of *node* gives, imports followed."""
     return namespaces(graph, *graph.values(node, sh("prefixes")))
 
 
 def namespaces(graph: ShapesGraph, *ontologies: Term) -> dict[str, str]:
-    """The namespaces by prefix that *ontologies* declare, with those that they import."""
+    """Return the namespaces by prefix that *ontologies* declare, with those that they import."""
     found: dict[str, str] = {}
     todo, seen = list(ontologies), set[Term]()
     while todo:

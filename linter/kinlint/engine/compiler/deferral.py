@@ -1,4 +1,4 @@
-"""What the compiler leaves to the reference engine."""
+"""The exception by which the compiler leaves a constraint to the reference engine."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from kinlint.sparql.variables import variables, visible
 
 
 def with_invariants_first(group: Group, bound: frozenset[str], names: count[int]) -> Group:
-    """*group* with its EXISTS filters that see nothing but *bound* evaluated first.
+    """Return *group* with its EXISTS filters that see nothing but *bound* evaluated first.
 
     Such a filter holds for all solutions of *group* or for none, so it may stand before them:
 

@@ -1,4 +1,4 @@
-"""Makes what follows a BIND or UNION start from what is bound by then."""
+"""Lateral joins: blocks after a BIND or UNION that start from the bindings before them."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ _BLOCK = (Triples, Filter)
 
 
 def with_lateral_joins(group: Group) -> Group:
-    """*group* with LATERAL before the patterns that would else be matched from nothing.
+    """Return *group* with LATERAL before patterns that would else be matched from nothing.
 
     Oxigraph orders the patterns of one block well, but joins one block with another by matching
-    both. For patterns, LATERAL is the same join; for branches of UNION, where nothing in them
-    looks at variables that they do not bind themselves, or binds one that is bound already.
-    A block that shares a blank node with another stays beside it.
+    both. For patterns, LATERAL is the same join; for branches of UNION, where nothing in them looks
+    at variables that they do not bind themselves, or binds one that is bound already. A block that
+    shares a blank node with another is left as it is.
     """
     elements: list[Element] = []
     seen: set[str] = set()
@@ -32,21 +32,24 @@ def with_lateral_joins(group: Group) -> Group:
 
 
 def _labels(elements: Element | tuple[Element, ...]) -> set[str]:
-    """The blank nodes that the blocks among *elements* name, which no other group can."""
+    """Return the blank nodes that the blocks among *elements* name, which no other group can."""
     blocks = elements if isinstance(elements, tuple) else (elements,)
     words = (word for each in blocks if isinstance(each, Triples) for word in each.tokens)
     return {word for word in words if word.startswith("_:")}
 
 
 def _may_wait(element: Element, seen: set[str], *, apart: bool) -> bool:
-    """Whether *element* means the same if what stands before it, *seen*, is bound already."""
+    """Tell whether *element* means the same if what stands before it, *seen*, is bound already."""
     if isinstance(element, Union):
         return all(_closed(branch, seen) for branch in element.branches)
     return apart and isinstance(element, Triples)
 
 
 def _closed(branch: Group, seen: set[str]) -> bool:
-    """Whether *branch* is patterns, conditions on what these bind, and values new to *seen*."""
+    """Tell whether *branch* needs nothing that is bound before it.
+
+    It is patterns, conditions on what these bind, and values new to *seen*.
+    """
     own = {name for each in branch.elements if _is_block(each) for name in visible(each)}
     bound: set[str] = set()
     for each in branch.elements:

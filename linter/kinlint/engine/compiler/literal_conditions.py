@@ -36,7 +36,7 @@ _NUMERIC = ", ".join(f"<{XSD}{name}>" for name in ("integer", "decimal", "double
 
 
 def has_datatype(variable: str, datatype: Term) -> str:
-    """The condition that *variable* is a well-formed literal of *datatype*."""
+    """Return the condition that *variable* is a well-formed literal of *datatype*."""
     iri = datatype[1:-1]
     if iri in _FORGOTTEN:
         raise Deferred(f"Oxigraph does not keep {datatype} apart from its base type")
@@ -50,7 +50,7 @@ def has_datatype(variable: str, datatype: Term) -> str:
 
 
 def comparison(left: str, operator: str, right: str) -> str:
-    """The condition that `left operator right` holds: SPARQL's, where that is defined.
+    """Return the condition that `left operator right` holds: SPARQL's, where that is defined.
 
     Oxigraph compares neither decimals with more than 18 fraction digits nor booleans.
     """
@@ -66,7 +66,7 @@ def comparison(left: str, operator: str, right: str) -> str:
 
 
 def constant(term: Term) -> Term:
-    """*term*, if a query can name it and a store keeps it apart from others."""
+    """Return *term*, if a query can name it and a store keeps it apart from others."""
     if term.startswith("_:"):
         raise Deferred("a blank node of the shapes graph is a parameter")
     if is_literal(term) and literal_datatype(term) in _FORGOTTEN:

@@ -72,7 +72,7 @@ def try_regex(pattern: str, flags: str) -> None:
 
 
 def try_call(name: str, arguments: Sequence[str]) -> None:
-    """`try_regex` for a call of REGEX or REPLACE whose pattern is a constant."""
+    """Return `try_regex` for a call of REGEX or REPLACE whose pattern is a constant."""
     pattern = _argument(arguments, 1)
     flags = _argument(arguments, 2 if name.upper() == "REGEX" else 3)
     if pattern is not None:
@@ -80,7 +80,7 @@ def try_call(name: str, arguments: Sequence[str]) -> None:
 
 
 def _argument(arguments: Sequence[str], wanted: int) -> str | None:
-    """The argument at *wanted*, if it is there and a plain string."""
+    """Return the argument at *wanted*, if it is there and a plain string."""
     depth = position = 0
     for at, word in enumerate(arguments):
         depth += (word == "(") - (word == ")")

@@ -25,10 +25,10 @@ _PLAIN = (Triples, Bind, Union, Filter)
 def with_closure_as_minus(
     group: Group, bound: frozenset[str], certain: frozenset[str], names: count[int]
 ) -> Group:
-    """*group* with `FILTER NOT EXISTS { ?a p* ?b }` as a MINUS, where that means the same.
+    """Return *group* with `FILTER NOT EXISTS { ?a p* ?b }` as a MINUS, where that means the same.
 
-    As a filter, the closure is followed once for each pair of `?a` and `?b`. One of them must
-    be an anchor, of which there are few: bound from outside, by BIND or by an aggregate. Then
+    As a filter, the closure is followed once for each pair of `?a` and `?b`. One of them must be an
+    anchor, of which there are few: bound from outside, by BIND or by an aggregate. Then
 
         MINUS { { SELECT DISTINCT ?a WHERE { what binds ?a } } LATERAL { ?a p* ?b } }
 
@@ -52,7 +52,7 @@ def with_closure_as_minus(
 
 
 def _unreached(expression: Expression, names: count[int]) -> Pattern | None:
-    """The pattern of `NOT EXISTS { ?a p* ?b }`, if *expression* is that."""
+    """Return the pattern of `NOT EXISTS { ?a p* ?b }`, if *expression* is that."""
     match expression:
         case (str(no), str(exists), Group((Triples(tokens),))) if (
             no.upper(),
@@ -72,7 +72,7 @@ def _anchor(
     *,
     star: bool,
 ) -> tuple[tuple[Element, ...] | None, list[Element]]:
-    """What binds the anchor among *ends*, and filters that the rewritten group needs."""
+    """Return the elements that bind the anchor among *ends*, and the filters then needed."""
     if not all(is_variable(end) for end in ends) or ends[0] == ends[1]:
         return None, []
     for anchor, other in (ends, ends[::-1]):
@@ -94,7 +94,7 @@ def _anchor(
 def _source(
     elements: list[Element], anchor: str, bound: frozenset[str]
 ) -> tuple[list[Element] | None, bool]:
-    """The elements that bind *anchor* to few terms, and whether it may stay unbound."""
+    """Return the elements that bind *anchor* to few terms, and whether it may stay unbound."""
     needed = {anchor}
     chosen: list[Element] = []
     computed = few = False

@@ -1,4 +1,4 @@
-"""What SHACL forbids in queries with pre-bound variables (SHACL 5.2.1, appendix A)."""
+"""Restrictions of SHACL on queries with pre-bound variables: SHACL 5.2.1, appendix A."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ OPTIONAL = ("?currentShape", "?shapesGraph")
 
 
 def forbidden(select: Select, prebound: tuple[str, ...]) -> str | None:
-    """What is wrong with *select* where the variables *prebound* have values, or None."""
+    """Return the fault of *select* where the variables *prebound* have values, or None."""
     return next(_faults(select, prebound), None)
 
 

@@ -47,7 +47,7 @@ class Path:
 
     @property
     def may_stay(self) -> bool:
-        """Whether the path can lead from a node to itself in no steps."""
+        """True if the path can lead from a node to itself in no steps."""
         match self.kind:
             case "predicate":
                 return False
@@ -59,7 +59,7 @@ class Path:
                 return all(part.may_stay for part in self.parts)
 
     def steps(self, start: str, end: str, names: count[int]) -> list[Triple]:
-        """Triple patterns from *start* to *end*; sequences and inverses are taken apart."""
+        """Return triple patterns from *start* to *end*; sequences and inverses are taken apart."""
         if self.kind == "sequence":
             inner = [f"?k_{next(names)}" for _ in self.parts[1:]]
             nodes = pairwise([start, *inner, end])
@@ -73,7 +73,7 @@ class Path:
         return [(start, self.text, end)]
 
     def pattern(self, start: str, end: str, names: count[int]) -> str:
-        """A group that binds *end* to each node the path leads to from *start*, once.
+        """Return a group that binds *end* to each node the path leads to from *start*, once.
 
         *start* must be bound where the group is evaluated.
         """
@@ -85,7 +85,7 @@ class Path:
 
 
 def read_path(graph: ShapesGraph, node: Term) -> Path:
-    """The path that *node* stands for; `RuleInvalid` if it is none."""
+    """Return the path that *node* stands for; `RuleInvalid` if it is none."""
     return _read(graph, node, ())
 
 

@@ -29,7 +29,7 @@ from kinlint.sparql.variables import certain, projection, variables
 
 
 def rewritten_for_oxigraph(select: Select, bound: frozenset[str]) -> Select:
-    """*select* with cheaper EXISTS; the variables *bound* have a value from outside."""
+    """Return *select* with cheaper EXISTS; the variables *bound* have a value from outside."""
     names = count(1000)
     return replace(
         select,
@@ -64,7 +64,7 @@ def _element(
 
 
 def _expression(expression: Expression, bound: frozenset[str], names: count[int]) -> Expression:
-    """*expression* with every group in it, which can only follow EXISTS, rewritten."""
+    """Return *expression* with every group in it, which can only follow EXISTS, rewritten."""
     return tuple(
         _exists(part, bound, names) if isinstance(part, Group) else part for part in expression
     )
@@ -80,10 +80,10 @@ def _exists(body: Group, bound: frozenset[str], names: count[int]) -> Group:
 
 
 def _chained(body: Group, bound: frozenset[str], names: count[int]) -> Group:
-    """`{ A . B . FILTER F }` as `{ {A} LATERAL {F} LATERAL {B} }`, best order first.
+    """Return `{ A . B . FILTER F }` as `{ {A} LATERAL {F} LATERAL {B} }`, best order first.
 
-    Each pattern then starts from terms that are known. A filter comes as soon as the patterns
-    have bound all it may see of theirs, so it sees what it saw before.
+    Each pattern then starts from terms that are known. A filter comes as soon as the patterns have
+    bound all it may see of theirs, so it sees what it saw before.
     """
     if not all(isinstance(each, (Triples, Filter)) for each in body.elements):
         return body
@@ -111,7 +111,7 @@ def _chained(body: Group, bound: frozenset[str], names: count[int]) -> Group:
 
 
 def _cost(pattern: Pattern, bound: frozenset[str]) -> int:
-    """How many matches to expect, in rough classes."""
+    """Return how many matches of *pattern* to expect, in rough classes."""
 
     def known(term: str) -> bool:
         return term in bound or not is_variable(term)

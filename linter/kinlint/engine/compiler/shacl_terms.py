@@ -13,5 +13,5 @@ IMPORTS = f"<{OWL}imports>"
 
 
 def sh(name: str) -> Term:
-    """The token of a SHACL term."""
+    """Return the token of a SHACL term."""
     return f"<{SH}{name}>"

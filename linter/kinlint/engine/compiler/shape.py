@@ -25,16 +25,16 @@ class Shape:
     path: Path | None
 
     def values(self, name: str) -> list[Term]:
-        """The values of a SHACL property of this shape, in the order of the text."""
+        """Return the values of a SHACL property of this shape, in the order of the text."""
         return self.graph.values(self.node, sh(name))
 
     def one(self, name: str) -> Term | None:
-        """The only value of a SHACL property, or None."""
+        """Return the only value of a SHACL property, or None."""
         return self.graph.one(self.node, sh(name))
 
     @property
     def deactivated(self) -> bool:
-        """Whether the shape is switched off."""
+        """True if the shape is switched off."""
         return self.graph.is_true(self.node, sh("deactivated"))
 
     @property
@@ -58,7 +58,7 @@ class Shape:
 
 
 def read_shape(graph: ShapesGraph, node: Term) -> Shape:
-    """The shape that *node* describes; a value that cannot be a shape is refused."""
+    """Return the shape that *node* describes; a value that cannot be a shape is refused."""
     if is_literal(node):
         raise graph.invalid(node, "a literal is no shape")
     path = graph.one(node, sh("path"))
@@ -66,7 +66,7 @@ def read_shape(graph: ShapesGraph, node: Term) -> Shape:
 
 
 def messages(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
-    """The texts of `sh:message` of *node*: untagged and English ones first."""
+    """Return the texts of `sh:message` of *node*: untagged and English ones first."""
 
     def rank(message: Term) -> int:
         tag = message[message.rindex('"') + 1 :].lower()
@@ -77,7 +77,7 @@ def messages(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
 
 
 def target_shapes(graph: ShapesGraph) -> list[Shape]:
-    """The shapes that have targets, in the order of the files."""
+    """Return the shapes that have targets, in the order of the files."""
     return [
         read_shape(graph, node)
         for node in graph.subjects()
@@ -86,7 +86,7 @@ def target_shapes(graph: ShapesGraph) -> list[Shape]:
 
 
 def is_class_shape(graph: ShapesGraph, node: Term) -> bool:
-    """Whether *node* is a shape and a class, and so its own target: SHACL 2.1.3.3."""
+    """Tell whether *node* is a shape and a class, and so its own target: SHACL 2.1.3.3."""
     types = graph.values(node, TYPE)
     if not {sh("NodeShape"), sh("PropertyShape")} & set(types):
         return False

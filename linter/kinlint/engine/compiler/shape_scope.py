@@ -1,4 +1,4 @@
-"""Where a shape is judged: the variables of a query, and what a violation is made of."""
+"""The variables that stand for a shape's nodes in a query, and the parts of its violations."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ class ShapeScope:
         return (self.value_pattern(self.value),) if self.shape.path else ()
 
     def value_pattern(self, end: str) -> str:
-        """The group that binds *end* to each value node of a property shape."""
+        """Return the group that binds *end* to each value node of a property shape."""
         assert self.shape.path is not None
         return self.shape.path.pattern(self.focus, end, self.names)
 
     def fresh(self) -> str:
-        """A variable that occurs nowhere else."""
+        """Return a variable that occurs nowhere else."""
         return f"?k_{next(self.names)}"
 
 
@@ -96,12 +96,12 @@ class Violation:
 
 
 def component(name: str) -> str:
-    """The IRI of a component of SHACL."""
+    """Return the IRI of a component of SHACL."""
     return iri_value(sh(f"{name}ConstraintComponent"))
 
 
 def shown(shape: Shape, term: Term) -> str:
-    """*term* for messages, with the prefixes of the shape's file."""
+    """Return *term* for messages, with the prefixes of the shape's file."""
     if not is_iri(term):
         return "a blank node" if is_blank(term) else term
     iri = iri_value(term)

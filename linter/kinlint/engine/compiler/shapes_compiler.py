@@ -27,11 +27,11 @@ ROOT = "?root"
 
 
 def compile_shapes(files: Sequence[Source]) -> tuple[Constraint, ...]:
-    """The constraints of all shapes with targets in *files*, which may refer to each other.
+    """Return the constraints of all shapes with targets in *files*, which may refer to each other.
 
-    A constraint belongs to the only rule of the file that describes its shape, or else of the
-    file with the target. Raises `RuleInvalid` for files that are no Turtle, shapes that are
-    ill-formed and queries that SHACL forbids.
+    A constraint belongs to the only rule of the file that describes its shape, or else of the file
+    with the target. Raises `RuleInvalid` for files that are no Turtle, shapes that are ill-formed
+    and queries that SHACL forbids.
     """
     return compile_graph(read(files))
 

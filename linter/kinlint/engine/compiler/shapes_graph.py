@@ -24,7 +24,7 @@ _BLANK = re.compile(r"_:[0-9a-zA-Z]\S*")
 
 @dataclass(frozen=True)
 class ShapesFile:
-    """One parsed file: its triples in the order of the text, its prefixes, and the text.
+    """A parsed Turtle file: its triples in the order of the text, its prefixes, and the text.
 
     Blank nodes are named `_:<label of the file>.<order of appearance>`, so that a file gives them
     the same names by itself and among others.
@@ -55,35 +55,35 @@ class ShapesGraph:
                 self._home.setdefault(s, file)
 
     def subjects(self) -> Iterator[Term]:
-        """Every subject once, in the order of the files."""
+        """Yield every subject once, in the order of the files."""
         return iter(self._out)
 
     def values(self, subject: Term, *predicates: Term) -> list[Term]:
-        """The objects of *subject* for *predicates*, in the order of the text."""
+        """Return the objects of *subject* for *predicates*, in the order of the text."""
         about = self._out.get(subject, {})
         return [value for predicate in predicates for value in about.get(predicate, ())]
 
     def predicates(self, subject: Term) -> tuple[Term, ...]:
-        """The predicates that *subject* has."""
+        """Return the predicates that *subject* has."""
         return tuple(self._out.get(subject, ()))
 
     def referrers(self, predicate: Term, value: Term) -> list[Term]:
-        """The subjects that have *value* for *predicate*."""
+        """Return the subjects that have *value* for *predicate*."""
         return self._in.get((predicate, value), [])
 
     def home(self, subject: Term) -> ShapesFile:
-        """The file that describes *subject* first."""
+        """Return the file that describes *subject* first."""
         return self._home.get(subject, self.files[0])
 
     def one(self, subject: Term, predicate: Term) -> Term | None:
-        """The only object, or None; two are refused."""
+        """Return the only object, or None; two are refused."""
         values = self.values(subject, predicate)
         if len(values) > 1:
             raise self.invalid(subject, f"{predicate} has {len(values)} values, not one")
         return values[0] if values else None
 
     def list(self, head: Term) -> tuple[Term, ...]:
-        """The members of an RDF list; anything less than well-formed is refused."""
+        """Return the members of an RDF list; anything less than well-formed is refused."""
         members: list[Term] = []
         seen: set[Term] = set()
         node = head
@@ -97,13 +97,13 @@ class ShapesGraph:
         return tuple(members)
 
     def is_true(self, subject: Term, predicate: Term) -> bool:
-        """Whether the value is `true`, spelled so: SHACL knows no other spelling."""
+        """Tell whether the value is `true`, spelled so: SHACL knows no other spelling."""
         return '"true"^^<http://www.w3.org/2001/XMLSchema#boolean>' in self.values(
             subject, predicate
         )
 
     def invalid(self, node: Term, cause: str) -> RuleInvalid:
-        """The error that *node* is not as SHACL demands, naming its file and what it belongs to."""
+        """Return the error that *node* is not as SHACL demands, with its file and what has it."""
         name, seen = node, {node}
         while name.startswith("_:"):
             above = [s for s, about in self._out.items() if any(name in v for v in about.values())]
@@ -115,7 +115,10 @@ class ShapesGraph:
 
 
 def read(files: Sequence[Source]) -> ShapesGraph:
-    """The graph of Turtle *files*; `RuleInvalid` names the file and line of what is no Turtle."""
+    """Return the graph of Turtle *files*.
+
+    Raises `RuleInvalid` with the file and line of what is no Turtle.
+    """
     named = zip(files, labels(files), strict=True)
     return ShapesGraph(tuple(parse(source, label) for source, label in named))
 

@@ -25,7 +25,7 @@ VALUE = "?k_value"
 
 
 def sparql(scope: ShapeScope) -> Iterator[Violation]:
-    """`sh:sparql`: every solution of the author's query is a violation."""
+    """Yield the violations of `sh:sparql`: every solution of the author's query is a violation."""
     shape = scope.shape
     for node in shape.values("sparql"):
         if shape.graph.is_true(node, sh("deactivated")):
@@ -54,18 +54,18 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def formats(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
-    """The formats that a constraint says it looks at, by `kl:format`."""
+    """Return the formats that a constraint is limited to by `kl:format`."""
     return tuple(sorted(map(literal_value, graph.values(node, FORMAT))))
 
 
 def severity(graph: ShapesGraph, node: Term) -> str:
-    """The IRI of the severity that a constraint has of its own, by `sh:severity`; or nothing."""
+    """Return the IRI of a constraint's own `sh:severity`; "" if it has none."""
     own = graph.one(node, sh("severity"))
     return iri_value(own) if own is not None else ""
 
 
 def query_for(scope: ShapeScope, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:
-    """The author's query of *node*, ready for *scope*, where *prebound* have values."""
+    """Return the author's query of *node*, ready for *scope*, where *prebound* have values."""
     shape = scope.shape
     path = shape.path.text if shape.path else None
     query = read_query(shape.graph, node, kind, path, prebound)
@@ -78,10 +78,10 @@ def query_for(scope: ShapeScope, node: Term, kind: str, prebound: tuple[str, ...
 def solutions(
     scope: ShapeScope, query: Query, prebound: tuple[str, ...], before: tuple[str, ...] = ()
 ) -> str:
-    """The group that has the solutions of *query*, each once.
+    """Return the group that has the solutions of *query*, each once.
 
-    *before* are groups that bind variables of *prebound* other than `$this`. Where only
-    conformance is asked, none of the author's variables is seen outside.
+    *before* are groups that bind variables of *prebound* other than `$this`. Where only conformance
+    is asked, none of the author's variables is seen outside.
     """
     names = dict.fromkeys([*prebound, *query.variables])
     if _has_own_value(scope, query):
@@ -96,17 +96,17 @@ def solutions(
 
 
 def rename(variable: str, name: str) -> tuple[str, ...]:
-    """Groups that give *name* the value of *variable*: none if they are the same."""
+    """Return groups that give *name* the value of *variable*: none if they are the same."""
     return () if variable == name else (f"BIND({variable} AS {name})",)
 
 
 def result_variables(scope: ShapeScope, query: Query) -> tuple[str, ...]:
-    """What a result says of a solution of *query*: its variables but `$this`."""
+    """Return the variables of a result, all of *query* but `$this`, as a SELECT names them."""
     own = _has_own_value(scope, query)
     names = [name for name in query.variables if name != THIS]
     return tuple(f"({VALUE} AS ?value)" if own and name == "?value" else name for name in names)
 
 
 def _has_own_value(scope: ShapeScope, query: Query) -> bool:
-    """Whether *query* may tell a value where a node shape would have its focus node."""
+    """Tell whether *query* may tell a value where a node shape would have its focus node."""
     return scope.top and not scope.shape.path and "?value" in query.variables

@@ -1,4 +1,4 @@
-"""Which nodes a shape judges: SHACL 2.1.3."""
+"""Targets of shapes, as patterns for the nodes that a shape judges: SHACL 2.1.3."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Target:
-    """Groups that bind *root* to the focus nodes: all of them once, or one given node.
-
-    One of the patterns `ways` holds of each, if there are any; if there is one way only, so do
-    `premises`.
-    """
+    """Groups that bind a variable to the focus nodes of a shape."""
 
     all: str
+    """The group that binds it to all of them, once each."""
     one: str
+    """The group that binds it to one given node."""
     premises: tuple[Triple, ...]
+    """The patterns that hold of each, if there is one way only."""
     ways: tuple[Triple, ...]
+    """Patterns of which one holds of each, if there are any."""
 
 
 def target(shape: Shape, root: str) -> Target:
-    """The targets of *shape*, with the focus node in variable *root*."""
+    """Return the targets of *shape*, with the focus node in variable *root*."""
     classes = shape.values("targetClass")
     if is_class_shape(shape.graph, shape.node) and shape.node not in classes:
         classes.append(shape.node)
@@ -69,7 +69,7 @@ def target(shape: Shape, root: str) -> Target:
 
 
 def one_of(variable: str, terms: list[Term] | tuple[Term, ...]) -> str:
-    """The condition that *variable* is one of *terms*, as terms rather than as values."""
+    """Return the condition that *variable* is one of *terms*, as terms rather than as values."""
     return " || ".join(f"sameTerm({variable}, {term})" for term in terms) or "false"
 
 

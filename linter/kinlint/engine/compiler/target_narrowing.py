@@ -22,9 +22,9 @@ _CUTS = {"LIMIT", "OFFSET", "ORDER"}
 
 
 def implying_premises(target: Target, premises: Sequence[Triple]) -> tuple[Triple, ...]:
-    """Those of *premises*, which every violation matches, that make `$this` one of *target*.
+    """Return those of *premises*, which every violation matches, that make `$this` one of *target*.
 
-    None if it takes more to be one.
+    Empty if it takes more to be one.
     """
     classes = {value for _, predicate, value in target.ways if predicate == TYPE}
     said = {predicate for subject, predicate, _ in target.ways if subject == THIS} - {TYPE}
@@ -44,7 +44,7 @@ def implying_premises(target: Target, premises: Sequence[Triple]) -> tuple[Tripl
 
 
 def narrowed(target: Target, premises: Sequence[Triple]) -> Target:
-    """*target*, looked for by what of *premises* makes a node one."""
+    """Return *target*, looked for by what of *premises* makes a node one."""
     found = implying_premises(target, premises)
     if not found:
         return target
@@ -53,7 +53,7 @@ def narrowed(target: Target, premises: Sequence[Triple]) -> Target:
 
 
 def runs_without_focus(select: Select) -> bool:
-    """Whether *select* finds the same if nothing binds `$this` before.
+    """Tell whether *select* finds the same if nothing binds `$this` before.
 
     So it is where its own patterns bind it first and hang together, and everything after these
     looks at single solutions.
@@ -68,7 +68,7 @@ def runs_without_focus(select: Select) -> bool:
 
 
 def _connected(block: Triples) -> bool:
-    """Whether each pattern of *block* shares a variable with those before it, first `$this`."""
+    """Tell whether each pattern of *block* shares a variable with earlier ones, first `$this`."""
     known = {THIS}
     for each in patterns(block.tokens, count(4000)):
         if each.closes or not each.variables & known:
@@ -88,7 +88,7 @@ def _alone(element: Element) -> bool:
 
 
 def _each(select: Select) -> bool:
-    """Whether the solutions of one focus node are told apart from those of others."""
+    """Tell whether the solutions of each focus node stay separate from those of others."""
     tail = [word.upper() for word in words(select.tail)]
     if not tail:
         return _AGGREGATES.isdisjoint(word.upper() for word in words(select.head))

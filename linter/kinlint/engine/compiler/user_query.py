@@ -35,7 +35,7 @@ class Query:
     variables: tuple[str, ...]
     premises: tuple[Triple, ...]
     may_stay: bool
-    """Whether a path may lead from a pre-bound term to itself in no steps."""
+    """A path may lead from a pre-bound term to itself in no steps."""
 
     @property
     def text(self) -> str:
@@ -46,12 +46,12 @@ class Query:
 def read_query(
     graph: ShapesGraph, node: Term, name: str, path: str | None, prebound: tuple[str, ...]
 ) -> Query:
-    """The query that *node* states by `sh:select` or `sh:ask` (*name*).
+    """Return the query that *node* states by `sh:select` or `sh:ask` (*name*).
 
     `$PATH` becomes *path*, which is None in node shapes.
 
-    *prebound* are the variables that get their values from outside. Raises `RuleInvalid` for
-    what is no SPARQL or not allowed in SHACL, `Deferred` for what is not covered.
+    *prebound* are the variables that get their values from outside. Raises `RuleInvalid` for what
+    is no SPARQL or not allowed in SHACL, `Deferred` for what is not covered.
     """
     value = graph.one(node, sh(name))
     if value is None or not is_literal(value):
@@ -112,7 +112,7 @@ def _defer(select: Select, found: tuple[str, ...]) -> None:
 
 
 def _may_stay(select: Select, prebound: tuple[str, ...]) -> bool:
-    """Whether a path of no steps may start or end at a pre-bound term.
+    """Tell whether a path of no steps may start or end at a pre-bound term.
 
     Such a path holds for any term, but Oxigraph follows it only from terms of the graph. Raises
     `Deferred` where that matters for a term which the query itself names.
@@ -135,7 +135,7 @@ def _may_stay(select: Select, prebound: tuple[str, ...]) -> bool:
 
 
 def _premises(group: Group) -> tuple[Triple, ...]:
-    """The patterns that every solution of *group* matches."""
+    """Return the patterns that every solution of *group* matches."""
     found: list[Triple] = []
     for each in group.elements:
         match each:

@@ -32,7 +32,7 @@ _RANGES = {
 
 
 def condition_violations(scope: ShapeScope, name: str) -> Iterator[Violation]:
-    """The violations of component *name*, one for each value of its parameter."""
+    """Yield the violations of component *name*, one for each value of its parameter."""
     for condition, message in CONDITIONS[name](scope):
         yield Violation(
             component(name),

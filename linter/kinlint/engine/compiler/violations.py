@@ -48,7 +48,7 @@ _ONCE = (
 
 
 def violations(scope: ShapeScope) -> Iterator[Violation]:
-    """Every constraint of the shape of *scope*, those of `sh:property` excepted."""
+    """Yield every constraint of the shape of *scope*, those of `sh:property` excepted."""
     for name in _ONCE:
         scope.shape.one(name)
     for name, found in _COMPONENTS.items():
@@ -62,7 +62,7 @@ def violations(scope: ShapeScope) -> Iterator[Violation]:
 
 
 def top_frame(shape: Shape, names: count[int], above: tuple[Term, ...]) -> ShapeScope:
-    """The scope in which results of *shape* are reported, reached through shapes *above*."""
+    """Return the scope in which results of *shape* are reported, reached through shapes *above*."""
     return ShapeScope(
         shape,
         focus="?this",
@@ -80,10 +80,10 @@ def top_frame(shape: Shape, names: count[int], above: tuple[Term, ...]) -> Shape
 def _conforms(
     graph: ShapesGraph, names: count[int], above: tuple[Term, ...], node: Term, variable: str
 ) -> str:
-    """The condition that *variable* conforms to the shape *node*; never an error.
+    """Return the condition that *variable* conforms to the shape *node*; never an error.
 
-    Raises `Deferred` if the shape refers to itself through *above*: SHACL leaves open what
-    that means.
+    Raises `Deferred` if the shape refers to itself through *above*: SHACL leaves open what that
+    means.
     """
     if node in above:
         raise Deferred("the shape refers to itself")
@@ -111,7 +111,7 @@ def _absent(violation: Violation) -> str:
 
 
 def properties(shape: Shape) -> Iterator[Shape]:
-    """The property shapes of *shape* that are in force."""
+    """Yield the property shapes of *shape* that are in force."""
     for node in shape.graph.values(shape.node, sh("property")):
         inner = read_shape(shape.graph, node)
         if inner.path is None:

@@ -29,12 +29,12 @@ COMPLAINTS = "http://www.daml.org/2002/03/agents/agent-ont#"
 """The namespace in which owlrl complains about literals that are not in canonical form."""
 
 SCHEMA = tuple(f"<{namespace}" for namespace in (OWL, RDFS, RDF, XSD, COMPLAINTS))
-"""How terms about terms begin."""
+"""The beginnings of terms about terms."""
 
 AXIOMS = (OWL, RDFS)
-"""How the properties of axioms begin."""
+"""The beginnings of the properties of axioms."""
 META = (OWL, RDF)
-"""How the types of classes and properties begin."""
+"""The beginnings of the types of classes and properties."""
 
 MOST = f"<{OWL}maxCardinality>"
 
@@ -52,7 +52,7 @@ EQUALITY = (
 def owlrl_complaints(
     triples: Iterable[Triple], vocabulary_files: Sequence[Path] = ()
 ) -> frozenset[str]:
-    """What owlrl finds inconsistent in *triples* and the vocabulary, in its own words.
+    """Return the inconsistencies of *triples* and the vocabulary, in owlrl's own words.
 
     It is asked about axioms that equate nothing. Values that are literals it names as it likes.
     """
@@ -61,11 +61,11 @@ def owlrl_complaints(
 
 
 def owlrl_closure(triples: Iterable[Triple], vocabulary_files: Sequence[Path] = ()) -> set[Triple]:
-    """What OWL 2 RL adds to *triples* and the vocabulary about things, in the store's spelling.
+    """Return what OWL 2 RL adds to *triples* and the vocabulary, as the store spells it.
 
-    Left out is what `compile_axioms` leaves out: statements about classes, properties and
-    literals, memberships in anonymous classes, in datatypes and in built-in classes other than
-    owl:Nothing, and equality.
+    Left out is what `compile_axioms` leaves out: statements about classes, properties and literals,
+    memberships in anonymous classes, in datatypes and in built-in classes other than owl:Nothing,
+    and equality.
     """
     stated = _unequated({*triples, *Schema.read(vocabulary_files).triples})
     schema = {s for s, p, o in stated if p.startswith(SCHEMA) and (p != RDF_TYPE or _is_meta(o))}
@@ -76,16 +76,16 @@ def owlrl_closure(triples: Iterable[Triple], vocabulary_files: Sequence[Path] = 
 
 
 def _unequated(stated: set[Triple]) -> set[Triple]:
-    """*stated* less the axioms that equate things, which a cardinality of zero does not."""
+    """Return *stated* less the axioms that equate things, which a cardinality of zero does not."""
     none = {s for s, p, o in stated if p == MOST and literal_value(o) == "0"}
     return {each for each in stated if each[0] in none or not {each[1], each[2]} & {*EQUALITY}}
 
 
 def _expanded(stated: Iterable[Triple]) -> Graph:
-    """The closure of *stated*, in which nothing is equated.
+    """Return the closure of *stated*, in which nothing is equated.
 
-    owlrl would say of each term that it equals itself, which takes most of its time. All rules
-    but those of equality begin with a triple of the schema.
+    owlrl would say of each term that it equals itself, which takes most of its time. All rules but
+    those of equality begin with a triple of the schema.
     """
     from owlrl import DeductiveClosure, OWLRL_Semantics  # noqa: PLC0415
 

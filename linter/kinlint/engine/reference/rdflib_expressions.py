@@ -15,7 +15,7 @@ ROUNDING = frozenset({"Builtin_ROUND", "Builtin_CEIL", "Builtin_FLOOR"})
 
 
 def numeric(original: Callable[[Any], Any], term: Any) -> Any:
-    """The number that *term* is; "0,4" is none, whatever datatype is claimed for it.
+    """Return the number that *term* is; "0,4" is none, whatever datatype is claimed for it.
 
     rdflib takes every literal of a numeric datatype for a number, and fails when it counts with it.
     """
@@ -26,10 +26,10 @@ def numeric(original: Callable[[Any], Any], term: Any) -> Any:
 
 
 def evaluated(original: Callable[..., Any], expression: Any, context: Any) -> Any:
-    """The value of *expression*, or the error it is, which SPARQL passes on as a value.
+    """Return the value of *expression*, or the error it is, which SPARQL passes on as a value.
 
-    rdflib lets other exceptions than its own escape. It cannot round what has more digits than
-    its decimals, or is infinite; such numbers have no fraction.
+    rdflib lets other exceptions than its own escape. It cannot round what has more digits than its
+    decimals, or is infinite; such numbers have no fraction.
     """
     try:
         if expression.name == "RelationalExpression" and expression.get("op") in ORDER:

@@ -27,7 +27,7 @@ logging.getLogger("rdflib.term").setLevel(logging.ERROR)
 
 @lru_cache(maxsize=100_000)
 def node(term: Term) -> Identifier:
-    """The rdflib node of a token."""
+    """Return the rdflib node of a token."""
     if is_iri(term):
         return URIRef(iri_value(term))
     if is_blank(term):
@@ -40,14 +40,14 @@ def node(term: Term) -> Identifier:
 
 
 def term(of: Node) -> Term:
-    """The token of an rdflib node."""
+    """Return the token of an rdflib node."""
     if isinstance(of, Literal):
         return literal(str(of), str(of.datatype or ""), of.language or "")
     return blank(str(of)) if isinstance(of, BNode) else iri(str(of))
 
 
 def graph(triples: Iterable[Triple]) -> Graph:
-    """A graph of *triples* that knows no prefix, so that none is taken from it by accident."""
+    """Return a graph of *triples* that knows no prefix: none is then taken from it by mistake."""
     made = Graph(bind_namespaces="none")
     made.addN((node(s), node(p), node(o), made) for s, p, o in triples)
     return made

@@ -35,7 +35,7 @@ NUMBERS = ((operators, "numeric"), (aggregates, "numeric"))
 
 @dataclass(frozen=True)
 class Record:
-    """What pySHACL said of one result."""
+    """A result of pySHACL, with what its report leaves out."""
 
     shape: Node
     component: Node
@@ -48,10 +48,10 @@ class Record:
 
 @contextmanager
 def recorded() -> Iterator[dict[Node, Record]]:
-    """What pySHACL finds inside the block, by the nodes of its report.
+    """Yield the results of pySHACL inside the block, by the nodes of its report.
 
-    pySHACL parses a query anew for each focus node, which takes 70 % of its time, and it
-    reports no variables but those of SHACL, while messages name others. Queries are parsed once.
+    pySHACL parses a query anew for each focus node, which takes 70 % of its time, and it reports no
+    variables but those of SHACL, while messages name others. Queries are parsed once.
     """
     records: dict[Node, Record] = {}
 
@@ -99,7 +99,7 @@ def recorded() -> Iterator[dict[Node, Record]]:
 
 
 def _bindings(bound: Any) -> dict[str, Node]:
-    """The variables of a solution, in whichever of its shapes pySHACL passes them on."""
+    """Return the variables of a solution, in whichever of its shapes pySHACL passes them on."""
     if isinstance(bound, tuple):
         first: dict[str, Any] = dict(zip(("this", "path", "value"), bound, strict=False))
         bound = first | (bound[3] if len(bound) > len(first) else {})
@@ -107,7 +107,7 @@ def _bindings(bound: Any) -> dict[str, Node]:
 
 
 def _groups(original: Any, context: Any, part: Any) -> Any:
-    """`evalAggregateJoin`, but GROUP BY makes no group of nothing (SPARQL 1.1, 18.5.1).
+    """Return `evalAggregateJoin`, but GROUP BY makes no group of nothing (SPARQL 1.1, 18.5.1).
 
     rdflib makes an empty one, which joins with everything: violations that nobody else finds.
     """
@@ -126,7 +126,7 @@ def _parsed(text: str, base: str | None, prefixes: tuple[tuple[str, Any], ...]) 
 def _query(
     self: SPARQLProcessor, query: Any, bindings: Any = None, prefixes: Any = None, **given: Any
 ) -> Any:
-    """`SPARQLProcessor.query`, parsing each text once."""
+    """Return `SPARQLProcessor.query`, parsing each text once."""
     base = given.get("base")
     if isinstance(query, str):
         query = _parsed(query, base, tuple(sorted((prefixes or {}).items())))

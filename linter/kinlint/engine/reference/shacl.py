@@ -37,10 +37,10 @@ def check(
     constraints: Iterable[Constraint] = (),
     computed: Iterable[Triple] = (),
 ) -> list[Result]:
-    """The violations of the shapes in *shape_files* that pySHACL finds in *documents*.
+    """Return the violations of the shapes in *shape_files* that pySHACL finds in *documents*.
 
-    What follows from the vocabulary is inferred by owlrl; *computed* is what was lifted from
-    other formats, and the facts. For the rest see `check_store`.
+    What follows from the vocabulary is inferred by owlrl; *computed* is what was lifted from other
+    formats, and the facts. For the rest see `check_store`.
     """
     store = Store()
     store.load(documents)
@@ -54,11 +54,11 @@ def check(
 def check_store(
     store: Store, shape_files: Sequence[Source], constraints: Iterable[Constraint] = ()
 ) -> list[Result]:
-    """The violations of the shapes in *shape_files* that pySHACL finds in *store*, as it is.
+    """Return the violations of the shapes in *shape_files* that pySHACL finds in *store*, as it is.
 
-    Results belong to those *constraints* that are meant, or to new ones that say the same.
-    For blank shapes to have the names that the compiler gives them, *shape_files* must be the
-    files it was given, in its order. Raises `RuleInvalid` for shapes that pySHACL cannot run.
+    Results belong to those *constraints* that are meant, or to new ones that say the same. For
+    blank shapes to have the names that the compiler gives them, *shape_files* must be the files it
+    was given, in its order. Raises `RuleInvalid` for shapes that pySHACL cannot run.
     """
     return list(_judge(_statements(store), shape_files, constraints))
 
@@ -66,7 +66,7 @@ def check_store(
 def check_deferred(
     store: Store, shape_files: Sequence[Source], constraints: Iterable[Constraint]
 ) -> list[Result]:
-    """The violations in *store* of those *constraints* that the compiler deferred."""
+    """Return the violations in *store* of those *constraints* that the compiler deferred."""
     deferred = [each for each in constraints if each.deferred is not None]
     if not deferred:
         return []
@@ -75,7 +75,7 @@ def check_deferred(
 
 
 def _statements(store: Store) -> Iterator[Triple]:
-    """What *store* holds, documents in their own spelling."""
+    """Yield the statements of *store*, documents in their own spelling."""
     for document in store.documents.values():
         yield from document.statements
     yield from Schema.read(store.vocabulary).triples
@@ -116,7 +116,7 @@ def _judge(
 
 @lru_cache(maxsize=8)
 def _shapes(files: tuple[Source, ...]) -> tuple[ShapesGraph, Graph]:
-    """The shapes of *files* as the compiler sees them and as pySHACL does."""
+    """Return the shapes of *files* as the compiler sees them and as pySHACL does."""
     shapes = read(files)
     return shapes, graph(triple for file in shapes.files for triple in file.triples)
 
