@@ -205,7 +205,7 @@ def test_exclusions_hold_where_they_are_written(kinlint, pipeline, write):
         ("linux", {"KINLINT_CACHE_DIR": "/c", "XDG_CACHE_HOME": "/x"}, "/c"),
         ("linux", {"XDG_CACHE_HOME": "/x"}, "/x/kinlint"),
         ("linux", {}, "/home/me/.cache/kinlint"),
-        ("darwin", {}, "/home/me/Workspace/Caches/kinlint"),
+        ("darwin", {}, "/home/me/Library/Caches/kinlint"),
         ("win32", {"LOCALAPPDATA": "/l"}, "/l/kinlint"),
         ("win32", {}, "/home/me/AppData/Local/kinlint"),
     ],

@@ -86,7 +86,7 @@ def test_mistakes(kinlint, arguments, message):
 
 def test_rules_that_keep_their_promises(kinlint, monkeypatch):
     """Exit code 0, and how many there are."""
-    monkeypatch.setattr(test_rules_command.promises, "failures", lambda *_: iter(()))
+    monkeypatch.setattr(test_rules_command.rule_conformance, "failures", lambda *_: iter(()))
 
     assert kinlint("test-rules") == (0, "4 rules with 0 examples: all keep their promises.\n", "")
     assert kinlint("test-rules", "-q") == (0, "", "")
@@ -98,7 +98,7 @@ def test_rules_that_do_not(kinlint, monkeypatch):
     def failures(rule, _):
         return iter(["it has no example", "x"] if rule.code == "LD001" else [])
 
-    monkeypatch.setattr(test_rules_command.promises, "failures", failures)
+    monkeypatch.setattr(test_rules_command.rule_conformance, "failures", failures)
 
     code, out, err = kinlint("test-rules")
 
@@ -113,7 +113,7 @@ def test_rules_that_do_not(kinlint, monkeypatch):
 def test_rules_of_a_directory(kinlint, monkeypatch, here):
     """Those alone; none is an error."""
     (here / "mine").mkdir()
-    monkeypatch.setattr(test_rules_command.promises, "failures", lambda *_: iter(()))
+    monkeypatch.setattr(test_rules_command.rule_conformance, "failures", lambda *_: iter(()))
 
     assert kinlint("test-rules", "rules")[1].startswith("4 rules ")
     assert kinlint("test-rules", "mine") == (2, "", "kinlint: error: no rules found in mine\n")

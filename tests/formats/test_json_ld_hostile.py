@@ -14,7 +14,7 @@ from kinlint.errors import SourceError
 CONTEXT = '"@context": {"p": "https://e.org/p"}'
 
 
-class Workspace:
+class Library:
     """Contexts by the last part of `https://c.org/NAME`."""
 
     release = ""
@@ -26,17 +26,17 @@ class Workspace:
         found = self.contexts.get(iri.removeprefix("https://c.org/"))
         return None if found is None else {"@context": found}
 
-    def at_release(self, release: str) -> Workspace:
+    def at_release(self, release: str) -> Library:
         return self
 
 
-def read(context: Any, library: Workspace | None = None, **content: Any) -> Any:
+def read(context: Any, library: Library | None = None, **content: Any) -> Any:
     content = {"@context": context, "@id": "https://e.org/a", **content}
-    return document(content, contexts=library or Workspace(), releases=())
+    return document(content, contexts=library or Library(), releases=())
 
 
 def test_contexts_that_include_each_other() -> None:
-    library = Workspace(a=["https://c.org/b"], b="https://c.org/a")
+    library = Library(a=["https://c.org/b"], b="https://c.org/a")
     found = losses(read(["https://c.org/a", {"p": "https://e.org/p"}], library, p=1, q=2))
     assert found == [("InvalidContext", '"https://c.org/a"'), ("UnreadKey", '"q"')]
 
@@ -46,25 +46,25 @@ def test_a_context_that_scopes_itself() -> None:
         "p": "https://e.org/p",
         "T": {"@id": "https://e.org/T", "@context": "https://c.org/a"},
     }
-    found = read("https://c.org/a", Workspace(a=scoped), **{"@type": "T", "p": {"@type": "T"}})
+    found = read("https://c.org/a", Library(a=scoped), **{"@type": "T", "p": {"@type": "T"}})
     assert losses(found) == []
     assert len(domain(found)) == 3
 
 
 def test_a_context_document_with_an_error_in_it() -> None:
     broken = {"p": "https://e.org/p", "q": {"@id": 7}}
-    found = read("https://c.org/a", Workspace(a=broken), p=1, q=2)
+    found = read("https://c.org/a", Library(a=broken), p=1, q=2)
     assert losses(found) == [("InvalidContext", '"https://c.org/a"'), ("UnreadKey", '"q"')]
     assert len(domain(found)) == 1
 
 
 def test_a_context_document_that_does_not_propagate() -> None:
-    library = Workspace(a={"@propagate": False, "p": "https://e.org/p"})
+    library = Library(a={"@propagate": False, "p": "https://e.org/p"})
     assert losses(read("https://c.org/a", library, p={"p": 1})) == [("DroppedKey", '"p"')]
 
 
 def test_imports_leave_the_imported_document_as_it_was() -> None:
-    library = Workspace(a={"p": "https://e.org/p"})
+    library = Library(a={"p": "https://e.org/p"})
     extended = {"@import": "https://c.org/a", "q": "https://e.org/q"}
     assert losses(read([extended, None, "https://c.org/a"], library, p=1, q=1)) == [
         ("DroppedKey", '"q"')
@@ -75,12 +75,12 @@ def test_imports_leave_the_imported_document_as_it_was() -> None:
 def test_imports_of_nothing_and_of_imports() -> None:
     own = {"@import": "https://c.org/a", "p": "https://e.org/p"}
     assert losses(read(own, p=1, q=1))[0][0] == "UnresolvedContext"
-    library = Workspace(a={"@import": "https://c.org/a"})
+    library = Library(a={"@import": "https://c.org/a"})
     assert losses(read(own, library, p=1))[0][0] == "InvalidContext"
 
 
 def test_twenty_contexts_are_no_cycle() -> None:
-    library = Workspace(**{f"c{i}": {f"p{i}": f"https://e.org/{i}"} for i in range(20)})
+    library = Library(**{f"c{i}": {f"p{i}": f"https://e.org/{i}"} for i in range(20)})
     found = read([f"https://c.org/c{i}" for i in range(20)], library, p0=1, p19=1)
     assert len(domain(found)) == 2
 

@@ -1,4 +1,4 @@
-"""`--fix`, `--fix-only` and `--diff`: mends the files that were named."""
+"""`--fix`, `--fix-only` and `--diff`: fixes the files that were named."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def _cause(error: Exception) -> str:
 
 
 def _partners(name: str, fixed: Iterable[Finding], failed: Mapping[str, str]) -> dict[str, str]:
-    """The files, beside those that *failed*, that are fixed together with that of *name*."""
+    """The files, apart from those that *failed*, that are fixed together with that of *name*."""
     together = [set(files) for one in fixed if len(files := set(_files(one, edited=True))) > 1]
     found, left = {name}, True
     while left:

@@ -1,4 +1,4 @@
-"""Makes the report of what was found: reads it, lints it, mends it if asked."""
+"""Read, lint and, if asked, fix the files found; return the report."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class LintRun:
     def report(self, options: Namespace, outputs: Outputs, wanted: Sieve | None = None) -> Report:
         """The report for *outputs*; with `--fix` and its like, of what is left.
 
-        Only findings that are *wanted* are mended.
+        Only findings that are *wanted* are fixed.
         """
         asides, new = self.found.asides, wanted
         if asides:
@@ -82,7 +82,7 @@ class LintRun:
         inputs = self.found.inputs
         least = fix_files.least_applicability(self.settings)
         streamed = {one.name for one in inputs if one.path is None}
-        mended = fix_files.fix_in_rounds(
+        outcome = fix_files.fix_in_rounds(
             sources,
             failed,
             self.settings,
@@ -93,13 +93,13 @@ class LintRun:
             self.found.asides,
             wanted or fix_files.accept_all,
         )
-        if mended.restless and not options.silent:
-            sys.stderr.write(f"kinlint: warning: {fix_files.unsettled(mended.restless)}\n")
+        if outcome.restless and not options.silent:
+            sys.stderr.write(f"kinlint: warning: {fix_files.unsettled(outcome.restless)}\n")
         if options.diff:
-            fix_files.print_diffs(mended.changed, options.color)
-            return mended.report
-        report = fix_files.write_fixes(mended, inputs)
-        fix_files.write_streamed(sources, mended.changed, inputs)
+            fix_files.print_diffs(outcome.changed, options.color)
+            return outcome.report
+        report = fix_files.write_fixes(outcome, inputs)
+        fix_files.write_streamed(sources, outcome.changed, inputs)
         return report
 
     def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:

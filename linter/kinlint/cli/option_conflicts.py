@@ -19,7 +19,7 @@ EXCLUDING = (
     ),
     ("--add-ignore", ("--fix", "--fix-only", "--diff", "--write-baseline", "--prune-baseline")),
 )
-"""Each option with those that may not stand beside it."""
+"""Each option with those that it excludes."""
 
 
 def check_together(options: Namespace) -> None:

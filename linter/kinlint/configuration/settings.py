@@ -92,9 +92,9 @@ class Settings:
     context_directories: tuple[Path, ...] = ()
     """Directories of further contexts, by the path of their IRI."""
     rules: tuple[Path, ...] = ()
-    """Rule files, and directories of them, beside the built-in ones."""
+    """Rule files, and directories of them, in addition to the built-in ones."""
     shapes: tuple[Path, ...] = ()
-    """SHACL files to check beside the rules."""
+    """SHACL files to check in addition to the rules."""
     engine: Engine = "oxigraph"
     """The SHACL engine."""
     partial: bool = False

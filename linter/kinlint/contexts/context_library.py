@@ -65,7 +65,7 @@ class Contexts:
         return cls(_release_named(release or NEWEST), _further(extra))
 
     def at_release(self, release: str) -> Contexts:
-        """The same further contexts beside another bundled release."""
+        """Return the same further contexts with another bundled release."""
         return Contexts(_release_named(release), self._further)
 
     @property

@@ -35,22 +35,22 @@ class FixGenerator(Generator):
     def batches(self, candidates: Sequence[Candidate]) -> Iterator[list[Candidate]]:
         """Sort *candidates* into batches: the preferred of each finding first.
 
-        Findings that the same edits mend are mended together.
+        Findings that the same edits fix are fixed together.
         """
         left = sorted(candidates, key=lambda each: (each.rank, each.finding.sort_key))
         while left:
             batch, later = list[Candidate](), list[Candidate]()
             taken: dict[Path, list[Edit]] = {}
-            mended = set[int]()
+            fixed = set[int]()
             for each in left:
-                clash = id(each.finding) in mended or any(
+                clash = id(each.finding) in fixed or any(
                     overlap(edits, taken.get(path, ()))
                     and not set(edits) <= set(taken.get(path, ()))
                     for path, edits in each.edits.items()
                 )
                 (later if clash else batch).append(each)
                 if not clash:
-                    mended.add(id(each.finding))
+                    fixed.add(id(each.finding))
                     for path, edits in each.edits.items():
                         taken.setdefault(path, []).extend(edits)
             yield batch

@@ -25,7 +25,7 @@ from kinlint.terms import Term
 from kinlint.text import SourceText
 
 Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
-"""Selects the findings of a run that are to be mended."""
+"""Predicate that selects the findings of a run to fix."""
 
 
 def accept_all(findings: Sequence[Finding]) -> Sequence[Finding]:

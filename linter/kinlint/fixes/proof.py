@@ -20,7 +20,7 @@ OF_THE_TEXT = f"<{SRC}"
 def prove_applicability(before: Document, after: Document, delta: Delta) -> bool:
     """Tell whether *after* states exactly what *before* states with *delta*.
 
-    Blank nodes may be called otherwise, and numbers be spelled otherwise. Where *delta* mends what
+    Blank nodes may be called otherwise, and numbers be spelled otherwise. If *delta* repairs what
     was lost in reading, nobody can tell beforehand what is found: then nothing may be missing,
     but types that were none.
     """

@@ -1,4 +1,4 @@
-"""Mends texts, round by round, until nothing is left that may be mended."""
+"""Fix texts, round by round, until nothing is left that may be fixed."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
     """Make all changes of *generator* in *sources* that may be trusted at *least* so far.
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
-    is mended, too, but not what those do that are *streamed*; those called one of *kept* stay as
+    is fixed, too, but not what those do that are *streamed*; those called one of *kept* stay as
     they are. Fixes that lead back to texts as they were before are not made, nor those of findings
     that are not *wanted*.
     """

@@ -39,7 +39,7 @@ class Cancelled(Exception):
 
 @dataclass(frozen=True)
 class Examination:
-    """A report, and what it was made from: for those who mend what it tells of."""
+    """A report with the documents, store and finding builder that it was made from, for fixes."""
 
     report: Report
     documents: Sequence[Document]

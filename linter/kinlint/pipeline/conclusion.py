@@ -62,7 +62,7 @@ def robot_structures(
 def _meant(
     found: Iterable[Finding], documents: Sequence[Document], joined: Sequence[Document]
 ) -> Iterable[Finding]:
-    """Return those of *found* outside of companions, which *joined* has beside *documents*."""
+    """Return those of *found* outside of companions, which *joined* has after *documents*."""
     if len(joined) == len(documents):
         return found
     companions = set(_names(joined[len(documents) :])) - set(_names(documents))

@@ -38,7 +38,7 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Demand:
-    """The input of the stages beside documents; the default asks for all that can be lifted."""
+    """The input of the stages apart from documents; by default, all that can be lifted."""
 
     terms: frozenset[Term] | None = None
     """The properties and classes that are looked at; None for any."""

@@ -9,7 +9,7 @@ from kinlint.finding import Finding
 from kinlint.rule import Applicability
 
 FIXABLE, WITH_CARE, PARTLY = "[*]", "[*!]", "[-]"
-"""`--fix` mends it; it does with `--unsafe-fixes`; it mends some of them."""
+"""Signs: fixed by `--fix`; fixed with `--unsafe-fixes`; some of them fixed."""
 
 
 class Fixable(NamedTuple):

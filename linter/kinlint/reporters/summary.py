@@ -45,7 +45,7 @@ def verdict(report: Report) -> str:
 
 
 def hint(report: Report) -> Iterator[str]:
-    """A line on how many of the findings `--fix` mends; nothing if it mends none."""
+    """Yield a line with the number of findings that `--fix` fixes; nothing if there are none."""
     now, more = fixable(report.unsuppressed, unsafe=report.unsafe)
     if report.unsafe is False:
         more = 0

@@ -1,4 +1,4 @@
-"""A worker thread with a priority queue, beside the thread of the protocol."""
+"""A worker thread with a priority queue, separate from the thread of the protocol."""
 
 from __future__ import annotations
 

@@ -33,8 +33,8 @@ class ConfigIgnores:
                 selector = self._selector(ignore, finding)
                 if finding.suppressed is None and selector is not None:
                     self._used.add((ignore, selector))
-                    excuse = f"ignored by {ignore.origin}: {ignore.key}"
-                    finding = replace(finding, suppressed=excuse)  # noqa: PLW2901
+                    justification = f"ignored by {ignore.origin}: {ignore.key}"
+                    finding = replace(finding, suppressed=justification)  # noqa: PLW2901
             out.append(finding)
         return out
 

@@ -1,4 +1,4 @@
-"""The findings, file by file: excerpt, reasons, and what mends them."""
+"""The findings, file by file: excerpt, reasons and fixes."""
 
 from __future__ import annotations
 
