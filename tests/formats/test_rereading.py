@@ -15,7 +15,7 @@ from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.formats import incremental_reader
 from kinlint.formats.incremental_reader import IncrementalReader
-from kinlint.formats.jsonld.incremental import reader
+from kinlint.formats.jsonld.incremental import divided_reader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText
@@ -80,7 +80,7 @@ def sooner(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
 
     def forbid() -> None:
         monkeypatch.setattr(incremental_reader, "read", None)
-        monkeypatch.setattr(reader, "read_divided", None)
+        monkeypatch.setattr(divided_reader, "read_divided", None)
 
     return forbid
 

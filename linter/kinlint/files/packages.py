@@ -81,13 +81,13 @@ class Packages:
         yield from (each for each in above if self._manifest_name(each) == name)
         yield from (each for each in above if each.name == name)
         for each in above[: DEPTH - 1]:
-            beside = each / name
-            if self._manifest_name(beside) == name or (
-                self._manifest_name(beside) is None
-                and kind(beside) == "directory"
-                and beside != near
+            sibling = each / name
+            if self._manifest_name(sibling) == name or (
+                self._manifest_name(sibling) is None
+                and kind(sibling) == "directory"
+                and sibling != near
             ):
-                yield beside
+                yield sibling
 
     def _below(self, name: str, near: Path) -> Iterator[Path]:
         root = self.workspace or next((d for d in (near, *near.parents) if _is_top(d)), None)

@@ -36,11 +36,11 @@ def real(path: str | Path) -> Path:
 def missing(path: Path) -> str:
     """Say why there is nothing at *path*, with what there is of a similar name."""
     try:
-        beside = [one.name for one in path.parent.iterdir()]
+        siblings = [one.name for one in path.parent.iterdir()]
     except OSError:
-        beside = []
+        siblings = []
     # A common suffix says nothing of how alike two names are.
-    alike = {Path(name).stem: name for name in beside if Path(name).suffix == path.suffix}
-    others = [name for name in beside if Path(name).stem not in alike]
+    alike = {Path(name).stem: name for name in siblings if Path(name).suffix == path.suffix}
+    others = [name for name in siblings if Path(name).stem not in alike]
     found = alike.get(nearest(path.stem, alike) or "") or nearest(path.name, others)
     return NOTHING + (f", did you mean '{printable(found)}'?" if found else "")

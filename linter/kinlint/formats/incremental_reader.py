@@ -12,7 +12,7 @@ from kinlint.formats.registry import read
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
-    from kinlint.formats.jsonld.incremental.reader import Reading
+    from kinlint.formats.jsonld.incremental.divided_reader import Reading
 
 
 class IncrementalReader:
@@ -48,14 +48,14 @@ class IncrementalReader:
 
     def _divided(self, source: SourceText, options: ReadOptions) -> Reading | None:
         """Return *source*, read part by part; None if it has to be read at once."""
-        from kinlint.formats.jsonld.incremental import reader  # noqa: PLC0415  needs PyLD
+        from kinlint.formats.jsonld.incremental import divided_reader  # noqa: PLC0415  needs PyLD
 
         if self._parted is not None:
             try:
-                return reader.reread(self._parted, source, options)
-            except reader.Indivisible:
+                return divided_reader.reread(self._parted, source, options)
+            except divided_reader.Indivisible:
                 pass
         try:
-            return reader.read_divided(source, options)
-        except reader.Indivisible:
+            return divided_reader.read_divided(source, options)
+        except divided_reader.Indivisible:
             return None

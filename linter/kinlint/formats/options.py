@@ -24,7 +24,7 @@ class ContextLibrary(Protocol):
         ...
 
     def document(self, iri: str) -> Mapping[str, Any] | None:
-        """Return the document at *iri*, `{"@context": ...}`, or None if nobody knows it."""
+        """Return the document at *iri*, `{"@context": ...}`, or None if it is unknown."""
         ...
 
     def at_release(self, release: str) -> ContextLibrary:

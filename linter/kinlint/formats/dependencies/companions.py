@@ -1,7 +1,7 @@
 """Companions: the URDF that an SRDF refers to, whose links and joints it names.
 
 That is decided from the texts, without parsing them: among the files of a run, or else in the
-folders beside the SRDF.
+directories near the SRDF.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ def join_companions(
 ) -> list[Document]:
     """Return *documents*, in which each SRDF says which URDF it is about; see `partners`.
 
-    None does of which a part could not be read: what is missing there is nobody's fault here.
+    Documents with unread parts stay alone: what is missing there may be in the unread part.
     """
     texts = [document.source for document in documents]
     if not any(map(may_be_srdf, texts)):

@@ -53,7 +53,7 @@ def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Miss
 
 
 def _candidates(uri: str, scheme: str, near: Path, packages: Packages) -> Iterator[Path]:
-    """Yield the paths to try: beside the file that includes, then among the known models."""
+    """Yield the paths to try: next to the including file, then among the known models."""
     if scheme in ("model", "package"):
         resolved = packages.resolve(uri, near)
         if resolved is not None:

@@ -30,7 +30,7 @@ class Resolved:
 class Resolver:
     """Stands in for PyLD's ContextResolver.
 
-    *strict* raises for a context that nobody knows, as the specification demands; otherwise an
+    *strict* raises for an unknown context, as the specification demands; otherwise an
     empty context takes its place. Documents are never altered, so a library may be shared.
     """
 

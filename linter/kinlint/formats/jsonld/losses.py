@@ -39,7 +39,7 @@ class Loss:
 
     @property
     def relation(self) -> str:
-        """Name of its relation to the node: rules excuse a node of which something is lost."""
+        """Name of its relation to the node: rules ignore a node with losses."""
         return "subject" if self.kind in _MANNERS else "node"
 
     def with_details(self, details: Iterable[Detail]) -> Loss:

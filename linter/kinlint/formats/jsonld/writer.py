@@ -12,7 +12,7 @@ from kinlint.formats.options import ContextLibrary
 Node: TypeAlias = dict[str, Any]
 
 FLAT: Mapping[str, Any] = {"@embed": "@never", "@type": {}}
-"""A frame of all nodes that have a type, each beside the others rather than inside of them."""
+"""A frame of all nodes that have a type, as neighbours rather than inside of each other."""
 
 
 def framed(

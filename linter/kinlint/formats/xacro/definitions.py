@@ -1,6 +1,6 @@
 """Unused and repeated definitions of xacro files.
 
-Parameters nobody uses, properties that hide others.
+Unused parameters, properties that hide others.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Has expat read a text; once more with its flaws mended if it is not well-formed."""
+"""Parsing by expat; texts that are not well-formed are recovered and parsed again."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ class TargetGraph:
 
     `removed` and `added` are what is to be done; `settled` and `said` are what some change does
     that neither cuts the old value nor is found by looking at it. `renamed` maps the new name of
-    a node to the one in the text. `mending` tells that names without a meaning get one, by
+    a node to the one in the text. `defines_names` tells that names without a meaning get one, by
     which more may be found than the delta says.
     """
 
@@ -28,7 +28,7 @@ class TargetGraph:
         self.settled: set[Triple] = set()
         self.stated: set[Triple] = set()
         self.renamed: dict[Term, Term] = {}
-        self.mending = any(triple[1].startswith(f"<{SRC}") for triple in delta.added) or any(
+        self.defines_names = any(triple[1].startswith(f"<{SRC}") for triple in delta.added) or any(
             value.startswith(f"<{DOCUMENT_BASE}") for _, _, value in delta.removed
         )
         self._new: dict[Term, list[Triple]] = {}

@@ -50,8 +50,8 @@ class DividedProcessor(Processor):
         alone.append(element)
         self.trail[:] = [self.around]
         self._taken.clear()
-        beside = self._there(alone)
-        if beside:
+        outside = self._there(alone)
+        if outside:
             raise Indivisible
         return list(self._taken)
 

@@ -106,7 +106,7 @@ class PartStatements:
         return self._processor.place
 
     def hull(self, parsed: ParsedJson) -> Part:
-        """Read what the file states beside its parts, stating the parts on the way.
+        """Read what the file states besides its parts, stating the parts on the way.
 
         Raises Indivisible if that is not all of it, and what expansion raises.
         """

@@ -1,4 +1,4 @@
-"""Places that break the rules of XML, or say what nobody reads, written as they were meant.
+"""Places that break the rules of XML, or are ignored by readers, written as intended.
 
 That is what it takes for a document to say no more what it says of such a place.
 """
@@ -59,8 +59,8 @@ def syntax_edits(document: Document, sites: Sites, about: list[Triple]) -> Itera
         if predicate == src("reason"):
             place = document.location(span)
             begin = span.start - place.span.start
-            mended = _respaced if node in spaced else _mended
-            for (start, end), text in mended(sites.layout(place.source), place.span):
+            correct = _respaced if node in spaced else _corrected
+            for (start, end), text in correct(sites.layout(place.source), place.span):
                 yield Edit(Span(start + begin, end + begin), text)
             continue
         site = sites[places[node]]
@@ -88,7 +88,7 @@ def _respaced(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     yield Edit(span, BREAK.sub(" ", written.strip()))
 
 
-def _mended(layout: ElementLayout, span: Span) -> Iterator[Edit]:
+def _corrected(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     text, start = layout.text, span.start
     written = layout.source[span]
     if written.startswith("&"):
