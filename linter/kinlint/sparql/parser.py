@@ -23,7 +23,6 @@ from kinlint.sparql.tokens import NotSparql, split, written_out
 
 _CLAUSES = {"OPTIONAL", "MINUS", "GRAPH", "SERVICE", "LATERAL"}
 _STARTS = {*_CLAUSES, "FILTER", "BIND", "VALUES", "{", "}"}
-_ENDS = {"GROUP", "HAVING", "ORDER", "LIMIT", "OFFSET", "VALUES"}
 
 
 def parse(tokens: tuple[str, ...]) -> Select:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import count
 
-from kinlint.engine.compiler.invariant_hoisting import with_invariants_first
 from kinlint.engine.compiler.lateral_joins import with_lateral_joins
 from kinlint.engine.compiler.path_rewrite import with_closure_as_minus
 from kinlint.sparql.ast import (
@@ -25,7 +24,7 @@ from kinlint.sparql.ast import (
 )
 from kinlint.sparql.patterns import Pattern, patterns
 from kinlint.sparql.tokens import is_variable
-from kinlint.sparql.variables import certain, projection, variables
+from kinlint.sparql.variables import certain, projection, variables, visible
 
 
 def rewritten_for_oxigraph(select: Select, bound: frozenset[str]) -> Select:
@@ -125,3 +124,39 @@ def _cost(pattern: Pattern, bound: frozenset[str]) -> int:
     variable = pattern.subject if subject else pattern.object
     rank = 20 if subject else 30
     return rank + 30 * (not is_variable(variable)) + 15 * pattern.closes + 5 * free_path
+
+
+def with_invariants_first(group: Group, bound: frozenset[str], names: count[int]) -> Group:
+    """Return *group* with its EXISTS filters that see nothing but *bound* evaluated first.
+
+    Such a filter holds for all solutions of *group* or for none, so it may stand before them:
+
+        { SELECT bound WHERE { a pattern } LIMIT 1 } LATERAL { filters } LATERAL { the rest }
+
+    The sub-select spares the filters focus nodes that cannot have a solution.
+    """
+    own = visible(group) - bound
+    early = tuple(
+        each for each in group.elements if _has_exists(each) and not variables(each) & own
+    )
+    rest = tuple(each for each in group.elements if each not in early)
+    first = next((each for each in rest if isinstance(each, Triples)), None)
+    if not early or first is None:
+        return group
+    found = patterns(first.tokens, names)
+    best = next((each for each in found if each.variables & bound and not each.closes), found[0])
+    block = Group((Triples((best.subject, *best.path, best.object)),))
+    some = Select(("SELECT", *sorted(bound)), block, ("LIMIT", "1"))
+    return Group(
+        (
+            Union((Group((some,)),)),
+            Clause(("LATERAL",), Group(early)),
+            Clause(("LATERAL",), Group(rest)),
+        )
+    )
+
+
+def _has_exists(element: object) -> bool:
+    return isinstance(element, Filter) and any(
+        isinstance(part, Group) for part in element.expression
+    )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.oxigraph_probe import try_out
+from kinlint.engine.compiler.query_terms import query_terms
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, target_shapes
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
@@ -16,7 +17,6 @@ from kinlint.engine.compiler.target import Target, target
 from kinlint.engine.compiler.target_narrowing import implying_premises, narrowed
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
-from kinlint.engine.required_terms import needs
 from kinlint.sparql.patterns import literal_token
 
 if TYPE_CHECKING:
@@ -160,4 +160,4 @@ def _compiled(
         premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
         targets=chain.target.ways,
     )
-    return replace(compiled, needs=needs(compiled))
+    return replace(compiled, needs=query_terms(compiled))

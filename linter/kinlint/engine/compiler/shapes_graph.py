@@ -19,8 +19,6 @@ Source: TypeAlias = Path | tuple[str, str]
 
 FIRST, REST, NIL = f"<{RDF}first>", f"<{RDF}rest>", f"<{RDF}nil>"
 
-_BLANK = re.compile(r"_:[0-9a-zA-Z]\S*")
-
 
 @dataclass(frozen=True)
 class ShapesFile:
