@@ -43,14 +43,14 @@ def add_ignores(  # noqa: PLR0913, PLR0917
         generator=partial(SuppressionGenerator, reason=options.add_ignore or None),
     )  # fmt: skip
     if not options.silent:
-        sys.stderr.writelines(_told(outcome))
+        sys.stderr.writelines(_outcome_lines(outcome))
     report = replace(outcome.report, fixed=(), unfixed=())
     report = fix_files.write_fixes(replace(outcome, report=report), found.inputs, "silenced")
     fix_files.write_streamed(sources, outcome.changed, found.inputs)
     return report
 
 
-def _told(outcome: RoundsResult) -> Iterable[str]:
+def _outcome_lines(outcome: RoundsResult) -> Iterable[str]:
     yield f"kinlint: {plural(len(outcome.report.fixed), 'finding')} silenced\n"
     refused = [(finding, why) for finding, _, why in outcome.left.generator.refused]
     refused += [

@@ -60,12 +60,14 @@ def combine_trust(choices: Iterable[Choice], catalogue: Catalogue) -> Trust:
         fixable = select_codes(
             below, choice.fixable or (), choice.unfixable, choice.origin, catalogue
         )
-        for _, careful, codes in sorted(_said(choice, catalogue), key=lambda step: step[:2]):
+        for _, careful, codes in sorted(_trust_steps(choice, catalogue), key=lambda step: step[:2]):
             unsafe.update(dict.fromkeys(codes, careful))
     return Trust(fixable, unsafe)
 
 
-def _said(choice: Choice, catalogue: Catalogue) -> Iterator[tuple[Rank, bool, frozenset[str]]]:
+def _trust_steps(
+    choice: Choice, catalogue: Catalogue
+) -> Iterator[tuple[Rank, bool, frozenset[str]]]:
     for careful, selectors in (
         (False, choice.extend_safe_fixes),
         (True, choice.extend_unsafe_fixes),

@@ -87,7 +87,7 @@ def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
     def sheet(document: Document) -> _Sheet:
         return sheets.setdefault(document.graph, _Sheet(document))
 
-    above = [each for each in delta.removed if not _asserted(store, each, sheet)]
+    above = [each for each in delta.removed if not _removed_from_documents(store, each, sheet)]
     if not all(map(store.is_lifted, above)):
         raise NotExpressible("what has to go is written nowhere: it follows from other statements")
     lifted = Delta(tuple(above), tuple(each for each in delta.added if _is_lifted(store, each[0])))
@@ -109,7 +109,9 @@ def _is_number(term: Term) -> bool:
     return is_literal(term) and literal_datatype(term) in NUMERIC
 
 
-def _asserted(store: Store, triple: Triple, sheet: Callable[[Document], _Sheet]) -> bool:
+def _removed_from_documents(
+    store: Store, triple: Triple, sheet: Callable[[Document], _Sheet]
+) -> bool:
     """Tell whether documents assert *triple*, and note it as one to remove from them."""
     written = list(store.written(*triple))
     for document, spelled in written:

@@ -17,7 +17,7 @@ FAR = 64
 OF_THE_TEXT = f"<{SRC}"
 
 
-def prove_applicability(before: Document, after: Document, delta: Delta) -> bool:
+def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
     """Tell whether *after* states exactly what *before* states with *delta*.
 
     Blank nodes may be called otherwise, and numbers be spelled otherwise. If *delta* repairs what

@@ -11,7 +11,7 @@ from pathlib import Path
 from kinlint.document import Document
 from kinlint.edits import Delta, NotExpressible
 from kinlint.fixes.generator import Candidate, FileKind, Generator, counts
-from kinlint.fixes.proof import prove_applicability
+from kinlint.fixes.proof import is_exact_change
 from kinlint.fixes.texts import Texts
 from kinlint.pipeline.analyzer import Examination
 from kinlint.rule import Applicability
@@ -195,7 +195,7 @@ def _says(
         for number, each in enumerate(deltas)
         for triple in each.added
     )
-    return prove_applicability(old, new, Delta(tuple(removed), tuple(added)))  # type: ignore[arg-type]
+    return is_exact_change(old, new, Delta(tuple(removed), tuple(added)))  # type: ignore[arg-type]
 
 
 def _apart(term: Term, number: int) -> Term:

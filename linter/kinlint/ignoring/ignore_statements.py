@@ -19,10 +19,10 @@ def ignore_delta(
     document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None
 ) -> Delta:
     """Return the statements that silence the *codes* of each node of *document*, for *reason*."""
-    return Delta(added=tuple(_said(document, codes, reason)))
+    return Delta(added=tuple(_ignore_triples(document, codes, reason)))
 
 
-def _said(
+def _ignore_triples(
     document: Document, codes: Mapping[Term, Iterable[str]], reason: str | None
 ) -> Iterator[Triple]:
     there = set(document.statements)

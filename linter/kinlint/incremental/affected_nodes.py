@@ -97,13 +97,13 @@ class AffectedNodes:
         return self._begun[key]
 
     def _begin(self, edge: Edge, *, from_object: bool) -> set[Node]:
-        matched = [fact for fact in self._about(edge.path) if _matches(edge, fact)]
+        matched = [fact for fact in self._changed_facts(edge.path) if _matches(edge, fact)]
         if not edge.path.plain:
             ends = {end for fact in matched for end in (fact[0], fact[2])}
             return self._step(ends, edge.path, back=False) | ends
         return {fact[2] if from_object else fact[0] for fact in matched}
 
-    def _about(self, path: Path) -> Iterable[Fact]:
+    def _changed_facts(self, path: Path) -> Iterable[Fact]:
         if path.terms is None:
             return self._changed
         return (fact for term in path.terms for fact in self._by_property.get(term, ()))

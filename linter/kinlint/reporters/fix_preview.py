@@ -42,7 +42,7 @@ class FixPreview:
     def block(self, finding: Finding) -> Iterator[str]:
         """The lines that tell of the fixes of *finding*; nothing if there are none."""
         for fix in finding.fixes[:FIXES_SHOWN]:
-            yield self._said("help", fix.title)
+            yield self._labelled("help", fix.title)
             for source, edits in edits_by_source(fix):
                 if fix.sources[1:] or source.name != finding.location.source.name:
                     name = printable(source.name, unicode=self.style.unicode)
@@ -51,7 +51,7 @@ class FixPreview:
                 yield from self._changes(source, list(hunks(source, edits)))
             yield from self._caution(fix)
         if (more := len(finding.fixes) - FIXES_SHOWN) > 0:
-            yield self._said("help", plural(more, "more fix", "more fixes"))
+            yield self._labelled("help", plural(more, "more fix", "more fixes"))
 
     def _changes(self, source: SourceText, changes: Sequence[Hunk]) -> Iterator[str]:
         bar = self.style.ink(f"{self._margin} |", "place")
@@ -92,9 +92,9 @@ class FixPreview:
     def _caution(self, fix: Fix) -> Iterator[str]:
         """Why it is not safe."""
         if kind := _KINDS.get(fix.applicability):
-            yield self._said("note", f"{kind}: {fix.why}" if fix.why else kind)
+            yield self._labelled("note", f"{kind}: {fix.why}" if fix.why else kind)
 
-    def _said(self, kind: str, text: str) -> str:
+    def _labelled(self, kind: str, text: str) -> str:
         return f"{self.style.ink(kind, 'note')}: {fold_lines(text, unicode=self.style.unicode)}"
 
     @property
