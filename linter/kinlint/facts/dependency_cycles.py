@@ -18,7 +18,7 @@ ADDRESS = itemgetter(slice(1, -1))
 """Key of an IRI without its brackets, by which queries compare."""
 
 
-def circles(scan: PredicateIndex) -> Iterator[Triple]:
+def dependency_cycles(scan: PredicateIndex) -> Iterator[Triple]:
     """Yield each joint and each group that depends on itself, with the first one of its cycle."""
     for arcs in (_followed(scan), parts(scan)):
         for piece in strongly_connected_components(arcs):

@@ -11,7 +11,7 @@ from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
 from kinlint.facts.dangling_references import DanglingReferences
 from kinlint.facts.dataflow import DataSources
-from kinlint.facts.dependency_cycles import circles as dependencies
+from kinlint.facts.dependency_cycles import dependency_cycles
 from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.loop_closure import cycles
@@ -23,7 +23,7 @@ from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
-from kinlint.facts.schedule_order import circles, reordered, steps
+from kinlint.facts.schedule_order import data_cycles, reordered, steps
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
 
@@ -205,7 +205,9 @@ KINDS = (
         ("here", "there", "from"),
     ),
     FactKind("planning_groups", PLANNING, lambda own: own.planning.facts(), ("planning",)),
-    _alone("dependency_cycles", dependencies, {"leads-back-to": (kin("leader"), kin("follower"))}),
+    _alone(
+        "dependency_cycles", dependency_cycles, {"leads-back-to": (kin("leader"), kin("follower"))}
+    ),
     FactKind(
         "dangling_references",
         {"resembles": ()},
@@ -223,7 +225,7 @@ KINDS = (
     FactKind(
         "schedule_order",
         STEPS,
-        lambda own: circles(own.scan.part("data-cycles")),
+        lambda own: data_cycles(own.scan.part("data-cycles")),
         ("data-cycles",),
         NODES,
     ),

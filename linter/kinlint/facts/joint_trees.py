@@ -72,22 +72,22 @@ def _followed(bodies: Sequence[Term], edges: Sequence[Edge]) -> tuple[list[Edge]
     for each in edges:
         if each.child is not None and each.child != each.parent:
             carrier.setdefault(each.child, each)
-    for root in list(_circles(bodies, carrier)):
+    for root in list(_cycles(bodies, carrier)):
         del carrier[root]
     closing = (each.child is not None and carrier.get(each.child) is not each for each in edges)
     found = [replace(each, closes=is_) for each, is_ in zip(edges, closing, strict=True)]
     return found, [body for body in bodies if body not in carrier]
 
 
-def _circles(bodies: Sequence[Term], carrier: Mapping[Term, Edge]) -> Iterator[Term]:
+def _cycles(bodies: Sequence[Term], carrier: Mapping[Term, Edge]) -> Iterator[Term]:
     """Yield the first body of each cycle."""
     place = {body: index for index, body in enumerate(bodies)}
     above = {
         body: [edge.parent] if edge.parent is not None else [] for body, edge in carrier.items()
     }
-    for circle in strongly_connected_components(above):
-        if len(circle) > 1:
-            yield min(circle, key=lambda each: place.get(each, len(place)))
+    for cycle in strongly_connected_components(above):
+        if len(cycle) > 1:
+            yield min(cycle, key=lambda each: place.get(each, len(place)))
 
 
 def _spread(

@@ -129,7 +129,7 @@ class LinkTrees:
             yield stated, fact("links"), integer(len(links))
             yield from self._rooted(robot, stated)
             yield from self._unresolved(robot, edges)
-            for joint in self._circles(edges):
+            for joint in self._cycles(edges):
                 yield stated, fact("circle"), self._element(joint)
 
     def _naming(self, joint: Term, side: str) -> Term | None:
@@ -175,7 +175,7 @@ class LinkTrees:
                 if (other := near(name)) is not None:
                     yield element, fact("near-name"), literal(other)
 
-    def _circles(self, edges: Iterable[Edge]) -> Iterator[Term]:
+    def _cycles(self, edges: Iterable[Edge]) -> Iterator[Term]:
         """Yield one joint of each cycle of parents into which no joint leads from outside.
 
         No root carries its links. A joint between a link and itself does not count: it joins
@@ -185,7 +185,7 @@ class LinkTrees:
         for edge in edges:
             if edge.child is not None and edge.parent is not None:
                 above.setdefault(edge.child, []).append(edge.parent)
-        for circle in strongly_connected_components(above):
-            own = set(circle)
-            if len(circle) > 1 and all(own.issuperset(above[body]) for body in circle):
-                yield min(self.above[body].joint for body in circle)
+        for cycle in strongly_connected_components(above):
+            own = set(cycle)
+            if len(cycle) > 1 and all(own.issuperset(above[body]) for body in cycle):
+                yield min(self.above[body].joint for body in cycle)

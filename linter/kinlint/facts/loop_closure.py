@@ -10,7 +10,7 @@ from typing import NamedTuple
 from kinlint.facts.common_cause import common_causes, shifted
 from kinlint.facts.fact_statements import MEMBER, derived, fact, fact_node, integer, numbers
 from kinlint.facts.linear_algebra import ZERO, Vector, add, apply, length, subtract
-from kinlint.facts.orientation_graph import MOST_MEMBERS, Circle, OrientationGraph
+from kinlint.facts.orientation_graph import MOST_MEMBERS, Loop, OrientationGraph
 from kinlint.facts.spanning_forest import SpanningForest
 from kinlint.facts.spatial_relations import RelativeOrientation, RelativePosition, SpatialRelations
 from kinlint.terms import RDF_TYPE, Term, Triple
@@ -44,7 +44,7 @@ def cycles(relations: SpatialRelations, attitudes: OrientationGraph) -> Iterator
     """Yield each independent loop, under the relation that comes last in it."""
     found: dict[Term, Cycle] = {}
     turns, shifts = relations.turns, relations.shifts
-    for edges, size, residual, cause in attitudes.circles():
+    for edges, size, residual, cause in attitudes.loops():
         cycle = found.setdefault(turns[edges[0]].relation, Cycle())
         if cause is not None:
             cycle.cause = turns[cause].relation
@@ -72,7 +72,7 @@ def cycles(relations: SpatialRelations, attitudes: OrientationGraph) -> Iterator
 class PositionLoop(NamedTuple):
     """Loop of positions, with the sum in m of the lengths of its relations."""
 
-    circle: Circle
+    circle: Loop
     magnitude: float
 
 
@@ -89,10 +89,10 @@ def position_loops(
         groups.setdefault(attitudes.group(shift.seen_by), []).append(index)
     for members in groups.values():
         if len(members) > 1 or shifts[members[0]].base == shifts[members[0]].of:
-            yield from _circles([shifts[index] for index in members], members, attitudes)
+            yield from _cycles([shifts[index] for index in members], members, attitudes)
 
 
-def _circles(
+def _cycles(
     shifts: Sequence[RelativePosition], names: Sequence[int], attitudes: OrientationGraph
 ) -> Iterator[PositionLoop]:
     forest = SpanningForest([(shift.base, shift.of) for shift in shifts])
@@ -119,5 +119,5 @@ def _circles(
         magnitude = far[base] + far[of] - 2.0 * far[forest.meet(base, of)] + length(steps[index])
         way = (names[each] for each in forest.way(base, of, MOST_MEMBERS - 1))
         cause = names[causes[index]] if index in causes else None
-        circle = Circle((names[index], *way), forest.between(base, of) + 1, length(by), cause)
+        circle = Loop((names[index], *way), forest.between(base, of) + 1, length(by), cause)
         yield PositionLoop(circle, magnitude)

@@ -16,7 +16,7 @@ MOST_MEMBERS = 12
 """Most relations of a loop that are named: nobody reads more, and long loops would cost much."""
 
 
-class Circle(NamedTuple):
+class Loop(NamedTuple):
     """A cycle: its edges by index, the closing one first, how long it is and what it misses.
 
     `cause` is the edge to blame if other cycles through it miss alike.
@@ -65,7 +65,7 @@ class OrientationGraph:
             return None
         return product(transpose(self.matrix(base)), self.matrix(frame))
 
-    def circles(self) -> Iterator[Circle]:
+    def loops(self) -> Iterator[Loop]:
         """Yield each independent loop of orientations, with the angle in rad that it misses."""
         missing = {index: self._missing(self.turns[index]) for index in self.forest.closing}
         causes = common_causes(self.forest, [turned(*each) for each in missing.items()])
@@ -73,7 +73,7 @@ class OrientationGraph:
             turn = self.turns[index]
             way = self.forest.way(turn.base, turn.of, MOST_MEMBERS - 1)
             length = self.forest.between(turn.base, turn.of) + 1
-            yield Circle((index, *way), length, angle(by), causes.get(index))
+            yield Loop((index, *way), length, angle(by), causes.get(index))
 
     def _missing(self, turn: RelativeOrientation) -> Matrix:
         """Return the rotation from the axes of `turn.of` to those by *turn*, seen by their root."""

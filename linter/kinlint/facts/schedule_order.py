@@ -78,7 +78,7 @@ def _in_order(operators: Sequence[Term], reads: Table, writes: Table) -> list[Te
     return found if len(found) == len(operators) else []
 
 
-def circles(scan: PredicateIndex) -> Iterator[Triple]:
+def data_cycles(scan: PredicateIndex) -> Iterator[Triple]:
     """Yield the operators that need, directly or through others, what they write themselves."""
     reads, writes = (dict(scan.table(kin(name)).items()) for name in ("reads", "writes"))
     if not reads or not writes:

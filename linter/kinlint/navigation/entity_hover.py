@@ -35,7 +35,7 @@ class EntityPages:
         pages = [self._page(each, place) for each in list(entities)[:MOST]]
         return Hover(ACROSS.join(pages), place.span)
 
-    def around(self, around: Sequence[Around], location: Location) -> Hover:
+    def nodes_hover(self, around: Sequence[Around], location: Location) -> Hover:
         """Return the pages on what *location* is in, but does not name."""
         display = self._locator.display(location)
         pages = ["\n".join(self._node(each.node, display)) for each in around[:MOST]]

@@ -130,7 +130,7 @@ class Navigator:
             return None
         path = self._index.paths[name]
         source = next(each for each in self._texts if self._index.paths[each.name] == path)
-        return pages.around(around, Location(source, around[0].span))
+        return pages.nodes_hover(around, Location(source, around[0].span))
 
     @cached_property
     def _locator(self) -> Locator:

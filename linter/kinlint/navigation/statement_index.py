@@ -21,7 +21,7 @@ class StatementIndex:
         self.document = document
 
     @cached_property
-    def of(self) -> Mapping[Term, Sequence[tuple[Term, Term]]]:
+    def by_subject(self) -> Mapping[Term, Sequence[tuple[Term, Term]]]:
         """The properties of each node with their values, in the order of the text."""
         found: dict[Term, list[tuple[Term, Term]]] = {}
         for subject, predicate, value in self.document.statements:
@@ -39,7 +39,7 @@ class StatementIndex:
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
         """Yield the values of *predicate* that *subject* has."""
-        return (value for each, value in self.of.get(subject, ()) if each == predicate)
+        return (value for each, value in self.by_subject.get(subject, ()) if each == predicate)
 
     def place(self, subject: Term, predicate: Term, value: Term) -> Location | None:
         """Return the place of *value* as a value of *subject*."""
