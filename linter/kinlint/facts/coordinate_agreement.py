@@ -95,10 +95,10 @@ class CoordinateAgreements:
     """Agreement of the coordinates of each relation, each compared with one of the first two."""
 
     def __init__(
-        self, relations: SpatialRelations, attitudes: OrientationGraph, inertias: Inertias
+        self, relations: SpatialRelations, orientations: OrientationGraph, inertias: Inertias
     ) -> None:
         self.relations = relations
-        self.attitudes = attitudes
+        self.orientations = orientations
         self.inertias = inertias
 
     def facts(self) -> Iterator[Triple]:
@@ -181,7 +181,7 @@ class CoordinateAgreements:
     def turn(self, relation: Term, first: Term, second: Term) -> Matrix | None:
         """Return the rotation of components of coordinates *second* into those of *first*."""
         one, other = (self.relations.seen_by(node, relation) for node in (first, second))
-        return None if one is None or other is None else self.attitudes.between(one, other)
+        return None if one is None or other is None else self.orientations.between(one, other)
 
     @cached_property
     def _vectors(self) -> Mapping[Term, Mapping[Term, Vector]]:

@@ -77,11 +77,11 @@ class FactContext:
         ("vectors", "rotations"),
     )
     """Spatial relations with numbers."""
-    attitudes = Part(lambda own, _: OrientationGraph(own.relations.turns), ("relations",))
+    orientations = Part(lambda own, _: OrientationGraph(own.relations.turns), ("relations",))
     """Chains of orientations."""
     agreements = Part(
-        lambda own, _: CoordinateAgreements(own.relations, own.attitudes, own.inertias),
-        ("relations", "attitudes", "inertias"),
+        lambda own, _: CoordinateAgreements(own.relations, own.orientations, own.inertias),
+        ("relations", "orientations", "inertias"),
     )
     """Several coordinates of one relation, compared."""
     mechanism = Part(lambda _, scan: Mechanism(scan))
@@ -98,7 +98,7 @@ class FactContext:
         lambda own, scan: BodyShapes(scan, own.units, own.placements), ("units", "placements")
     )
     """The shapes of bodies."""
-    amendments = Part(
+    inertia_repairs = Part(
         lambda own, scan: InertiaRepairs(
             scan, own.inertias, own.assemblies, own.geometries, own.placements
         ),

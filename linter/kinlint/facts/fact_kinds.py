@@ -106,7 +106,7 @@ CHANGES = ("entry", "amended")
 def _related(context: FactContext) -> Iterator[Triple]:
     """Yield how coordinates of one relation agree, and whether loops of relations close."""
     yield from context.agreements.facts()
-    yield from cycles(context.relations, context.attitudes)
+    yield from cycles(context.relations, context.orientations)
 
 
 def _alone(
@@ -153,32 +153,34 @@ KINDS = (
     FactKind(
         "inertia_repair",
         {"decimal-slip": (*inputs.TENSORS, *inputs.UNITS)},
-        lambda own: own.amendments.decimal_slips(),
-        ("amendments",),
+        lambda own: own.inertia_repairs.decimal_slips(),
+        ("inertia_repairs",),
         CHANGES,
     ),
     FactKind(
         "inertia_repair",
         {"sign-slip": (*inputs.TENSORS, *inputs.UNITS)},
-        lambda own: own.amendments.sign_slips(),
-        ("amendments",),
+        lambda own: own.inertia_repairs.sign_slips(),
+        ("inertia_repairs",),
         CHANGES,
     ),
     FactKind(
         "inertia_repair",
         {"solid": inputs.SIZES},
-        lambda own: own.amendments.solids(),
-        ("amendments",),
+        lambda own: own.inertia_repairs.solids(),
+        ("inertia_repairs",),
         CHANGES,
     ),
     FactKind(
         "inertia_repair",
         {"shift": (*inputs.INERTIAS, *inputs.PLACED)},
-        lambda own: own.amendments.shifts(),
-        ("amendments",),
+        lambda own: own.inertia_repairs.shifts(),
+        ("inertia_repairs",),
         CHANGES,
     ),
-    FactKind("inertia_repair", WATER, lambda own: own.amendments.filled(), ("amendments",)),
+    FactKind(
+        "inertia_repair", WATER, lambda own: own.inertia_repairs.filled(), ("inertia_repairs",)
+    ),
     FactKind(
         "mirror_symmetry",
         dict.fromkeys(("shared-with", "shapes"), inputs.SIZES),

@@ -40,16 +40,16 @@ class Cycle:
         self.values += values
 
 
-def cycles(relations: SpatialRelations, attitudes: OrientationGraph) -> Iterator[Triple]:
+def cycles(relations: SpatialRelations, orientations: OrientationGraph) -> Iterator[Triple]:
     """Yield each independent loop, under the relation that comes last in it."""
     found: dict[Term, Cycle] = {}
     turns, shifts = relations.turns, relations.shifts
-    for edges, size, residual, cause in attitudes.loops():
+    for edges, size, residual, cause in orientations.loops():
         cycle = found.setdefault(turns[edges[0]].relation, Cycle())
         if cause is not None:
             cycle.cause = turns[cause].relation
         cycle.extend([turns[index] for index in edges], size, [("angle", residual)])
-    for (edges, size, residual, cause), magnitude in position_loops(shifts, attitudes):
+    for (edges, size, residual, cause), magnitude in position_loops(shifts, orientations):
         cycle = found.setdefault(shifts[edges[0]].relation, Cycle())
         if cause is not None and cycle.cause is None:
             cycle.cause = shifts[cause].relation
@@ -77,7 +77,7 @@ class PositionLoop(NamedTuple):
 
 
 def position_loops(
-    shifts: Sequence[RelativePosition], attitudes: OrientationGraph
+    shifts: Sequence[RelativePosition], orientations: OrientationGraph
 ) -> Iterator[PositionLoop]:
     """Yield each independent loop of positions, with the distance in m that it misses.
 
@@ -86,19 +86,19 @@ def position_loops(
     """
     groups: dict[Term, list[int]] = {}
     for index, shift in enumerate(shifts):
-        groups.setdefault(attitudes.group(shift.seen_by), []).append(index)
+        groups.setdefault(orientations.group(shift.seen_by), []).append(index)
     for members in groups.values():
         if len(members) > 1 or shifts[members[0]].base == shifts[members[0]].of:
-            yield from _cycles([shifts[index] for index in members], members, attitudes)
+            yield from _cycles([shifts[index] for index in members], members, orientations)
 
 
 def _cycles(
-    shifts: Sequence[RelativePosition], names: Sequence[int], attitudes: OrientationGraph
+    shifts: Sequence[RelativePosition], names: Sequence[int], orientations: OrientationGraph
 ) -> Iterator[PositionLoop]:
     forest = SpanningForest([(shift.base, shift.of) for shift in shifts])
     if not forest.closing:
         return
-    steps = [apply(attitudes.matrix(shift.seen_by), shift.vector) for shift in shifts]
+    steps = [apply(orientations.matrix(shift.seen_by), shift.vector) for shift in shifts]
     there: dict[Term, Vector] = {}
     far: dict[Term, float] = {}
     for node in forest.order:
