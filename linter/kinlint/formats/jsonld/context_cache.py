@@ -50,10 +50,10 @@ class ContextCache:
             return id(active), str(entry)
         if not isinstance(entry, (Object, Array)):
             return id(active), id(entry)
-        said = tuple(entry.items()) if isinstance(entry, Object) else None
-        if said is None or any(not isinstance(value, str) for _, value in said):
+        entries = tuple(entry.items()) if isinstance(entry, Object) else None
+        if entries is None or any(not isinstance(value, str) for _, value in entries):
             return None
-        return id(active), tuple((str(term), str(value)) for term, value in said)
+        return id(active), tuple((str(term), str(value)) for term, value in entries)
 
     def get(self, key: Hashable) -> Context | None:
         """Return the context remembered by *key*."""

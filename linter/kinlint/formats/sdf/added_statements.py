@@ -54,9 +54,9 @@ def value_span(document: Document, node: Term, ways: Iterable[Term], written: st
 
     Else that of *node*.
     """
-    said = literal(written)
+    term = literal(written)
     for way in ways:
-        found = document.map.triples.get((node, way, said))
+        found = document.map.triples.get((node, way, term))
         if found is not None:
             return found
     spans = document.map.nodes.get(node)

@@ -46,6 +46,6 @@ def _old(joint: SdfElement) -> bool:
 def in_world(frames: Frames, joint: SdfElement, tag: str) -> Vector | None:
     """Return the axis of *joint* called *tag*, in the zero configuration and the world's frame."""
     axis, place = joint.first(tag), frames.pose_in_world(joint)
-    said = axis.first("xyz") if axis is not None else None
-    own = direction(frames, joint, axis) if axis is not None and said is not None else UPWARD
+    xyz = axis.first("xyz") if axis is not None else None
+    own = direction(frames, joint, axis) if axis is not None and xyz is not None else UPWARD
     return rotated(place[1], own) if place is not None and own is not None else None

@@ -93,13 +93,13 @@ class Frames:
 
     def end(self, joint: SdfElement, tag: str) -> Found:
         """Return the frame that *joint* names as its parent or child."""
-        said = joint.first(tag)
-        name = said.text.strip() if said else ""
-        if said is None or not name:
+        end = joint.first(tag)
+        name = end.text.strip() if end else ""
+        if end is None or not name:
             return None
         if name == WORLD and name not in self.scopes.enclosing[joint].names:
             return self.scopes.outermost(joint)
-        return self.find(name, joint, said, tag)
+        return self.find(name, joint, end, tag)
 
     def pose_in_world(self, element: SdfElement) -> Transform | None:
         """Return the pose of *element* in its world, if it can be computed."""

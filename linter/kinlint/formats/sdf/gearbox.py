@@ -42,9 +42,9 @@ def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[GearCoupling
         if each.attributes.get("type") in HINGES:
             hinges.setdefault(frozenset(_ends(frames, each)), each)
     for box in boxes:
-        said = box.first("gearbox_reference_body")
-        name = said.text.strip() if said else ""
-        held = frames.find(name, box, said, "gearbox_reference_body") if said and name else None
+        body = box.first("gearbox_reference_body")
+        name = body.text.strip() if body else ""
+        held = frames.find(name, box, body, "gearbox_reference_body") if body and name else None
         reference = frames.body(held) if held is not None else None
         parent, child = _ends(frames, box)
         leader = hinges.get(frozenset((reference, parent)))

@@ -111,10 +111,10 @@ def resolve_references(
             if reference.optional:
                 target = None
         if target is not None:
-            said = each.element, each.place, each.value
-            yield (each.element, reference.predicate, target), said
+            source = each.element, each.place, each.value
+            yield (each.element, reference.predicate, target), source
             if target not in nodes:
-                yield from ((gap, said) for gap in _dangling(each, tag, target))
+                yield from ((gap, source) for gap in _dangling(each, tag, target))
 
 
 def _dangling(name: NameUse, tag: str, target: Term) -> Iterator[Triple]:

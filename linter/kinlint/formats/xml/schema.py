@@ -175,40 +175,44 @@ class _Tables:
         path = resources.data("shapes") / "formats" / f"{form}.ttl"
         base = path.absolute().as_uri()
         for quad in ox.parse(path=path, format=ox.RdfFormat.TURTLE, base_iri=base):
-            said = self.nodes.setdefault(quad.subject.value, {})
+            entries = self.nodes.setdefault(quad.subject.value, {})
             name = quad.predicate.value.rpartition("#")[2]
-            said.setdefault(name, []).append(quad.object.value)
-        self.infinite = any("true" in said.get("infinite", ()) for said in self.nodes.values())
+            entries.setdefault(name, []).append(quad.object.value)
+        self.infinite = any(
+            "true" in entries.get("infinite", ()) for entries in self.nodes.values()
+        )
 
     def schema(self) -> Schema:
         """Return the schema, its types linked with each other."""
-        found = {node: self._type(said) for node, said in self.nodes.items() if "tag" in said}
+        found = {
+            node: self._type(entries) for node, entries in self.nodes.items() if "tag" in entries
+        }
         roots: dict[str, ElementType] = {}
         types: dict[str, list[ElementType]] = {}
         parents: dict[str, list[str]] = {}
         default, names = None, ""
         for node, type_ in found.items():
-            said = self.nodes[node]
+            entries = self.nodes[node]
             types.setdefault(type_.tag, []).append(type_)
-            for child in (*said.get("once", ()), *said.get("many", ())):
+            for child in (*entries.get("once", ()), *entries.get("many", ())):
                 type_.children[found[child].tag] = found[child]
                 parents.setdefault(found[child].tag, []).append(type_.tag)
-            type_.once = frozenset(found[child].tag for child in said.get("once", ()))
-            type_.requires = tuple(found[child].tag for child in said.get("requires", ()))
-            type_.references = dict(self._references(said, type_))
-            if f"{FMT}Root" in said.get("type", ()):
+            type_.once = frozenset(found[child].tag for child in entries.get("once", ()))
+            type_.requires = tuple(found[child].tag for child in entries.get("requires", ()))
+            type_.references = dict(self._references(entries, type_))
+            if f"{FMT}Root" in entries.get("type", ()):
                 roots[type_.tag] = type_
-                names = next(iter(said.get("names", ())), names)
-                default = next(iter(said.get("defaultVersion", ())), default)
+                names = next(iter(entries.get("names", ())), names)
+                default = next(iter(entries.get("defaultVersion", ())), default)
         _link(list(found.values()))
         return Schema(self.namespace, roots, types, parents, names, default)
 
     def _references(
-        self, said: dict[str, list[str]], type_: ElementType
+        self, entries: dict[str, list[str]], type_: ElementType
     ) -> Iterator[tuple[Term, Reference]]:
-        """Yield what an element of *type_*, of which *said* is said, refers to, by property."""
+        """Yield what an element of *type_* with *entries* refers to, by property."""
         for word in ("refersTo", "mayReferTo", "refersInside"):
-            for predicate, name, *targets in map(self._list, said.get(word, ())):
+            for predicate, name, *targets in map(self._list, entries.get(word, ())):
                 ends = (each.rpartition("#") for each in targets)
                 yield (
                     _place(name),
@@ -221,18 +225,18 @@ class _Tables:
                     ),
                 )
 
-    def _type(self, said: dict[str, list[str]]) -> ElementType:
-        tag = said["tag"][0]
+    def _type(self, entries: dict[str, list[str]]) -> ElementType:
+        tag = entries["tag"][0]
         infinite = self.infinite
         kinds: dict[str, list[str]] = {}
-        for kind, names in said.items():
+        for kind, names in entries.items():
             if kind in KINDS or (kind.startswith(VECTOR) and kind[len(VECTOR) :].isdecimal()):
                 for name in names:
                     kinds.setdefault(name, []).append(kind)
-        content = [each.removeprefix(FMT) for each in said.get("content", ())]
-        since, until = (next(iter(said.get(name, ())), None) for name in ("since", "until"))
-        choices = {name: words for name, *words in map(self._list, said.get("choice", ()))}
-        lifetimes = _lifetimes(said.get("introduced", ()), said.get("removed", ()))
+        content = [each.removeprefix(FMT) for each in entries.get("content", ())]
+        since, until = (next(iter(entries.get(name, ())), None) for name in ("since", "until"))
+        choices = {name: words for name, *words in map(self._list, entries.get("choice", ()))}
+        lifetimes = _lifetimes(entries.get("introduced", ()), entries.get("removed", ()))
         return ElementType(
             tag,
             iri(self.namespace + tag),
@@ -240,19 +244,19 @@ class _Tables:
                 name: Slot.from_iri(ATTRIBUTE + name, Form(tuple(each), infinite))
                 for name, each in kinds.items()
             },
-            required=tuple(said.get("required", ())),
+            required=tuple(entries.get("required", ())),
             content=Slot.from_iri(f"{SRC}text", Form(tuple(content), infinite))
             if content
             else None,
-            files=frozenset(map(_place, said.get("file", ()))),
-            scope=tuple(each.rpartition("#")[2] for each in said.get("scope", ())),
+            files=frozenset(map(_place, entries.get("file", ()))),
+            scope=tuple(each.rpartition("#")[2] for each in entries.get("scope", ())),
             choices={name: tuple(words) for name, words in choices.items()},
-            open="true" in said.get("open", ()),
-            display_only="true" in said.get("displayOnly", ()),
+            open="true" in entries.get("open", ()),
+            display_only="true" in entries.get("displayOnly", ()),
             lifetime=Lifetime(since, until) if since or until else None,
             lifetimes=lifetimes,
             dated=bool(since or until or lifetimes),
-            checked=bool(since or until or lifetimes or choices or said.get("required")),
+            checked=bool(since or until or lifetimes or choices or entries.get("required")),
         )
 
     def _list(self, head: str) -> Iterator[str]:

@@ -163,11 +163,11 @@ class Diagnostics:
         if declared is None:
             return
         since, until = version(life.since or ""), version(life.until or "")
-        said = {"feature": name, "tag": type_.tag, "declared": self._version}
+        feature = {"feature": name, "tag": type_.tag, "declared": self._version}
         if since is not None and declared < since:
-            self.note("LaterFeature", number, place, since=life.since, **said)
+            self.note("LaterFeature", number, place, since=life.since, **feature)
         elif until is not None and declared > until:
-            self.note("EarlierFeature", number, place, until=life.until, **said)
+            self.note("EarlierFeature", number, place, until=life.until, **feature)
 
     def note_malformed_value(
         self, number: int, tag: str, key: str, written: str, slot: Slot
@@ -204,12 +204,12 @@ class Diagnostics:
     def state(self, layer: SourceLayer, places: ElementPlaces, nodes: list[Term]) -> None:
         """Put all that was noted into *layer*; *nodes* are the elements by their number."""
         for kind, number, place, details in self.notes:
-            said = dict(details)
+            values = dict(details)
             if kind == "RepeatedElement":
-                first = said.pop("first")
+                first = values.pop("first")
                 assert isinstance(first, int)
-                said["equal"] = _content(places, first) == _content(places, number)
-            terms = [(name, _term(value)) for name, value in said.items()]
+                values["equal"] = _content(places, first) == _content(places, number)
+            terms = [(name, _term(value)) for name, value in values.items()]
             if kind == "UnknownChoice":
                 terms.append(("property", iri(ATTRIBUTE + place) if place else src("text")))
             layer.add_node(

@@ -56,10 +56,10 @@ def _pairs(plan: EditPlan) -> list[tuple[Term, Term]]:
 
 def _likeness(plan: EditPlan, old: Term, new: Term) -> int:
     """Count the statements that *old* has and *new* is to have; 0 if they are less than half."""
-    said = {(prop, _self(value, old)) for _, prop, value in plan.places.by_subject.get(old, ())}
+    before = {(prop, _self(value, old)) for _, prop, value in plan.places.by_subject.get(old, ())}
     now = {(prop, _self(value, new)) for _, prop, value in plan.new(new)}
-    alike = len(said & now)
-    return alike if 2 * alike > len(said) or (alike and len(said) == 1) else 0
+    alike = len(before & now)
+    return alike if 2 * alike > len(before) or (alike and len(before) == 1) else 0
 
 
 def _self(value: Term, node: Term) -> Term | None:

@@ -62,15 +62,15 @@ def _tree(root: Term, statements: Iterable[Triple], stray: Mapping[Term, str]) -
             waiting += missing
             continue
         waiting.pop()
-        said = {
+        content = {
             (name, words)
             for name, value in slots.get(node, {}).items()
             if not name.startswith(DECLARATION) and ((words := _words(value)) or name)
         }
         if node in stray:
-            said.add(("", tokens(stray[node])))
+            content.add(("", tokens(stray[node])))
         counted = Counter((tag, done[each]) for tag, each in inside)
-        done[node] = frozenset(said), frozenset(counted.items())
+        done[node] = frozenset(content), frozenset(counted.items())
     return done[root]
 
 
