@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 from kinlint.terms import Term, Triple
+from kinlint.vocabulary import SH
 
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 """Placeholder for the value of a variable in a message of a rule; group 1 is its name."""
@@ -48,6 +49,14 @@ class Applicability(IntEnum):
     def label(self) -> str:
         """Return the word for users: `safe`, `unsafe` or `display-only`."""
         return "display-only" if self is Applicability.DISPLAY else self.name.lower()
+
+
+SEVERITY_BY_IRI = {
+    f"{SH}Violation": Severity.ERROR,
+    f"{SH}Warning": Severity.WARNING,
+    f"{SH}Info": Severity.INFO,
+}
+"""Severities by the IRIs that SHACL has for them."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,15 +12,10 @@ from kinlint.catalogue.repair_file import prefixes, read_repairs
 from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
 from kinlint.engine.compiler.shapes_graph import ShapesFile, ShapesGraph, parse
 from kinlint.errors import RuleInvalid
-from kinlint.rule import Example, Rule, Severity, SeverityFor
+from kinlint.rule import SEVERITY_BY_IRI, Example, Rule, Severity, SeverityFor
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_datatype, literal_value
 from kinlint.vocabulary import KL, RDFS, SH
 
-SEVERITIES = {
-    f"{SH}Violation": Severity.ERROR,
-    f"{SH}Warning": Severity.WARNING,
-    f"{SH}Info": Severity.INFO,
-}
 TRUE = {"true", "1"}
 
 
@@ -96,9 +91,9 @@ class _RuleReader:
         )
 
     def severity(self, said: str) -> Severity:
-        if said not in SEVERITIES:
+        if said not in SEVERITY_BY_IRI:
             raise RuleInvalid(f"{self.file}: {said} is no severity that kinlint knows")
-        return SEVERITIES[said]
+        return SEVERITY_BY_IRI[said]
 
     def also(self) -> set[Severity]:
         """Return what single constraints of the rule count as, where they say so themselves."""

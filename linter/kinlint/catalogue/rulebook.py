@@ -17,7 +17,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import recall_queries
 from kinlint.errors import RuleInvalid
-from kinlint.rule import Rule, Severity
+from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 from kinlint.vocabulary import FACT, SRC
 
@@ -185,8 +185,6 @@ def _compile(
 
 def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> Rule:
     """Return a rule that stands for a user's shape, which says nothing of codes and reasons."""
-    from kinlint.catalogue.rule_file import SEVERITIES  # noqa: PLC0415
-
     own = [each for each in constraints if each.owner == owner]
     local = re.split(r"[#/:]", owner.rstrip("#/"))[-1]
     name = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", local).lower())
@@ -196,7 +194,7 @@ def _shape_rule(number: int, owner: str, constraints: Iterable[Constraint]) -> R
         name=name.strip("-") or f"shape-{number}",
         title=f"violation of shape {local}",
         why=f"The SHACL shape {owner} was given with the run and does not hold.",
-        severity=max(SEVERITIES.get(each.severity, Severity.ERROR) for each in own),
+        severity=max(SEVERITY_BY_IRI.get(each.severity, Severity.ERROR) for each in own),
         links=(owner,) if "://" in owner else (),
         messages=tuple(sorted({text for each in own for text in each.messages})),
     )

@@ -10,7 +10,6 @@ from itertools import takewhile
 from typing import TypeAlias
 
 from kinlint.addresses import is_address, without_file
-from kinlint.catalogue.rule_file import SEVERITIES
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.computed_from import is_fact, items
@@ -25,7 +24,7 @@ from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
 from kinlint.findings.wording import Wording
 from kinlint.message_template import counted, filled
-from kinlint.rule import Rule, Severity
+from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity
 from kinlint.term_format import TermFormatter
 from kinlint.terms import (
     RDF_TYPE,
@@ -167,7 +166,7 @@ def _severity(constraint: Constraint, rule: Rule) -> Severity:
     """Return the severity of a constraint that stands in the rule itself, or else of the rule."""
     if constraint.shape != iri(rule.iri):
         return rule.severity
-    return SEVERITIES.get(constraint.severity, rule.severity)
+    return SEVERITY_BY_IRI.get(constraint.severity, rule.severity)
 
 
 def _said(result: Result, rule: Rule) -> str:
