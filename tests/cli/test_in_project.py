@@ -99,7 +99,7 @@ def test_a_file_is_judged_with_those_it_speaks_of(write, kinlint):
     write("sub/arm.srdf", SRDF)
     code, out, err = kinlint("--in-project", "sub/arm.srdf", "--select", "CMP001,INE003", "-q")
     assert (code, err) == (1, "")
-    assert "There is no 'link' called 'tip'" in out
+    assert "The robot has no link named 'tip'" in out
     assert "arm0.urdf" not in out
     assert "; 1 more in files that were not named." in kinlint(
         "--in-project", "sub/arm.srdf", "--select", "CMP001,LIM001"

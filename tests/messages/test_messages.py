@@ -10,9 +10,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from support.linting import book
+from support.linting import book, lint
 
-from kinlint import lint
 from kinlint.configuration.settings import Choice, FileSettings
 from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode

@@ -33,8 +33,8 @@ from kinlint.sparql.tokens import tokens
 from kinlint.terms import literal_value
 from kinlint.text import SourceText, Span
 
-Outcome = tuple[tuple[Span, str, str, str], ...]
-"""The findings of an example: their place, subject, property and message."""
+Outcome = tuple[tuple[Span, str, str, str, str], ...]
+"""The findings of an example: their place, subject, property, value and message."""
 
 
 @dataclass(frozen=True)
@@ -57,10 +57,8 @@ class MutationHarness:
         return [
             tuple(
                 sorted(
-                    (finding.location.span, finding.iri, finding.path or "", finding.message)
-                    for finding in findings(
-                        check(store, constraints), documents, store, self.rulebook
-                    )
+                    (each.location.span, each.iri, each.path or "", each.value or "", each.message)
+                    for each in findings(check(store, constraints), documents, store, self.rulebook)
                 )
             )
             for documents, store in self.examples
