@@ -26,7 +26,7 @@ class RuleSelection:
     asked: Sequence[Rule]
     """The enabled rules."""
     owners: Mapping[str, frozenset[Format]]
-    """Those of `asked` that apply to some document, by IRI, with the formats that they apply to."""
+    """The formats that each rule of `asked` applies to, by the IRI of the rule."""
     constraints: Sequence[Constraint]
     """The constraints of `owners` for these formats."""
     repairs: Sequence[Repair]

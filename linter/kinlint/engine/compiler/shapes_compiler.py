@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.oxigraph_probe import try_out
-from kinlint.engine.compiler.query_terms import query_terms
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, target_shapes
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.target import Target, target
 from kinlint.engine.compiler.target_narrowing import implying_premises, narrowed
+from kinlint.engine.compiler.term_usage import query_terms
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
 from kinlint.sparql.patterns import literal_token
