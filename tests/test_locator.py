@@ -14,7 +14,7 @@ from kinlint.formats.registry import read
 from kinlint.formats.xacro.format import XACRO
 from kinlint.terms import XSD, iri, literal
 from kinlint.text import SourceText, Span
-from kinlint.vocabulary import KIN
+from kinlint.vocabulary import KIN, METAMODELS
 
 ROBOT = """<robot name="arm">
   <link name="base"/>
@@ -91,3 +91,35 @@ def test_a_document_of_several_texts_knows_which_is_meant():
     ]
     assert made.location(Span(17, 19)).span == Span(1, 3)
     assert made.sources == (main, macro, main)
+
+
+COMPOSED = """<sdf version="1.9">
+  <model name="arm">
+    <link name="base"><pose>0 0 1 0 0 0</pose></link>
+    <link name="hand"><pose>0 0 2 0 0 0</pose></link>
+    <joint name="elbow" type="revolute">
+      <pose>0 0 3 0 0 0</pose>
+      <parent>base</parent>
+      <child>hand</child>
+      <axis><xyz>0 0 1</xyz></axis>
+    </joint>
+  </model>
+</sdf>
+"""
+
+
+def test_a_composed_value_has_a_source_in_each_element():
+    """The element of the joint itself is the first of them."""
+    found = locator(COMPOSED, "arm.sdf")
+    position = iri("urn:kinlint:document:arm.sdf#model/arm/joint/elbow/pose/position")
+    z = iri(f"{METAMODELS}geometry/coordinates#z")
+    (value,) = found.store.values(position, z)
+
+    sources = found.result_sources(result(position, z, value), ())
+
+    assert [shown(each.location) for each in sources] == [
+        "0 0 3 0 0 0",
+        "0 0 2 0 0 0",
+        "0 0 1 0 0 0",
+    ]
+    assert shown(found.result_location(result(position, spot=z), ())) == "0 0 3 0 0 0"

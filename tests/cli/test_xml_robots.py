@@ -4,6 +4,7 @@ import io
 import json
 import re
 import sys
+from html import unescape
 
 import pytest
 
@@ -115,3 +116,75 @@ def test_what_never_ends_is_no_model(kinlint, lamp, monkeypatch):
 
         assert code == 2
         assert "more than 0 MiB" in out + err
+
+
+GEARS = """\
+<sdf version="1.9">
+  <model name="arm">
+    <link name="base"/><link name="wheel"/><link name="hand"/>
+    <joint name="a" type="revolute">
+      <parent>base</parent><child>wheel</child>
+      <axis><xyz>0 0 1</xyz></axis>
+    </joint>
+    <joint name="b" type="revolute">
+      <parent>base</parent><child>hand</child>
+      <axis><xyz>0 0 -1</xyz></axis>
+    </joint>
+    <joint name="g" type="gearbox">
+      <parent>wheel</parent><child>hand</child>
+      <gearbox_reference_body>base</gearbox_reference_body>
+      <gearbox_ratio>3</gearbox_ratio>
+      <axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 0 -1</xyz></axis2>
+    </joint>
+  </model>
+</sdf>
+"""
+GEARED = '''\
+@prefix kin:  <https://w3id.org/kinlint/kinematics#> .
+@prefix kl:   <https://w3id.org/kinlint/ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix sh:   <http://www.w3.org/ns/shacl#> .
+
+<https://example.org/rules/geared> a kl:Rule, sh:NodeShape ;
+    kl:code "ACME001" ;
+    rdfs:label "gears" ;
+    rdfs:comment "Gears have play." ;
+    kl:format "sdf" ;
+    sh:severity sh:Warning ;
+    sh:targetSubjectsOf kin:multiplier ;
+    sh:sparql [
+        sh:message "Joints are geared by {?value}." ;
+        sh:select """
+            SELECT $this (kin:multiplier AS ?path) ?value WHERE { $this kin:multiplier ?value }
+            """ ] .
+'''
+
+
+def test_a_value_computed_from_several_elements_shows_all_of_them(kinlint, write):
+    """The finding is at the first of them, here the ratio; its sign follows from axes."""
+    write("gears.sdf", GEARS)
+    write("rules/geared.ttl", GEARED)
+    words = ("gears.sdf", "--rules", "rules", "--select", "ACME001", "--output-format")
+    said = [
+        (16, "<xyz> of joint 'g' is given here"),
+        (16, "<xyz> of <axis2> of joint 'g' is given here"),
+        (10, "<xyz> of joint 'b' is given here"),
+        (6, "<xyz> of joint 'a' is given here"),
+    ]
+
+    (found,) = json.loads(kinlint(*words, "json")[1])
+    assert found["location"]["row"] == 15
+    assert [(each["location"]["row"], each["message"]) for each in found["related"]] == said
+    (result,) = json.loads(kinlint(*words, "sarif")[1])["runs"][0]["results"]
+    assert [
+        (each["physicalLocation"]["region"]["startLine"], each["message"]["text"])
+        for each in result["relatedLocations"]
+    ] == said
+    (diagnostic,) = json.loads(kinlint(*words, "rdjson")[1])["diagnostics"]
+    assert [
+        (each["location"]["range"]["start"]["line"], each["message"])
+        for each in diagnostic["related_locations"]
+    ] == said
+    for form in ("full", "html"):
+        text = unescape(kinlint(*words, form)[1])
+        assert all(message in text for _, message in said), form

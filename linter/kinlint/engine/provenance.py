@@ -7,6 +7,7 @@ its derivations read (`kinlint.engine.derivation`), and answers for all that it 
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
@@ -38,6 +39,8 @@ from kinlint.vocabulary import ATTRIBUTE, KINLINT, SRC
 
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 TEXT = f"{SRC}text"
+COMPONENT = re.compile(r"-[1-9][0-9]*$")
+"""End of the property of one of several numbers of an attribute."""
 WORKED_OUT = "lifting/worked-out.tsv"
 """The table, below shapes/, of what readers work out, and from what."""
 
@@ -96,6 +99,17 @@ class Provenance:
         """Return what all values of *predicate* that *subject* has were made of."""
         values = self.store.values(subject, predicate)
         return _merged([self.trace((subject, predicate, each)) for each in values])
+
+    def read_from(self, element: Term, property_: Term) -> tuple[str, str]:
+        """Return the path from *element* and the attribute that *property_* is first read from.
+
+        No attribute is the text of the element.
+        """
+        if sources := self._sources(element, property_):
+            return sources[0]
+        if property_.startswith(f"<{TEXT}"):
+            return "", ""
+        return "", COMPONENT.sub("", property_[:-1].rpartition("#")[2])
 
     def all_read(self) -> Iterator[tuple[Term, Term]]:
         """Yield the elements and properties of all that lifted values were made of."""

@@ -106,9 +106,41 @@ class FindingBuilder:
         wording = Wording(self._locator, location, finding.focus)
         return replace(
             finding,
-            related=tuple(_related(result, location, self._locator, wording)),
+            related=tuple(self._related(result, location, wording)),
             because=tuple(_because(result, self._locator, self._proofs, wording)),
         )
+
+    def _related(self, result: Result, location: Location, wording: Wording) -> Iterator[Related]:
+        """Yield the other places that *result* is about, each of them once.
+
+        Those are what the value that shows it was computed from in addition, and where the other
+        things that it names are written and described.
+        """
+        seen = {location}
+        for place, message in self._places(result, wording):
+            if place not in seen:
+                seen.add(place)
+                yield Related(place, message)
+
+    def _places(self, result: Result, wording: Wording) -> Iterator[tuple[Location, str]]:
+        locator = self._locator
+        for place, triple in locator.result_sources(result, self.rulebook.axioms)[1:]:
+            yield place, f"{wording.source(triple)} is given here"
+        named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
+        matched = {o[1:]: p for s, p, o in result.constraint.premises if s == "?this"}
+        ways = {term: matched[name] for name, term in named.items() if name in matched}
+        terms = [*named.values(), *([result.value] if result.value is not None else ())]
+        for term in dict.fromkeys(terms):
+            path = result.path if is_literal(term) else None
+            found = locator.sources(result.focus, path, term)
+            if not found and is_literal(term) and term in ways:
+                found = locator.sources(result.focus, ways[term], term)
+            for place, triple in found:
+                if triple[1] != RDF_TYPE:
+                    yield place, f"{wording.source(triple)} is given here"
+            place = None if is_literal(term) or term == result.focus else locator.node(term)
+            if place is not None:
+                yield place, f"{wording.word(locator.described(term))} is described here"
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
@@ -176,25 +208,6 @@ def _said(result: Result, rule: Rule) -> str:
     return f"{what} breaks {broken} of shape {rule.name}."
 
 
-def _related(
-    result: Result, location: Location, locator: Locator, wording: Wording
-) -> Iterator[Related]:
-    """Yield the other things that a result names, where they are written and described."""
-    named = {name: term for name, term in result.bindings.items() if name not in ENGINE_NAMES}
-    matched = {o[1:]: p for s, p, o in result.constraint.premises if s == "?this"}
-    ways = {term: matched[name] for name, term in named.items() if name in matched}
-    terms = [*named.values(), *([result.value] if result.value is not None else ())]
-    for term in dict.fromkeys(terms):
-        said = locator.triple(result.focus, result.path if is_literal(term) else None, term)
-        if said is None and is_literal(term) and term in ways:
-            said = locator.origin((result.focus, ways[term], term))
-        if said is not None and said[0] != location and said[1] != RDF_TYPE:
-            yield Related(said[0], f"'{wording.display.term(said[1])}' is given here")
-        described = None if is_literal(term) or term == result.focus else locator.node(term)
-        if described is not None and described != location:
-            yield Related(described, f"{wording.word(locator.described(term))} is described here")
-
-
 def _because(
     result: Result, locator: Locator, proofs: Proofs, wording: Wording
 ) -> Iterator[Premise]:
@@ -211,6 +224,11 @@ def _because(
         if place is not None or step.axiom:
             statement = _statement(step.triple, locator.store, wording)
             found.append(Premise(statement, place, step.axiom, step.depth))
+            others = () if step.axiom else locator.sources(*step.triple)[1:]
+            found += [
+                Premise(wording.quotation(each), each.location, depth=step.depth + 1)
+                for each in others
+            ]
     yield from _without_internal(found) if wording.in_xml else found
 
 

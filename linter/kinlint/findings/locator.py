@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from kinlint.addresses import document_of
 from kinlint.document import FROM, Document, NodeSpans
@@ -34,6 +35,15 @@ OWN = iri(f"{SRC}ownNamespace")
 UNIT = iri(f"{QUDT}unit")
 COMPONENT = re.compile(r"-\d+>$")
 """End of the properties that have one of several numbers: `at:xyz-1`."""
+
+
+class Source(NamedTuple):
+    """A place where a value, or something that it was computed from, is written."""
+
+    location: Location
+    """The place."""
+    triple: Triple
+    """The triple of a document that is written there; the first of several numbers."""
 
 
 @dataclass(frozen=True)
@@ -112,84 +122,93 @@ class Locator:
         """The origins of what was lifted."""
         return Provenance(self.store)
 
-    def places(self, trace: Trace) -> list[tuple[Location, Term]]:
-        """Return where what *trace* tells of is written, and as the value of which property.
+    def sources(self, subject: Term, predicate: Term | None, value: Term) -> Sequence[Source]:
+        """Return where *value* is written as a value of *subject*, or all that it follows from.
 
-        What one element says is one place, from the first to the last of its values.
-        """
-        found: dict[tuple[Term, Term], list[tuple[Location, Term]]] = {}
-        for document, triple in trace.written:
-            if (span := document.map.triples.get(triple)) is not None:
-                place = document.location(span), triple[1]
-                found.setdefault((document.graph, triple[0]), []).append(place)
-        return [(_around([place for place, _ in each]), each[0][1]) for each in found.values()]
-
-    def triple(
-        self, subject: Term, predicate: Term | None, value: Term
-    ) -> tuple[Location, Term] | None:
-        """Return the place of *value* as a value of *subject*, and the predicate there.
-
-        No *predicate* means any.
+        No *predicate* means any, of what documents state.
         """
         for document, triple in self.store.written(subject, predicate, value):
             if (span := document.map.triples.get(triple)) is not None:
-                return document.location(span), triple[1]
-        return None if predicate is None else self.origin((subject, predicate, value))
+                return (Source(document.location(span), triple),)
+        if predicate is None:
+            return ()
+        return self._places(self.provenance.trace((subject, predicate, value)))
 
-    def origin(self, triple: Triple) -> tuple[Location, Term] | None:
-        """Return where a lifted *triple* is written, and as the value of which property."""
-        return next(iter(self.places(self.provenance.trace(triple))), None)
+    def _places(self, trace: Trace) -> Sequence[Source]:
+        """Return where *trace* leads to.
+
+        What one element says is one place, from the first to the last of its values.
+        """
+        found: dict[tuple[Term, Term], list[Source]] = {}
+        for document, triple in trace.written:
+            if (span := document.map.triples.get(triple)) is not None:
+                place = Source(document.location(span), triple)
+                found.setdefault((document.graph, triple[0]), []).append(place)
+        return [
+            Source(_around([each.location for each in group]), group[0].triple)
+            for group in found.values()
+        ]
 
     def premise(self, triple: Triple) -> Location | None:
         """Return the place of *triple*, or of what it was lifted from; None for implied units."""
-        subject, predicate, value = triple
-        if (said := self.triple(subject, predicate, value)) is not None:
-            return said[0]
+        if found := self.sources(*triple):
+            return found[0].location
+        subject, predicate, _ = triple
         implied = predicate == UNIT or not self.origins(subject)
         return None if implied else self.node(subject)
 
     def result_location(self, result: Result, axioms: Sequence[Axiom]) -> Location:
         """Return the smallest place that shows *result*: a triple, a node, a mention, or a file.
 
-        These are of `?at`, if the rule says so, or else of the focus node. A triple that
-        follows by *axioms* is shown by the first one written that it follows from. In files of
-        elements, `?spot` may say of which attribute the value shows it.
+        These are of `?at`, if the rule says so, or else of the focus node.
+        """
+        if found := self.result_sources(result, axioms):
+            return found[0].location
+        at = result.bindings.get("at", result.focus)
+        place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
+        return place or self.documents[0].location(Span(0, 0))
+
+    def result_sources(self, result: Result, axioms: Sequence[Axiom]) -> Sequence[Source]:
+        """Return where the value that shows *result* is written, or all that it follows from.
+
+        A triple that follows by *axioms* is shown by the first one written that it follows from.
+        In files of elements, `?spot` may say of which attribute the value shows it. The element of
+        the node itself comes before those of others.
         """
         at = result.bindings.get("at", result.focus)
         if result.path is not None and result.value is not None:
             triple = at, result.path, result.value
             proof = explain(self.store, axioms, triple) if self.store.is_inferred(triple) else ()
-            for subject, predicate, value in (triple, *(step.triple for step in proof)):
-                if (said := self.triple(subject, predicate, value)) is not None:
-                    return said[0]
-        if (spot := result.bindings.get("spot")) is not None and (shown := self._spot(at, spot)):
-            return shown
-        place = self.node(at) or self.node(result.focus) or self._mentions.get(at)
-        return place or self.documents[0].location(Span(0, 0))
+            for each in (triple, *(step.triple for step in proof)):
+                if found := self.sources(*each):
+                    return found
+        spot = result.bindings.get("spot")
+        return self._spot(at, spot) if spot is not None else ()
 
-    def _spot(self, node: Term, property_: Term) -> Location | None:
+    def _spot(self, node: Term, property_: Term) -> Sequence[Source]:
         """Return where the values of *property_* that *node* has are written.
 
         Of an attribute or a text with several numbers that is all of them.
         """
         if document_of(node) not in self.store.documents:
-            return None
+            return ()
+        if own := self._numbers(node, property_):
+            return (own,)
         trace = self.provenance.property(node, property_)
         spelled = [(triple[0], COMPONENT.sub(">", triple[1])) for _, triple in trace.written]
-        for element, way in ((node, property_), *spelled):
-            if (found := self._numbers(element, way)) is not None:
-                return found
-        return None
+        found = (self._numbers(element, way) for element, way in dict.fromkeys(spelled))
+        return [each for each in found if each is not None]
 
-    def _numbers(self, element: Term, property_: Term) -> Location | None:
+    def _numbers(self, element: Term, property_: Term) -> Source | None:
         """Return the place from the first to the last value that *element* has for *property_*."""
         found = [
-            said[0]
+            source
             for way, value in self.store.predicate_objects(element)
             if COMPONENT.sub(">", way) == property_
-            and (said := self.triple(element, way, value)) is not None
+            for source in self.sources(element, way, value)[:1]
         ]
-        return _around(found) if found else None
+        places = [each.location for each in found]
+        return Source(_around(places), found[0].triple) if found else None
 
     @cached_property
     def _mentions(self) -> Mapping[Term, Location]:

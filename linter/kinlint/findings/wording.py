@@ -14,7 +14,7 @@ from typing import TypeGuard
 
 from kinlint.addresses import document_of, is_element, local_name, unordered, way_out
 from kinlint.document import Document
-from kinlint.findings.locator import Locator
+from kinlint.findings.locator import Locator, Source
 from kinlint.message_template import VARIABLE
 from kinlint.term_format import NUMBERS, TermFormatter
 from kinlint.terms import (
@@ -127,7 +127,29 @@ class Wording:
             if not (is_literal(value) and stated):
                 return ""
             name = self._written_as(subject, property_) or self.display.term(property_)
+        if property_.startswith(TEXT):
+            return f"{self._mention(subject)}: {self._mention(value)}"
         return f"{self._mention(subject)}: {name} {self._mention(value)}"
+
+    def source(self, triple: Triple) -> str:
+        """Return what has the value of a *triple* of a document, by the name it has there.
+
+        `'upper'` is an attribute or a property, `<pose> of link 'hand'` an element with text.
+        """
+        subject, property_, _ = triple
+        element = self._element(subject)
+        if element is None:
+            return f"'{self.display.term(property_)}'"
+        path, attribute = self.locator.provenance.read_from(subject, property_)
+        if attribute:
+            return f"'{attribute}'"
+        tags = [f"<{tag}>" for tag in reversed(path.split("/")) if tag]
+        return " of ".join((*tags, *_phrases(*element)))
+
+    def quotation(self, source: Source) -> str:
+        """Return what the text at *source* says: `<pose> of link 'hand': 0 0 1`."""
+        place = source.location
+        return f"{self.source(source.triple)}: {' '.join(place.source[place.span].split())}"
 
     def _mention(self, term: Term) -> str:
         """Return *term* as a statement names it.
