@@ -138,9 +138,9 @@ class FindingBuilder:
             for place, triple in found:
                 if triple[1] != RDF_TYPE:
                     yield place, f"{wording.source(triple)} is given here"
-            place = None if is_literal(term) or term == result.focus else locator.node(term)
-            if place is not None:
-                yield place, f"{wording.word(locator.described(term))} is described here"
+            described = None if is_literal(term) or term == result.focus else locator.node(term)
+            if described is not None:
+                yield described, f"{wording.word(locator.described(term))} is described here"
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
