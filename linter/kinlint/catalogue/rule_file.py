@@ -9,6 +9,7 @@ from textwrap import dedent
 
 from kinlint.catalogue.asked_facts import modules
 from kinlint.catalogue.repair_file import prefixes, read_repairs
+from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
 from kinlint.engine.compiler.shapes_graph import ShapesFile, ShapesGraph, parse
 from kinlint.errors import RuleInvalid
@@ -31,6 +32,7 @@ def read_rules(file: Path) -> tuple[Rule, ...]:
 def stated_rules(file: ShapesFile) -> tuple[Rule, ...]:
     """Return the rules that the parsed *file* states, as `read_rules` does."""
     graph = ShapesGraph((file,))
+    check_permissions(graph)
     rules = sorted(graph.referrers(TYPE, RULE_CLASS))
     if len(rules) > 1:
         raise RuleInvalid(f"{file.name}: {len(rules)} rules in one file; a rule file holds one")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.oxigraph_probe import try_out
+from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, target_shapes
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
@@ -38,6 +39,7 @@ def compile_shapes(files: Sequence[Source]) -> tuple[Constraint, ...]:
 
 def compile_graph(graph: ShapesGraph) -> tuple[Constraint, ...]:
     """Return the constraints of all shapes with targets in *graph*, as `compile_shapes` does."""
+    check_permissions(graph)
     found: list[Constraint] = []
     for shape in target_shapes(graph):
         if not shape.deactivated:

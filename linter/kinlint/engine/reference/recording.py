@@ -9,10 +9,11 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import Any, NoReturn
 
 from pyshacl.constraints.constraint_component import ConstraintComponent
 from rdflib import BNode
+from rdflib.plugins import sparql
 from rdflib.plugins.sparql import aggregates, evaluate, operators
 from rdflib.plugins.sparql.algebra import translateQuery
 from rdflib.plugins.sparql.parser import parseQuery
@@ -22,6 +23,7 @@ from rdflib.plugins.sparql.sparql import Query
 from rdflib.term import Node
 
 from kinlint.engine.reference import rdflib_expressions
+from kinlint.errors import RuleInvalid
 
 DEPTH = 20_000
 """Python's recursion limit meanwhile: rdflib walks a path of n steps with n nested calls."""
@@ -30,6 +32,8 @@ RESULTS = (ConstraintComponent, "make_v_result")
 QUERIES = (SPARQLProcessor, "query")
 GROUPS = (evaluate, "evalAggregateJoin")
 EXPRESSIONS = (Expr, "eval")
+SERVICES = (evaluate, "evalServiceQuery")
+LOADING = (sparql, "SPARQL_LOAD_GRAPHS")
 NUMBERS = ((operators, "numeric"), (aggregates, "numeric"))
 
 
@@ -73,9 +77,14 @@ def recorded() -> Iterator[dict[Node, Record]]:
         return "", result, []
 
     limit, level = sys.getrecursionlimit(), logging.root.manager.disable
-    patched: tuple[tuple[Any, str], ...] = (RESULTS, QUERIES, GROUPS, EXPRESSIONS, *NUMBERS)
-    _, _, groups, evaluated, numeric, _ = kept = [getattr(*place) for place in patched]
+    patched: tuple[tuple[Any, str], ...] = (
+        *(RESULTS, QUERIES, GROUPS, EXPRESSIONS, *NUMBERS),
+        *(SERVICES, LOADING),
+    )
+    _, _, groups, evaluated, numeric, *_ = kept = [getattr(*place) for place in patched]
     try:
+        setattr(*SERVICES, _no_service)
+        setattr(*LOADING, False)
         sys.setrecursionlimit(max(limit, DEPTH))
         setattr(*RESULTS, make_v_result)
         setattr(*QUERIES, _query)
@@ -116,6 +125,11 @@ def _groups(original: Any, context: Any, part: Any) -> Any:
         if first is None:
             return iter(())
     return original(context, part)
+
+
+def _no_service(_context: Any, _part: Any) -> NoReturn:
+    """Refuse SERVICE, in case a query with it gets as far as the engine."""
+    raise RuleInvalid("SERVICE is not allowed: a rule sees the model and nothing else")
 
 
 @lru_cache(maxsize=4096)

@@ -10,6 +10,7 @@ import pyshacl
 from rdflib import Graph, URIRef
 
 from kinlint.document import Document
+from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.sparql_constraints import formats, severity
@@ -118,6 +119,7 @@ def _judge(
 def _shapes(files: tuple[Source, ...]) -> tuple[ShapesGraph, Graph]:
     """Return the shapes of *files* as the compiler sees them and as pySHACL does."""
     shapes = read(files)
+    check_permissions(shapes)
     return shapes, graph(triple for file in shapes.files for triple in file.triples)
 
 
