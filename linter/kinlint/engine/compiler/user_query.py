@@ -102,8 +102,6 @@ def _defer(select: Select, found: tuple[str, ...]) -> None:
     for variable in OPTIONAL:
         if variable in found:
             raise Deferred(f"${variable[1:]} needs the shapes graph")
-    if any(str(word).upper() == "FROM" for word in select.head):
-        raise Deferred("FROM names a dataset")
     if any(isinstance(part, Clause) and part.head[0].upper() == "GRAPH" for part in walk(select)):
         raise Deferred("GRAPH sees the named graphs of the store, which are kinlint's own")
     for at, word in enumerate(found):
