@@ -1,4 +1,4 @@
-"""What SPARQL in rules and shapes may not do: reach a network, a file or another dataset.
+"""Permissions of SPARQL in rules and shapes: no network, no file, no other dataset.
 
 Neither Oxigraph nor rdflib can be built without their HTTP clients, so a query that would use one
 is refused before an engine sees it, whichever engine is going to run it.
@@ -32,7 +32,7 @@ REMOTE = frozenset({"SERVICE", "LOAD", "FROM", "USING", "WITH"})
 FUNCTIONS = {"update": (f"<{XSD}", f"<{MATH}")}
 """Namespaces of the functions that a text may call by IRI, besides those that its file defines."""
 CASTS = (f"<{XSD}",)
-"""Those of every other text: SPARQL 1.1, 17.5."""
+"""The namespace of casts, which any text may call: SPARQL 1.1, 17.5."""
 SCRIPTS = f"<{SH}js"
 _ESCAPE = re.compile(r"\\u([0-9A-Fa-f]{4})|\\U([0-9A-Fa-f]{8})")
 
