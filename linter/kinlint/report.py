@@ -29,6 +29,8 @@ class Report:
     """Names of the files that no rule applied to."""
     errors: tuple[SourceError, ...] = ()
     """Files that could not be read."""
+    passed_over: tuple[SourceError, ...] = ()
+    """Files that were found and not taken for models, though they may have been meant as such."""
     rules: tuple[Rule, ...] = ()
     """Rules that were checked, found anything or not."""
     triples: int = 0

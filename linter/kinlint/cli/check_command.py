@@ -101,7 +101,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
 
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(found)
+        _warn(found, report.passed_over)
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
@@ -121,7 +121,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
 
 def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
     """0, 1 or 2: whether something could not be read, or is at least as bad as *fail_on*."""
-    if report.errors:
+    if report.errors or (report.passed_over and not report.files):
         return ABNORMAL
     if exit_zero or fail_on == "none":
         return CLEAN
@@ -156,9 +156,11 @@ def _paths(found: Found) -> Iterator[Path]:
     return (one.path for one in found.inputs if one.path is not None)
 
 
-def _warn(found: Found) -> None:
+def _warn(found: Found, passed_over: Iterable[SourceError] = ()) -> None:
     for given in found.barren:
         sys.stderr.write(f"kinlint: warning: no robot models found in '{given}'\n")
+    for each in passed_over:
+        sys.stderr.write(f"kinlint: warning: {each.name} was not checked: {each.cause}\n")
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from kinlint.catalogue.rulebook import Rulebook
@@ -37,6 +37,8 @@ class LintRun:
     """The stopwatch of the run."""
     watched: bool = False
     """True if progress is shown."""
+    _passed: list[SourceError] = field(default_factory=list)
+    """Files that were passed over, and why they may have been meant."""
 
     def report(self, options: Namespace, outputs: Outputs, wanted: Sieve | None = None) -> Report:
         """The report for *outputs*; with `--fix` and its like, of what is left.
@@ -57,7 +59,12 @@ class LintRun:
             report = self.linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
         if asides:
             report = project_mode.without_asides(report, asides, new)
-        return replace(report, unsafe=self.settings.unsafe_fixes, catalogue=self.book.digest)
+        return replace(
+            report,
+            unsafe=self.settings.unsafe_fixes,
+            catalogue=self.book.digest,
+            passed_over=tuple(self._passed),
+        )
 
     def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
@@ -67,7 +74,7 @@ class LintRun:
 
         with self.phases.phase("decoding"):
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
-            sources, errors = read_models(inputs, self.settings)
+            sources, errors = read_models(inputs, self.settings, self._passed)
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 

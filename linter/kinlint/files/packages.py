@@ -90,7 +90,7 @@ class Packages:
                 yield sibling
 
     def _below(self, name: str, near: Path) -> Iterator[Path]:
-        root = self.workspace or next((d for d in (near, *near.parents) if _is_top(d)), None)
+        root = self.workspace or repository(near)
         if root is not None and (found := self._index(root).get(name)):
             yield found
 
@@ -131,6 +131,11 @@ class Packages:
 def _is_top(directory: Path) -> bool:
     """Tell whether *directory* is the top of a working copy."""
     return kind(directory / REPOSITORY) is not None
+
+
+def repository(near: Path) -> Path | None:
+    """Return the top of the repository that *near* lies in, if it lies in one."""
+    return next((each for each in (near, *near.parents) if _is_top(each)), None)
 
 
 @question

@@ -37,7 +37,7 @@ class IncrementalReader:
         """
         last = self._last
         unchanged = last is not None and (source, options) == (last.source, self._options)
-        if last is not None and unchanged and not last.format.includes:
+        if last is not None and unchanged and not (last.format.includes or last.pieces):
             return last
         source = with_format(source)
         now = self._divided(source, options) if source.format == JSONLD else None

@@ -11,10 +11,12 @@ from kinlint.text import SourceText
 
 JSONLD, TURTLE, NQUADS = BY_NAME["jsonld"], BY_NAME["turtle"], BY_NAME["nquads"]
 HEAD = 1024
+KEYWORDS = frozenset({'"@context"', '"@graph"', '"@id"', '"@type"'})
+"""Keys by which JSON is JSON-LD."""
 XML_SUFFIXES = tuple(suffix for each in TREES for suffix in each.suffixes)
 
 _TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
-_CONTEXT = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
+_VALUE = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
 _TURTLE = re.compile(r"(?im)^[ \t]*(?:@(?:prefix|base)[ \t]|(?:prefix|base)[ \t]+[\w.-]*:?[ \t]*<)")
 _STATEMENT = re.compile(r"(?m)^[ \t]*(?:<[^<>\s]*>|_:\S+)[ \t]+<[^<>\s]*>[ \t]+[<\"_].*\.[ \t]*$")
 
@@ -36,14 +38,14 @@ def with_text(source: SourceText, text: str, *, bom: bool | None = None) -> Sour
 def recognise(name: str, text: str) -> Format | None:
     """Return the format of a file, None if it is unknown.
 
-    JSON is JSON-LD if there is an `@context` at its top or in an element of a top-level array.
+    JSON is JSON-LD if there is a keyword of it at its top or in an element of a top-level array.
     """
     by_name = by_suffix(name)
     if by_name is not None and not by_name.is_tree:
         return by_name
     head = text.lstrip()[:1]
     if head in ("{", "["):
-        return JSONLD if _has_context(text) else None
+        return JSONLD if _has_keyword(text) else None
     if name.lower().endswith(JSON):
         return None
     if (found := _tree(name, text)) is not None:
@@ -88,8 +90,8 @@ def _tree(name: str, text: str) -> Format | None:
     return recognise_xml(text, name)
 
 
-def _has_context(text: str) -> bool:
-    if '"@context"' not in text:
+def _has_keyword(text: str) -> bool:
+    if not any(keyword in text for keyword in KEYWORDS):
         return False
     depth, top = 0, 1
     for match in _TOKEN.finditer(text):
@@ -100,6 +102,6 @@ def _has_context(text: str) -> bool:
             depth += 1
         elif found in ("}", "]"):
             depth -= 1
-        elif depth == top and found == '"@context"' and _CONTEXT.match(text, match.end()):
+        elif depth == top and found in KEYWORDS and _VALUE.match(text, match.end()):
             return True
     return False

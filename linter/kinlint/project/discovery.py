@@ -1,8 +1,8 @@
 """Finds the files to lint: what was named, and the models in directories and globs.
 
-In directories these are `.jsonld` files, those `.json` files that speak of a context, and robots in
-the XML formats; Turtle and N-Quads are as often shapes or vocabularies as models, so they are read
-only when they are named, or when a glob does not leave them out. Everything else is passed over.
+In directories these are `.jsonld` files, those `.json` files with keywords of JSON-LD, and robots
+in the XML formats; Turtle and N-Quads are as often shapes or vocabularies as models, so they are
+read only when they are named, or when a glob does not leave them out. All else is passed over.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build"
 ENVIRONMENT = "pyvenv.cfg"
 """File that marks a directory as a virtual environment of Python."""
 HEAD = 1 << 16
+KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
+"""Keys by which JSON is JSON-LD."""
+LONGEST = max(map(len, KEYWORDS))
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,14 +162,13 @@ def may_be_jsonld(path: Path) -> bool:
     """Tell whether the file at *path* may be JSON-LD, without decoding or parsing it."""
     if not path.is_file():
         return False
-    wanted = b'"@context"'
     with path.open("rb") as stream:
         head = stream.read(HEAD)
         if head.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] not in (b"{", b"["):
             return False
-        while wanted not in head:
+        while not any(keyword in head for keyword in KEYWORDS):
             more = stream.read(HEAD)
             if not more:
                 return False
-            head = head[-len(wanted) :] + more
+            head = head[-LONGEST:] + more
     return True

@@ -14,7 +14,7 @@ from kinlint.errors import SourceError
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
 from kinlint.project.discovery import Input
-from kinlint.project.model_detection import is_model
+from kinlint.project.model_detection import doubt, is_model
 from kinlint.text import SourceText
 
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
@@ -23,12 +23,13 @@ MOST_BYTES = 512 * 2**20
 
 
 def read_models(
-    inputs: Iterable[Input], settings: Settings
+    inputs: Iterable[Input], settings: Settings, passed: list[SourceError] | None = None
 ) -> tuple[list[SourceText], list[SourceError]]:
     """The texts of those *inputs* that are models, and why others cannot be read.
 
     A file that a search found and that is no robot model after all is passed over: other JSON-LD
     (package metadata, web annotations) under a `.json` name, and documents that are a context.
+    *passed* is told which of these may have been meant as models after all.
     """
     sources: list[SourceText] = []
     errors: list[SourceError] = []
@@ -45,6 +46,8 @@ def read_models(
                 errors.append(SourceError(one.name, cause))
                 continue
         elif not is_model(source, own):
+            if passed is not None and (cause := doubt(source)):
+                passed.append(SourceError(one.name, cause))
             continue
         sources.append(source)
     return sources, errors

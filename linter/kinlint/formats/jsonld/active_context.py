@@ -5,10 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeAlias
 
+from kinlint.files.bounded_read import Unreadable
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
 from kinlint.formats.jsonld.context_cache import ContextCache, unplaced
-from kinlint.formats.jsonld.context_resolver import Resolved
+from kinlint.formats.jsonld.context_resolver import Resolved, Resolver
 from kinlint.formats.jsonld.expansion_record import ContextProblem, ExpansionRecord, ShadowedTerm
+from kinlint.formats.jsonld.local_contexts import (
+    SELF,
+    LocalContexts,
+    LocalResolver,
+    file_shown,
+)
 from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
 from kinlint.formats.jsonld.uri_schemes import REGISTERED
 from kinlint.text import Span
@@ -39,13 +46,18 @@ class ActiveContexts:
 
     record: ExpansionRecord
 
-    def __init__(self, memory: ContextCache, *, strict: bool) -> None:
+    def __init__(self, memory: ContextCache, local: LocalContexts | None, *, strict: bool) -> None:
         self.strict = strict
         self.memory = memory
-        self.resolver = memory.resolver
+        self.local = local
+        self.resolver: Resolver | LocalResolver = memory.resolver
+        if local is not None:
+            self.resolver = LocalResolver(local, memory.resolver)
         self.site: Span | None = None
         # Results with their problem, and the keys' objects, which must live as long as their ids.
         self._known: dict[Any, tuple[Context, ContextProblem | None, Any]] = {}
+        self._chain: list[str] = []
+        """IRIs of the context files at work, each named in the one before."""
 
     def _clone_active_context(self, active_ctx: Context) -> Context:
         clone = _Lenient(super()._clone_active_context(active_ctx))  # type: ignore[misc]
@@ -83,6 +95,8 @@ class ActiveContexts:
         self, active: Context, entry: Any, process: _Process, options: Any, flags: dict[str, Any]
     ) -> Context:
         self.record.use(entry)
+        if self.local is not None and (iri := self.local.named(entry)) is not None:
+            return self._from_file(active, entry, iri, options, flags)
         name = str(entry) if isinstance(entry, str) else id(entry)
         about = (id(active), name, flags.get("override_protected"), flags.get("propagate", True))
         known = self._known.get(about)
@@ -103,6 +117,27 @@ class ActiveContexts:
         if problem:
             self.record.problem(problem._replace(span=self._place(entry, problem.span)))
         return result
+
+    def _from_file(
+        self, active: Context, entry: Any, iri: str, options: Any, flags: dict[str, Any]
+    ) -> Context:
+        """Return *active* with the context in the file of *iri*, as if it stood here."""
+        assert self.local is not None
+        site = self._place(entry, self.site or Span(0, 0))
+        kind, why = "InvalidContext", SELF
+        try:
+            if iri not in self._chain:
+                self._chain.append(iri)
+                try:
+                    context = self.local.context(iri)
+                    return self._process_context(active, context, options, **flags)
+                finally:
+                    self._chain.pop()
+                    self.site = site
+        except Unreadable as error:
+            kind, why = "UnresolvedContext", str(error)
+        self.record.problem(ContextProblem(kind, file_shown(str(entry)), why, site))
+        return _blind(active)
 
     def _place(self, entry: Any, otherwise: Span) -> Span:
         return entry.span if isinstance(entry, Text) else otherwise

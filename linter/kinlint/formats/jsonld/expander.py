@@ -18,6 +18,7 @@ from kinlint.formats.json_text.json_values import (
 from kinlint.formats.jsonld.active_context import ActiveContexts, Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.pyld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 from kinlint.formats.jsonld.traced_values import (
     RELATIVE,
@@ -49,9 +50,15 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
     """
 
     def __init__(
-        self, memory: ContextCache, base: str, *, strict: bool = False, mode: str = "1.1"
+        self,
+        memory: ContextCache,
+        base: str,
+        local: LocalContexts | None = None,
+        *,
+        strict: bool = False,
+        mode: str = "1.1",
     ) -> None:
-        ActiveContexts.__init__(self, memory, strict=strict)
+        ActiveContexts.__init__(self, memory, local, strict=strict)
         JsonLdProcessor.__init__(self, on_property_dropped=self._on_dropped)
         self.record = ExpansionRecord()
         self.trail: list[Origin] = []

@@ -11,6 +11,7 @@ from kinlint.formats.jsonld.active_context import FAULTS, Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord, ShadowedTerm, StrayValue
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.losses import Detail, Loss, LossObserver, text_details
 from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
 from kinlint.formats.jsonld.triples import Triples
@@ -26,9 +27,10 @@ _MAPPED = re.compile(r"([A-Za-z][A-Za-z0-9+-.]*|_):[^\s]*$|@[a-z]+$")
 class OtherRelease:
     """The contexts in force at the objects of a file, had it been read under *release*."""
 
-    def __init__(self, release: str, options: ReadOptions) -> None:
+    def __init__(self, release: str, options: ReadOptions, local: LocalContexts) -> None:
         self.release = release
-        self._processor = Processor(ContextCache.from_options(options, release), options.base)
+        memory = ContextCache.from_options(options, release)
+        self._processor = Processor(memory, options.base, local)
         self._at: dict[Origin, tuple[Context, Context]] = {}
 
     def maps_key(self, key: Text, origin: Origin) -> bool:
@@ -79,8 +81,9 @@ LOOKED_UP = 1_000
 class ReleaseComparison:
     """Comparison of lost words with the terms of their contexts, and of other releases."""
 
-    def __init__(self, options: ReadOptions) -> None:
+    def __init__(self, options: ReadOptions, local: LocalContexts) -> None:
         self._options = options
+        self._local = local
         self._releases: list[OtherRelease] | None = None
         self._near: dict[tuple[int, str], str | None] = {}
 
@@ -94,7 +97,9 @@ class ReleaseComparison:
         if self._releases is None:
             current = self._options.contexts.release
             names = self._options.releases if named else ()
-            self._releases = [OtherRelease(r, self._options) for r in names if r != current]
+            self._releases = [
+                OtherRelease(each, self._options, self._local) for each in names if each != current
+            ]
         return self._releases
 
     def resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:

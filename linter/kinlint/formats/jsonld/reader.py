@@ -18,6 +18,7 @@ from kinlint.formats.jsonld.active_context import FAULTS, complaint
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.loss_report import (
     LossReport,
     ReleaseComparison,
@@ -50,9 +51,9 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
         cause = "not JSON-LD: neither an object nor an array"
         raise SourceError(source.name, cause, place.line, place.column)
     _check_contexts(parsed, source)
-    processor = Processor(
-        ContextCache.from_options(options, options.contexts.release), options.base
-    )
+    local = LocalContexts(source, options)
+    memory = ContextCache.from_options(options, options.contexts.release)
+    processor = Processor(memory, options.base, local)
     graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossObserver()
     triples = Triples(blanks, watch)
     processor.on_node = lambda node: triples.add([node], parsed.span)
@@ -65,14 +66,16 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
-    report = LossReport(record, watch, triples, ReleaseComparison(options))
+    report = LossReport(record, watch, triples, ReleaseComparison(options, local))
     state_losses(layer, report.losses(parsed.repeats, processor.repeated))
 
     spans = triples.spans
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     places = SourceMap(spans, {**triples.nodes, **layer.nodes})
-    return Document(source, graph, tuple(spans), places, record.prefixes, format=JSONLD)
+    return Document(
+        source, graph, tuple(spans), places, record.prefixes, format=JSONLD, pieces=local.pieces
+    )
 
 
 def _check_contexts(parsed: ParsedJson, source: SourceText) -> None:

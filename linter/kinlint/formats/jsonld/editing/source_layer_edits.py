@@ -46,6 +46,8 @@ def _change(plan: EditPlan, triple: Triple, new: Term | None) -> None:
     spans = plan.document.map.nodes.get(triple[0])
     if spans is None:
         raise NotExpressible("it is not known where it is written")
+    if plan.document.location(spans.whole).source is not plan.document.source:
+        raise NotExpressible("it is written in a context file")
     if new is not None:
         plan.changes.rename(spans.whole, _text(new))
         return

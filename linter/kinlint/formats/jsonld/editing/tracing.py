@@ -11,6 +11,7 @@ from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.pyld import frozendict
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
@@ -31,8 +32,8 @@ class ContextScope(NamedTuple):
 class Tracing(Processor):
     """Expansion that notes scope and origin of each object, by its identity, while `tracing`."""
 
-    def __init__(self, memory: ContextCache, base: str) -> None:
-        super().__init__(memory, base)
+    def __init__(self, memory: ContextCache, base: str, local: LocalContexts) -> None:
+        super().__init__(memory, base, local)
         self.scopes: dict[int, ContextScope] = {}
         self.origins: dict[int, Origin] = {}
         self.tracing = True
@@ -105,9 +106,8 @@ def trace(source: SourceText, options: ReadOptions) -> Trace:
     with undisturbed():
         parsed = parse(source)
         kept = [(array, list(array)) for array in _outermost(parsed.value)]
-        processor = Tracing(
-            ContextCache.from_options(options, options.contexts.release), options.base
-        )
+        memory = ContextCache.from_options(options, options.contexts.release)
+        processor = Tracing(memory, options.base, LocalContexts(source, options))
         blanks = BlankNodes(source.name)
         tracks = Tracks(blanks)
         processor.on_node = lambda node: tracks.add([node], parsed.span)

@@ -69,7 +69,7 @@ def read_divided(source: SourceText, options: ReadOptions) -> Reading:
             raise Indivisible
         if isinstance(parsed.value.get("@context"), (int, float)):
             raise Indivisible
-        stating = PartStatements(source.name, options)
+        stating = PartStatements(source, options)
         try:
             hull = stating.hull(parsed)
         except FAULTS as fault:

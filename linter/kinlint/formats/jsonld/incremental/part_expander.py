@@ -9,6 +9,7 @@ from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.traced_values import ExpandedArray, Origin
 from kinlint.text import Span
 
@@ -24,8 +25,14 @@ class DividedProcessor(Processor):
     is the object that holds the graph, `place` where its elements stand with their brackets.
     """
 
-    def __init__(self, memory: ContextCache, base: str, take: Callable[[Array], None]) -> None:
-        super().__init__(memory, base)
+    def __init__(
+        self,
+        memory: ContextCache,
+        base: str,
+        local: LocalContexts,
+        take: Callable[[Array], None],
+    ) -> None:
+        super().__init__(memory, base, local)
         self._take = take
         self._taken: list[Any] = []
         self._there: Callable[[Array], ExpandedArray] | None = None

@@ -12,13 +12,14 @@ from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord
 from kinlint.formats.jsonld.incremental.part import NOTHING, DeferredBlankNodes, Part, PartNotes
 from kinlint.formats.jsonld.incremental.part_expander import DividedProcessor, Indivisible
+from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.loss_report import LOOKED_UP, LossReport, ReleaseComparison
 from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
-from kinlint.text import Span
+from kinlint.text import SourceText, Span
 
 
 class PartObservations(NamedTuple):
@@ -77,13 +78,14 @@ class PartStatements:
     `parts` are the elements of that graph, read under `release` of our contexts.
     """
 
-    def __init__(self, name: str, options: ReadOptions) -> None:
+    def __init__(self, source: SourceText, options: ReadOptions) -> None:
         self.parts: list[Part] = []
         self.release = options.contexts.release
-        self._graph = document_iri(name)
+        self._graph = document_iri(source.name)
         memory = ContextCache.from_options(options, options.contexts.release)
-        self._processor = DividedProcessor(memory, options.base, self._take)
-        self._compared = ReleaseComparison(options)
+        self._local = LocalContexts(source, options)
+        self._processor = DividedProcessor(memory, options.base, self._local, self._take)
+        self._compared = ReleaseComparison(options, self._local)
         self._hull = self._processor.record
         self._known = ExpansionRecord()
         self._whole = Span(0, 0)
@@ -119,7 +121,7 @@ class PartStatements:
         hull, known, gap = self._hull, self._known, self.place
         if self._processor.around is None or known.shadows != hull.shadows:
             raise Indivisible
-        if bool(known.uses) != bool(hull.uses):
+        if bool(known.uses) != bool(hull.uses) or self._local.asked:
             raise Indivisible
         repeats = [each for each in parsed.repeats if not _within(each.span, gap)]
         part = self._part(parsed.span, expanded, repeats, ())
@@ -142,7 +144,7 @@ class PartStatements:
         part = self._part(element.span, nodes, repeats, known.uses)
         if record.shadows != known.shadows or record.problems or record.prefixes:
             raise Indivisible
-        if part.notes.uses and not known.uses:
+        if self._local.asked or (part.notes.uses and not known.uses):
             raise Indivisible
         if not all(_within(span, element.span) for span in part.places()):
             raise Indivisible
