@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -125,7 +125,7 @@ def _speaks_of_robots(said: Any) -> bool:
 
 
 @cache
-def _terms() -> tuple[Collection[str], frozenset[str]]:
+def _terms() -> tuple[frozenset[str], frozenset[str]]:
     """Return the terms that nobody else uses, in several words, and the other classes."""
     special: set[str] = set()
     common: set[str] = set()
