@@ -10,12 +10,7 @@ from kinlint.formats.json_text.json_values import Array, Key, Object, Text
 from kinlint.formats.jsonld.context_cache import ContextCache, unplaced
 from kinlint.formats.jsonld.context_resolver import Resolved, Resolver
 from kinlint.formats.jsonld.expansion_record import ContextProblem, ExpansionRecord, ShadowedTerm
-from kinlint.formats.jsonld.local_contexts import (
-    SELF,
-    LocalContexts,
-    LocalResolver,
-    file_shown,
-)
+from kinlint.formats.jsonld.local_contexts import SELF, LocalContexts, LocalResolver
 from kinlint.formats.jsonld.pyld import JsonLdError, frozendict
 from kinlint.formats.jsonld.uri_schemes import REGISTERED
 from kinlint.text import Span
@@ -136,7 +131,7 @@ class ActiveContexts:
                     self.site = site
         except Unreadable as error:
             kind, why = "UnresolvedContext", str(error)
-        self.record.problem(ContextProblem(kind, file_shown(str(entry)), why, site))
+        self.record.problem(ContextProblem(kind, self.local.written(entry), why, site))
         return _blind(active)
 
     def _place(self, entry: Any, otherwise: Span) -> Span:

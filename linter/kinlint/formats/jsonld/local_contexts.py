@@ -50,6 +50,8 @@ class LocalContexts:
     _pieces: list[tuple[int, SourceText]] = field(default_factory=list)
     _known: dict[str, Any] = field(default_factory=dict)
     _iris: dict[str, str | None] = field(default_factory=dict)
+    _written: dict[int, str] = field(default_factory=dict)
+    """References in the files as they are written, by their offsets."""
 
     @property
     def pieces(self) -> tuple[tuple[int, SourceText], ...]:
@@ -68,6 +70,10 @@ class LocalContexts:
     def named(self, entry: Any) -> str | None:
         """Return the IRI of the file that *entry* of a context names, if it names one."""
         return self.iri(str(entry)) if isinstance(entry, str) else None
+
+    def written(self, entry: str) -> str:
+        """Return the reference *entry* as it is written, be it absolute by now or not."""
+        return self._written.get(getattr(entry, "start", -1), str(entry))
 
     def _located(self, reference: str, near: Path) -> str | None:
         if reference.startswith(_FILE):
@@ -90,7 +96,7 @@ class LocalContexts:
         self.asked = True
         if iri not in self._known:
             try:
-                self._known[iri] = self._read(_path(iri))
+                self._known[iri] = self._read(Path(unquote(urlsplit(iri).path)))
             except (Unreadable, SourceError, ValueError) as error:
                 self._known[iri] = Unreadable(str(error))
         found = self._known[iri]
@@ -134,16 +140,9 @@ class LocalContexts:
                     pending.append((each, referring and isinstance(each, Array)))
                 elif referring and isinstance(each, Text):
                     iri = self._located(each, path)
-                    at[key] = each if iri is None else _moved(each, iri)
-
-
-def _path(iri: str) -> Path:
-    return Path(unquote(urlsplit(iri).path))
-
-
-def file_shown(reference: str) -> str:
-    """Return *reference* for a message: of the IRI of a file, the path."""
-    return shown(_path(reference)) if reference.startswith(_FILE) else reference
+                    if iri is not None:
+                        self._written[each.start] = str(each)
+                        at[key] = _moved(each, iri)
 
 
 def _moved(token: Text, value: str) -> Text:
