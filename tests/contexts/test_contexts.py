@@ -12,8 +12,17 @@ from typing import Any
 import pytest
 from data import locate_data
 from pyld import jsonld
+from transcribe import transcribe
 
-from kinlint.contexts.context_library import COMPOSABLE, NEWEST, RELEASE_DATES, RELEASES, Contexts
+from kinlint.contexts.context_library import (
+    COMMUNITY,
+    COMPOSABLE,
+    NEWEST,
+    RELEASE_DATES,
+    RELEASES,
+    Contexts,
+    bundled_source,
+)
 from kinlint.errors import UsageError
 from kinlint.terms import RDF_TYPE, XSD
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS
@@ -151,7 +160,8 @@ def test_composable_is_complete() -> None:
     contexts = Contexts.bundled()
     left_out = {"newtonian-rigid-body-dynamics.json", "qudt-quant.json"}
     iris = [iri for iri in contexts.iris if iri.removeprefix(METAMODELS) not in left_out]
-    documents = [contexts.document(iri) or {} for iri in iris if iri != COMPOSABLE]
+    ours = [iri for iri in iris if iri.startswith((METAMODELS, KINLINT)) and iri != COMPOSABLE]
+    documents = [contexts.document(iri) or {} for iri in ours]
     one_by_one = effect([document["@context"] for document in documents], contexts.document)
 
     together = effect(COMPOSABLE, contexts.document)
@@ -295,3 +305,37 @@ def test_light() -> None:
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
 
     assert run.stdout == "set()\n"
+
+
+@pytest.mark.parametrize("name", COMMUNITY)
+def test_community_contexts_are_equal_in_effect(name: str) -> None:
+    """Each published document has the terms of the bundled one, at every address."""
+    root = locate_data("contexts", name)
+    base = bundled_source(name)["base"]
+    bundled = Contexts.bundled()
+    others = bundled_source("hbrs-sesame")["documents"]
+    paths = {p.relative_to(root).with_suffix("").as_posix(): p for p in root.rglob("*.json")}
+
+    assert paths.keys() == bundled_source(name)["documents"].keys()
+    for path, file in paths.items():
+        published_document = json.loads(file.read_text(encoding="utf-8"))
+        local = {"@version": 1.1, **published_document["@context"]}
+        ours = bundled.document(f"{base}{path}.json")
+        assert ours is not None
+        assert effect({"@version": 1.1, **ours["@context"]}, lambda _: None) == effect(
+            local, lambda _: None
+        ), path
+    if name == "secorolab":
+        moved = others.keys() - paths.keys()
+        assert "floor-plan/floor-plan" in moved
+        for path in moved:
+            there = f"https://hbrs-sesame.github.io/metamodels/{path}.json"
+            assert bundled.document(f"{base}{path}.json") == bundled.document(there) is not None
+
+
+def test_transcription() -> None:
+    """The script writes the bundled files from the published documents."""
+    for name in COMMUNITY:
+        bundled = bundled_source(name)
+        made = transcribe(bundled["base"], locate_data("contexts", name))
+        assert made["documents"] == bundled["documents"]

@@ -29,6 +29,7 @@ def expand_context(base: str, path: str, source: Mapping[str, Any]) -> Context:
         **({"@version": source["version"]} if "version" in source else {}),
         own: namespace if "://" in namespace else base + namespace,
         **{prefix: _WELL_KNOWN[prefix] for prefix in others},
+        **source.get("others", {}),
         **_classes(own, source.get("classes", "")),
         **_properties(own, source.get("properties", {})),
     }
@@ -37,9 +38,9 @@ def expand_context(base: str, path: str, source: Mapping[str, Any]) -> Context:
 def _classes(prefix: str, source: str | Mapping[str, Mapping[str, str]]) -> Context:
     groups = {source: {}} if isinstance(source, str) else source
     return {
-        name: _scoped(f"{prefix}:{name}", _properties(prefix, properties))
+        name: _scoped(iri, _properties(prefix, properties))
         for names, properties in groups.items()
-        for name in names.split()
+        for name, iri in (_member(prefix, name) for name in names.split())
     }
 
 
@@ -60,7 +61,7 @@ def _property(prefix: str, name: str, line: str) -> Definition:
     while words:
         word = words.pop(0)
         if word == "as":
-            definition["@id"] = f"{prefix}:{words.pop(0)}"
+            definition["@id"] = _member(prefix, words.pop(0))[1]
         elif word == "from":
             inner["@base"] = words.pop(0)
         elif word in {"@list", "@set"}:
@@ -73,6 +74,8 @@ def _property(prefix: str, name: str, line: str) -> Definition:
 
 
 def _member(prefix: str, member: str) -> tuple[str, str]:
+    """Return the term *member* with its IRI, which `TERM=NAME` and `TERM=PREFIX:NAME` tell."""
     if "://" in member:
         return re.split(r"[#/]", member)[-1], member
-    return member, f"{prefix}:{member}"
+    term, _, name = member.rpartition("=")
+    return term or name, name if ":" in name else f"{prefix}:{name}"

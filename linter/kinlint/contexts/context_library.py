@@ -29,6 +29,9 @@ RELEASES = tuple(RELEASE_DATES)
 
 NEWEST = RELEASES[-1]
 
+COMMUNITY = ("secorolab", "hbrs-sesame")
+"""Further metamodels that are bundled, each in the state of one commit."""
+
 COMPOSABLE = f"{KINLINT}composable.json"
 """Stands for all documents of the release in force that do not take each other's terms."""
 
@@ -76,7 +79,7 @@ class Contexts:
     @property
     def iris(self) -> tuple[str, ...]:
         """The IRIs that `document` answers."""
-        ours = (iri for name in (self.release, "kinlint") for iri in _iris(name))
+        ours = (iri for name in self._bundles for iri in _iris(name))
         return tuple(dict.fromkeys([*ours, COMPOSABLE, *self._further]))
 
     def document(self, iri: str) -> Document | None:
@@ -88,10 +91,14 @@ class Contexts:
     def _bundled(self, iri: str) -> Document | None:
         if iri == COMPOSABLE:
             return {"@context": list(self._composed())}
-        for name in (self.release, "kinlint"):
-            if path := _iris(name).get(iri):
-                return {"@context": _local(name, path)}
+        for name in self._bundles:
+            if found := _iris(name).get(iri):
+                return {"@context": _local(*found)}
         return None
+
+    @property
+    def _bundles(self) -> tuple[str, ...]:
+        return self.release, "kinlint", *COMMUNITY
 
     def _composed(self) -> Iterator[Document]:
         # The contexts themselves, not their IRIs: processors limit how many one may load.
@@ -110,9 +117,17 @@ def bundled_source(name: str) -> Document:
 
 
 @cache
-def _iris(name: str) -> Mapping[str, str]:
+def _iris(name: str) -> Mapping[str, tuple[str, str]]:
+    """Return the sources and paths of the documents of *name*, by their IRIs.
+
+    What it adopts was published at its own addresses before it moved on.
+    """
     source = bundled_source(name)
-    return {f"{source['base']}{path}.json": path for path in source["documents"]}
+    return {
+        f"{source['base']}{path}.json": (each, path)
+        for each in (*source.get("adopts", ()), name)
+        for path in bundled_source(each)["documents"]
+    }
 
 
 def _local(name: str, path: str) -> Document:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from kinlint.contexts.context_dsl import expand_context
-from kinlint.contexts.context_library import RELEASES, bundled_source
+from kinlint.contexts.context_library import COMMUNITY, RELEASES, bundled_source
 from kinlint.resources import data
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS, RDFS
 
@@ -19,9 +19,19 @@ PATH = "ontology/declarations.ttl"
 
 HEAD = """\
 # The terms of all bundled contexts: what a property takes (kin:values, kin:container), and which
-# releases know a term.  Made by `python -m kinlint.contexts.declarations`, not edited by hand.
+# releases know a term; of further metamodels, their classes and what they add to these namespaces.
+# Made by `python -m kinlint.contexts.declarations`, not edited by hand.
 """
-VALUES = {"@id": "Reference", "@vocab": "Term", "number": "Number", "text": "Text"}
+VALUES = {
+    "@id": "Reference",
+    "@vocab": "Term",
+    "number": "Number",
+    "text": "Text",
+    "xsd:string": "Text",
+    "xsd:double": "Number",
+    "xsd:decimal": "Number",
+    "xsd:integer": "Number",
+}
 
 
 @dataclass
@@ -47,6 +57,17 @@ def declarations() -> str:
         found = _declared(names)
         lines += sorted(set(_namespaces(names)))
         lines += sorted(_line(iri, found[iri], prefixes) for iri in found)
+    for name in COMMUNITY:
+        base = bundled_source(name)["base"]
+        lines.append(f"\n@base <{base}> .\n")
+        found = _declared((name,))
+        # Of their own terms rules ask for the classes only.
+        theirs = {
+            iri: term
+            for iri, term in found.items()
+            if iri.startswith(METAMODELS) or (iri.startswith(base) and not term.containers)
+        }
+        lines += sorted(_line(iri, term, prefixes) for iri, term in theirs.items())
     return "".join(lines)
 
 
@@ -67,7 +88,7 @@ def _declared(names: tuple[str, ...]) -> dict[str, Declaration]:
                 term.documents += {path} - {*term.documents}
                 term.releases += {name} & {*RELEASES} - {*term.releases}
                 if line is not None:
-                    term.values.add(_values(line))
+                    term.values.update(_values(line, stated=name not in COMMUNITY))
                     term.containers.add("@list" if "@list" in line.split() else "")
     return found
 
@@ -81,7 +102,7 @@ def terms(
     groups = {classes: {}} if isinstance(classes, str) else classes
     properties = [(document.get("properties", {}), local)]
     for names, scoped in groups.items():
-        for name in names.split():
+        for name in (each.partition("=")[0] for each in names.split()):
             yield name, _iri(local, local[name]), None
             if scoped:
                 properties.append((scoped, local[name]["@context"]))
@@ -97,20 +118,23 @@ def terms(
 
 
 def _iri(local: Mapping[str, Any], definition: str | Mapping[str, Any]) -> str:
-    compact = definition if isinstance(definition, str) else definition["@id"]
+    compact: str = definition if isinstance(definition, str) else definition["@id"]
     prefix, _, name = compact.partition(":")
-    return f"{local[prefix]}{name}"
+    return f"{local[prefix]}{name}" if prefix in local else compact
 
 
-def _values(line: str) -> str:
+def _values(line: str, *, stated: bool) -> Iterator[str]:
+    """Yield what a property takes; what is not *stated* is a number only if the line says so."""
     words = line.partition("one of ")[0].split()
-    return next((VALUES[word] for word in words if word in VALUES), "Number")
+    found = next((VALUES[word] for word in words if word in VALUES), "Number" if stated else None)
+    yield from [found] if found else []
 
 
 def _line(iri: str, term: Declaration, prefixes: Mapping[str, str]) -> str:
     namespace, name = re.fullmatch(r"(.*[#/])(.*)", iri).groups()  # type: ignore[union-attr]
     defined = " , ".join(f"<{path}.json>" for path in term.documents)
-    said = [f"{prefixes[namespace]}:{name} rdfs:isDefinedBy {defined}"]
+    subject = f"{prefixes[namespace]}:{name}" if namespace in prefixes else f"<{iri}>"
+    said = [f"{subject} rdfs:isDefinedBy {defined}"]
     if len(term.values) == 1:
         said.append(f"kin:values kin:{min(term.values)}")
     if term.containers == {"@list"}:
