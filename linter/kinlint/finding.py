@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from kinlint.addresses import is_address, readable
 from kinlint.rule import Applicability, Rule, Severity
@@ -118,12 +118,20 @@ class Finding:
     """Values shared with the findings grouped with it (`Rule.group_by`)."""
     members: tuple[Finding, ...] = ()
     """The findings grouped in this one."""
+    consequences: tuple[Finding, ...] = ()
+    """The findings that follow from this one and are not reported on their own."""
     fixes: tuple[Fix, ...] = ()
     """Alternative fixes, the preferred first."""
 
     def fix(self, least: Applicability) -> Fix | None:
         """Return the first fix of at least applicability *least*: the one that `--fix` makes."""
         return next((each for each in self.fixes if each.applicability >= least), None)
+
+    @property
+    def listed_consequences(self) -> tuple[Finding, ...]:
+        """Return `consequences`, each with this finding as a related place."""
+        cause = Related(self.location, f"this follows from {self.rule.code}: {self.message}")
+        return tuple(replace(each, related=(*each.related, cause)) for each in self.consequences)
 
     @property
     def entity(self) -> str:

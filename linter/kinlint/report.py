@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from kinlint import __version__
 from kinlint.errors import SourceError
@@ -59,6 +59,11 @@ class Report:
     """Version of kinlint."""
     root: str = field(default_factory=os.getcwd)
     """Directory that relative file names start at."""
+
+    def with_consequences(self) -> Report:
+        """Return this report with the consequences of its findings among them."""
+        told = (each for one in self.findings for each in (one, *one.listed_consequences))
+        return replace(self, findings=tuple(sorted(told, key=lambda each: each.sort_key)))
 
     @property
     def unsuppressed(self) -> tuple[Finding, ...]:

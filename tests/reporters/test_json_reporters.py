@@ -48,6 +48,7 @@ def test_an_object_has_the_fields_of_ruff_and_ours() -> None:
         "iri": "https://example.org/robot#length",
         "related": [],
         "because": [],
+        "consequences": [],
         "taxa": ["AP5", "AP6"],
     }
     assert first["related"][0] == {

@@ -8,6 +8,7 @@ from pathlib import Path
 from textwrap import dedent
 
 from kinlint.catalogue.asked_facts import modules
+from kinlint.catalogue.explanation_queries import read_explanations
 from kinlint.catalogue.repair_file import prefixes, read_repairs
 from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
@@ -86,6 +87,7 @@ class _RuleReader:
             targets=self.values(kl("target")),
             severity_for=tuple(sorted(self.severity_for(), key=astuple)),
             group_by=self.values(kl("groupBy")),
+            explains=read_explanations(self.graph, self.subject),
             optional=self.value(kl("optional")) in TRUE,
             also=tuple(sorted(self.also(), reverse=True)),
             repairs=read_repairs(self.graph, self.subject),

@@ -105,10 +105,11 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
+    told = report.with_consequences() if options.show_consequences else report
     with phases.phase("reporting"):
         streamed = any(one.path is None for one in found.inputs)
         fixing = options.fix or options.fix_only or options.add_ignore is not None
-        outputs.emit(report, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
+        outputs.emit(told, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
     if options.statistics and options.verbose:
         from kinlint.reporters import time_profile  # noqa: PLC0415
 

@@ -70,6 +70,7 @@ def _rules(made: Parser) -> None:
     add("--target", metavar="NAME", **LISTS, help=f"rules for it, too: {', '.join(TARGETS)}")
     add("--ignore-suppressions", **FLAG, help="report what is suppressed as if it were not")
     add("--show-suppressed", **FLAG, help="report what is suppressed, as suppressed")
+    add("--show-consequences", **FLAG, help="list findings that follow from another one, too")
     made.require_equals("--add-ignore")
     add("--add-ignore", metavar="[=REASON]", help="write suppressions of all that is found")
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")

@@ -78,6 +78,11 @@ class FindingBuilder:
             self._told.setdefault(identity(finding), (finding, []))[1].append(result)
 
     @property
+    def store(self) -> Store:
+        """The statements that the results are about."""
+        return self._locator.store
+
+    @property
     def provenance(self) -> Provenance:
         """The origins of what was lifted in the store."""
         return self._locator.provenance

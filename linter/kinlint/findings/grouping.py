@@ -55,7 +55,9 @@ def _model(finding: Finding) -> str:
 
 def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:
     members = sorted(group, key=lambda finding: (-finding.severity, finding.sort_key))
-    first, others = replace(detailed(members[0]), members=tuple(members)), members[1:]
+    consequences = tuple(one for each in members for one in each.consequences)
+    first, others = detailed(members[0]), members[1:]
+    first = replace(first, members=tuple(members), consequences=consequences)
     count = 1 + len(others)
     if not first.rule.group_by:
         return replace(

@@ -10,6 +10,7 @@ from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
+from kinlint.findings.consequences import folded, with_consequences_told
 from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.findings.grouping import grouped
 from kinlint.report import Report
@@ -34,7 +35,9 @@ def conclude(
     policies = selection.policies
     judged = policies.apply_severities(_meant(builder.brief(), documents, joined))
     silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
-    told = grouped(silenced, builder.detailed, _reused(joined))
+    apart = folded(tuple(silenced), builder.results, builder.store)
+    told = grouped(apart, builder.detailed, _reused(joined))
+    told = [with_consequences_told(finding) for finding in told]
     told.sort(key=lambda finding: finding.sort_key)
     unapplied = (each for each in documents if not has_judged_vocabulary(each, selection.rulebook))
     return Report(

@@ -31,6 +31,7 @@ def finding_object(finding: Finding) -> dict[str, Any]:
         "iri": finding.entity or None,
         "related": [_related(related) for related in finding.related],
         "because": [_premise(premise) for premise in finding.because],
+        "consequences": [_consequence(each) for each in finding.consequences],
         "taxa": list(rule.antipatterns),
         **silenced,
     }
@@ -53,6 +54,7 @@ def error_object(error: SourceError) -> dict[str, Any]:
         "iri": None,
         "related": [],
         "because": [],
+        "consequences": [],
         "taxa": [],
     }
 
@@ -85,6 +87,12 @@ def _place(location: Location) -> dict[str, Any]:
 
 def _related(related: Related) -> dict[str, Any]:
     return {**_place(related.location), "message": related.message}
+
+
+def _consequence(finding: Finding) -> dict[str, Any]:
+    """A finding that follows from the one it stands in."""
+    said = {"code": finding.rule.code, "message": finding.message}
+    return {**said, "severity": finding.severity.label, **_place(finding.location)}
 
 
 def _premise(premise: Premise) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinlint.catalogue.explanation_queries import EXPLAINS
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
 from kinlint.engine.compiler.declared_prefixes import declared
@@ -107,7 +108,11 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
 
 
 def _queries(graph: ShapesGraph) -> Iterator[tuple[str, dict[str, str]]]:
+    """Yield the queries of constraints, each with its prefixes."""
+    apart = {each for one in graph.subjects() for each in graph.values(one, EXPLAINS)}
     for subject in graph.subjects():
+        if subject in apart:
+            continue
         for query in graph.values(subject, sh("select")):
             yield literal_value(query), declared(graph, subject)
 

@@ -130,6 +130,7 @@ def _advice(finding: Finding, examination: Examination) -> str:
 def _related(finding: Finding, places: Places) -> Iterator[types.DiagnosticRelatedInformation]:
     """The places that *finding* speaks of, then those of what it rests on, each once."""
     texts = [(each.location, each.message or finding.message) for each in finding.related]
+    texts += [(each.location, f"{each.rule.code}: {each.message}") for each in finding.consequences]
     texts += [
         (each.location, f"because: {each.statement}")
         for each in finding.because

@@ -60,6 +60,9 @@ class Results:
             result["relatedLocations"] = list(self._related(finding))
         if finding.because:
             result["codeFlows"] = [self._flow(finding)]
+        if finding.consequences:
+            told = [self._consequence(each) for each in finding.consequences]
+            result["properties"] = {"kinlint/consequences": told}
         if taxa := taxon_references(rule):
             result["taxa"] = taxa
         if fixes := self._fixes(finding):
@@ -124,6 +127,11 @@ class Results:
             if related.message:
                 place["message"] = {"text": escaped(related.message)}
             yield place
+
+    def _consequence(self, finding: Finding) -> dict[str, Any]:
+        """A finding that follows from that of the result: what it says, and where."""
+        place = self._place(finding.location)
+        return {"ruleId": finding.rule.code, "message": {"text": finding.message}, **place}
 
     def _flow(self, finding: Finding) -> dict[str, Any]:
         """The derivation as steps: what is written first, what follows from it after it."""

@@ -1,0 +1,192 @@
+"""Consequences: findings that follow from another one, by what its rule explains.
+
+A rule states by queries (`kl:explains`) what one of its findings makes uncertain: nodes that lack
+statements, names that nobody describes, terms that mean nothing. A finding that rests on these
+vanishes once the cause is mended, so it is counted there.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from kinlint.engine.result import Result
+from kinlint.engine.store import Store
+from kinlint.finding import Finding, Related
+from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_value
+
+SUSPECT, THROUGH, THIS = "suspect", "through", "this"
+"""Variables of the queries: what is uncertain, the property or class concerned, the cause."""
+SHOWN = 3
+"""The number of consequences, the worst first, whose places a cause shows."""
+
+ResultsOf = Callable[[Finding], Sequence[Result]]
+
+
+class Suspicion(NamedTuple):
+    """A finding that makes a term uncertain."""
+
+    cause: int
+    """Position of the finding."""
+    through: Term | None
+    """The property or class of which statements may be missing; None for any."""
+
+
+@dataclass
+class Suspects:
+    """The terms and namespaces that findings make uncertain."""
+
+    terms: dict[Term, list[Suspicion]] = field(default_factory=dict)
+    """By term."""
+    namespaces: dict[str, list[Suspicion]] = field(default_factory=dict)
+    """By namespace, for all terms in it."""
+    rules: dict[int, str] = field(default_factory=dict)
+    """The rules of the causes, by their positions."""
+
+    def add(self, suspect: Term, suspicion: Suspicion) -> None:
+        """Note that *suspect*, or all of the namespace that it spells, is uncertain."""
+        if is_literal(suspect):
+            self.namespaces.setdefault(literal_value(suspect), []).append(suspicion)
+        else:
+            self.terms.setdefault(suspect, []).append(suspicion)
+
+    def of(self, term: Term) -> Iterator[Suspicion]:
+        """Yield what makes *term* uncertain."""
+        yield from self.terms.get(term, ())
+        if self.namespaces and is_iri(term):
+            yield from self.namespaces.get(namespace(iri_value(term)), ())
+
+
+def folded(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> list[Finding]:
+    """Return *findings* without those that follow from others, which their causes have instead.
+
+    Takes time linear in the findings and in the rows of the queries of their rules. Suppressed
+    findings stay, and what follows from a suppressed cause is left out as well: mending the cause
+    is what its author decided against.
+    """
+    suspects = _suspects(findings, results_of, store)
+    if not suspects.terms and not suspects.namespaces:
+        return list(findings)
+    causes = {
+        at: found
+        for at, finding in enumerate(findings)
+        if finding.suppressed is None
+        and (found := _cause(at, finding, results_of(finding), suspects)) is not None
+    }
+    consequences: dict[int, list[Finding]] = {}
+    for at in causes:
+        if (root := _root(at, causes, findings)) != at:
+            consequences.setdefault(root, []).append(findings[at])
+    gone = {id(each) for found in consequences.values() for each in found}
+    return [
+        replace(finding, consequences=tuple(consequences[at])) if at in consequences else finding
+        for at, finding in enumerate(findings)
+        if id(finding) not in gone
+    ]
+
+
+def with_consequences_told(finding: Finding) -> Finding:
+    """Return *finding* with the number of its consequences, and the worst of them as related."""
+    if not finding.consequences:
+        return finding
+    worst = sorted(finding.consequences, key=lambda each: (-each.severity, each.sort_key))
+    apart = {(each.rule.code, each.location.source.name): each for each in reversed(worst)}
+    shown = sorted(apart.values(), key=lambda each: (-each.severity, each.sort_key))[:SHOWN]
+    known = {finding.location, *(each.location for each in finding.related)}
+    places = (each for each in shown if each.location not in known)
+    return replace(
+        finding,
+        message=f"{finding.message} {_sentence(worst)}",
+        members=finding.members or (finding,),
+        consequences=tuple(worst),
+        related=(
+            *finding.related,
+            *(Related(each.location, f"{each.rule.code}: {each.message}") for each in places),
+        ),
+    )
+
+
+def namespace(name: str) -> str:
+    """Return the namespace of the IRI *name*: all up to its last # or /, else :."""
+    end = max(name.rfind("#"), name.rfind("/")) + 1
+    return name[: end or name.rfind(":") + 1]
+
+
+def _sentence(worst: Sequence[Finding]) -> str:
+    codes = Counter(each.rule.code for each in worst)
+    told = ", ".join(f"{count} {code}" for code, count in sorted(codes.items()))
+    if len(worst) == 1:
+        return f"1 other finding follows from this ({next(iter(codes))})."
+    return f"{len(worst)} other findings follow from this ({told})."
+
+
+def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> Suspects:
+    found = Suspects()
+    by_rule: dict[str, dict[Term, list[tuple[int, Result]]]] = {}
+    for at, finding in enumerate(findings):
+        if finding.rule.explains:
+            for result in results_of(finding):
+                found.rules[at] = finding.rule.iri
+                about = by_rule.setdefault(finding.rule.iri, {})
+                about.setdefault(result.focus, []).append((at, result))
+    rules = {finding.rule.iri: finding.rule for finding in findings}
+    for rule, about in by_rule.items():
+        for query in rules[rule].explains:
+            for row in store.rows(query):
+                suspect = row.get(SUSPECT)
+                if suspect is not None:
+                    for at, result in about.get(row.get(THIS, ""), ()):
+                        if _agree(row, result):
+                            found.add(suspect, Suspicion(at, row.get(THROUGH)))
+    return found
+
+
+def _agree(row: Mapping[str, Term], result: Result) -> bool:
+    """Tell whether *row* is about *result*: variables that both have are equal."""
+    known = {**result.bindings, "value": result.value}
+    return all(
+        name in (SUSPECT, THROUGH, THIS) or known.get(name) in (None, term)
+        for name, term in row.items()
+    )
+
+
+def _cause(at: int, finding: Finding, results: Sequence[Result], suspects: Suspects) -> int | None:
+    """Return the position of what explains one of *results*, which *finding* at *at* is made of.
+
+    A cause of another rule goes before one of the same.
+    """
+    alike: int | None = None
+    for result in results:
+        terms = _evidence(finding, result)
+        needs = result.constraint.needs or ()
+        for term in terms:
+            for cause, through in suspects.of(term):
+                if cause == at or not (through is None or through in needs or through in terms):
+                    continue
+                if suspects.rules[cause] != finding.rule.iri:
+                    return cause
+                alike = cause if alike is None else alike
+    return alike
+
+
+def _evidence(finding: Finding, result: Result) -> dict[Term, None]:
+    """Return the terms that *result* rests on, the most telling first."""
+    value = result.value, result.path
+    terms = (*value, *result.bindings.values(), result.focus)
+    found = dict.fromkeys(each for each in terms if each is not None and not is_literal(each))
+    if finding.iri and f"<{finding.iri}>" not in found and not finding.iri.startswith("_:"):
+        found[f"<{finding.iri}>"] = None
+    return found
+
+
+def _root(at: int, causes: Mapping[int, int], findings: Sequence[Finding]) -> int:
+    """Return the first cause behind *at*; of a circle, the finding that comes first."""
+    way = {at: None}
+    while (at := causes.get(at, at)) not in way:
+        way[at] = None
+    if at not in causes:
+        return at
+    circle = list(way)[list(way).index(at) :]
+    return min(circle, key=lambda each: findings[each].sort_key)

@@ -1,0 +1,102 @@
+"""One mistake is one finding: what follows from it is counted there, and nothing else is hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from kinlint import lint, resources
+from kinlint.catalogue import rulebook
+from kinlint.configuration.settings import Settings
+from kinlint.report import Report
+from kinlint.text import SourceText
+
+MODEL = Path(__file__).parents[1] / "samples" / "algorithms"
+NAMES = "https://w3id.org/kinlint/samples/algorithms#"
+BASE = "https://comp-rob2b.github.io/metamodels"
+Edit = tuple[str, str, str]
+"""A file, a text in it, and what stands there instead."""
+
+
+@pytest.fixture(scope="module")
+def lint_edited() -> Callable[..., Report]:
+    book = rulebook.load()
+
+    def run(*edits: Edit, first: bool = True) -> Report:
+        texts = {path.stem: path.read_text("utf-8") for path in sorted(MODEL.glob("*.jsonld"))}
+        for name, old, new in edits:
+            assert old in texts[name]
+            texts[name] = texts[name].replace(old, new, 1 if first else -1)
+        sources = [SourceText(f"{name}.jsonld", text) for name, text in texts.items()]
+        return lint.run(sources, (), Settings(), book)
+
+    return run
+
+
+CASCADES: dict[str, tuple[Edit, str]] = {
+    "prefix without a definition": (("skeleton", '"arm": "', '"am": "'), "LD015"),
+    "prefix without a definition, of what relations ask for": (
+        ("coordinates", '"arm": "', '"am": "'),
+        "LD015",
+    ),
+    "context that cannot be read": (
+        ("coordinates", "geometry/coordinates.json", "geometry/coordinate.json"),
+        "LD014",
+    ),
+    "context that cannot be read, of entities": (
+        ("skeleton", "structural-entities.json", "structural-entites.json"),
+        "LD014",
+    ),
+    "context with http": (("chain", "https://comp-rob2b", "http://comp-rob2b"), "LD014"),
+    "misspelt type whose keys are dropped": (
+        ("coordinates", '"PoseCoordinate", "VectorXYZ"', '"PoseCoordinate", "VectorXY"'),
+        "LD003",
+    ),
+    "misspelt type of a relation": (("relations", '"@type": "Pose"', '"@type": "Poze"'), "LD003"),
+    "misspelt type of a joint": (("chain", '"RevoluteJoint"', '"RevolutJoint"'), "LD003"),
+    "misspelt reference": (("relations", '"of": "arm:elbow-seat"', '"of": "arm:elbo"'), "LD006"),
+    "misspelt frame of coordinates": (
+        ("coordinates", '"as-seen-by": "arm:upper-arm-root"', '"as-seen-by": "arm:uper-arm"'),
+        "LD006",
+    ),
+    "misspelt unit key": (("coordinates", '"unit": "M"', '"unti": "M"'), "LD001"),
+}
+
+
+@pytest.mark.parametrize("name", CASCADES)
+def test_one_mistake_is_one_finding(name: str, lint_edited: Callable[..., Report]) -> None:
+    edit, code = CASCADES[name]
+    report = lint_edited(edit)
+    assert [each.rule.code for each in report.findings] == [code]
+    (cause,) = report.findings
+    assert cause.consequences
+    assert f"{len(cause.consequences)} other finding" in cause.message
+
+
+INDEPENDENT: dict[str, tuple[Edit, str]] = {
+    "zero axis": (("coordinates", "[ 1.0, 0.0, 0.0 ]", "[ 0.0, 0.0, 0.0 ]"), "FRM004"),
+    "reference to nothing": (
+        ("chain", '"arm:shoulder", "arm:elbow"', '"arm:shoulder", "arm:elbw"'),
+        "LD006",
+    ),
+    "key of nobody": (
+        ("relations", '"@type": "Pose",', '"@type": "Pose", "colour": "red",'),
+        "LD001",
+    ),
+    "unit of another kind": (("coordinates", '"unit": "M"', '"unit": "KiloGM"'), "UNI002"),
+}
+
+
+@pytest.mark.parametrize("defect", INDEPENDENT)
+@pytest.mark.parametrize("name", CASCADES)
+def test_other_mistakes_are_not_hidden(
+    name: str, defect: str, lint_edited: Callable[..., Report]
+) -> None:
+    cause, other = CASCADES[name], INDEPENDENT[defect]
+    if cause[0][0] == other[0][0]:
+        pytest.skip("in one file one may stand in the way of reading the other")
+    report = lint_edited(cause[0], other[0])
+    codes = [each.rule.code for each in report.findings]
+    assert sorted(codes) == sorted([cause[1], other[1]])
