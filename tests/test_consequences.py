@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint import lint, resources
+from kinlint import lint
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.report import Report
