@@ -17,6 +17,7 @@ from kinlint.engine.construct_template import Made, trimmed
 from kinlint.engine.lifting import Lifting
 from kinlint.formats.records import ELEMENTS
 from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
+from kinlint.sparql.expressions import arguments, end, unwrapped
 from kinlint.sparql.patterns import Pattern, patterns
 from kinlint.sparql.tokens import is_variable
 from kinlint.sparql.variables import variables
@@ -113,6 +114,20 @@ class Derivations:
         where = render(trimmed(self._where, used))
         return f"SELECT {' '.join((*sorted(plain), *worked))} WHERE {where}"
 
+    def holder(self, variable: str) -> tuple[str, Term] | None:
+        """Return the variable for the element around *variable*, and the property between them.
+
+        None for a root. Of the elements that COALESCE chooses from, the first counts.
+        """
+        for each in self._binds:
+            chosen = self._expression(each.expression) if each.variable == variable else None
+            if isinstance(chosen, First) and is_variable(chosen.parts[0][0]):
+                return self.holder(chosen.parts[0][0])
+        for found in self._patterns:
+            if found.object == variable and found.path[0].startswith(_ELEMENTS):
+                return found.subject, found.path[0]
+        return None
+
     def _term(self, term: str) -> Derivation:
         return self._variable(term) if is_variable(term) else CONSTANT
 
@@ -128,20 +143,20 @@ class Derivations:
         return found[0] if len(found) == 1 else Combination(found)
 
     def _expression(self, expression: Expression) -> Derivation:
-        words = _bare(expression)
+        words = unwrapped(expression)
         verb = str(words[0]).upper()
         if len(words) == 1:
             return self._term(str(words[0]))
-        if verb == "-" and len(_bare(words[1:])) == 1:
+        if verb == "-" and len(unwrapped(words[1:])) == 1:
             return Negation(self._expression(words[1:]))
-        if verb in {"IF", "COALESCE"} and _end(words, 1) == len(words):
-            return self._call(verb, _arguments(words[2:-1]))
+        if verb in {"IF", "COALESCE"} and end(words, 1) == len(words):
+            return self._call(verb, arguments(words[2:-1]))
         return Combination(tuple(self._parts(words)))
 
-    def _call(self, verb: str, arguments: Sequence[Expression]) -> Derivation:
+    def _call(self, verb: str, given: Sequence[Expression]) -> Derivation:
         if verb == "COALESCE":
-            return First(tuple((self._probe(each), self._expression(each)) for each in arguments))
-        condition, then, otherwise = arguments
+            return First(tuple((self._probe(each), self._expression(each)) for each in given))
+        condition, then, otherwise = given
         return Choice(
             self._noted(f"IF ({render(condition)}, true, false)"),
             self._expression(then),
@@ -154,9 +169,9 @@ class Derivations:
         while at < len(words):
             word = words[at]
             if isinstance(word, str) and word.upper() in {"IF", "COALESCE"}:
-                end = _end(words, at + 1)
-                yield self._expression(words[at:end])
-                at = end
+                after = end(words, at + 1)
+                yield self._expression(words[at:after])
+                at = after
                 continue
             if isinstance(word, str) and is_variable(word):
                 yield self._variable(word)
@@ -164,7 +179,7 @@ class Derivations:
 
     def _probe(self, argument: Expression) -> str:
         """Return the variable that is bound if *argument* has a value; "" for a constant."""
-        words = _bare(argument)
+        words = unwrapped(argument)
         named = self._noted(render(argument)) if len(words) > 1 else str(words[0])
         return named if variables(words) else ""
 
@@ -268,33 +283,3 @@ def _spelled(group: Group, names: count[int]) -> Group:
         else:
             found.append(each)
     return Group(tuple(found))
-
-
-def _bare(words: Expression) -> Expression:
-    """Return *words* without parentheses round all of them."""
-    while words[0] == "(" and _end(words, 0) == len(words):
-        words = words[1:-1]
-    return words
-
-
-def _end(words: Expression, at: int) -> int:
-    """Return where the parenthesis that opens *at* is closed, plus one; *at* if none opens."""
-    depth = 0
-    for place in range(at, len(words)):
-        depth += (words[place] == "(") - (words[place] == ")")
-        if not depth:
-            return place + (place > at)
-    return len(words)
-
-
-def _arguments(words: Expression) -> list[Expression]:
-    """Return the arguments of a call, between its commas."""
-    found: list[list[str | Group]] = [[]]
-    depth = 0
-    for word in words:
-        depth += (word == "(") - (word == ")")
-        if word == "," and not depth:
-            found.append([])
-        else:
-            found[-1].append(word)
-    return [tuple(each) for each in found]

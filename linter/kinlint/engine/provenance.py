@@ -89,7 +89,7 @@ class Provenance:
         else:
             found = [
                 self._evaluated(member, row)
-                for stated, derived in self._by_predicate.get(predicate, ())
+                for stated, derived in self.derivations(predicate)
                 for row in self._rows(derived, stated.made.subject, subject)
                 for member in _members(stated, value, row)
             ]
@@ -110,6 +110,10 @@ class Provenance:
         if property_.startswith(f"<{TEXT}"):
             return "", ""
         return "", COMPONENT.sub("", property_[:-1].rpartition("#")[2])
+
+    def derivations(self, predicate: Term) -> Sequence[tuple[Stated, Derivations]]:
+        """Return what makes values of *predicate*, each with the derivations of its query."""
+        return self._by_predicate.get(predicate, ())
 
     def all_read(self) -> Iterator[tuple[Term, Term]]:
         """Yield the elements and properties of all that lifted values were made of."""
@@ -228,7 +232,7 @@ class Provenance:
             return
         place = 0
         while True:
-            above = list(self._leading_to(cell))
+            above = list(self.store.leading_to(cell))
             if not above:
                 return
             for subject, way in above:
@@ -239,17 +243,12 @@ class Provenance:
                 return
             cell, place = before[0], place + 1
 
-    def _leading_to(self, node: Term) -> Iterator[tuple[Term, Term]]:
-        object_ = ox.BlankNode(node[2:])
-        for quad in self.store.oxigraph.quads_for_pattern(None, None, object_, None):
-            yield token(quad.subject), token(quad.predicate)
-
     def _member(self, owner: Term, predicate: Term, place: int) -> Trace:
         """Return the origin of the item at *place* of the list that *owner* has."""
         return _merged(
             [
                 self._evaluated(stated.members[place], row)
-                for stated, derived in self._by_predicate.get(predicate, ())
+                for stated, derived in self.derivations(predicate)
                 if place < len(stated.members)
                 for row in self._rows(derived, stated.made.subject, owner)
             ]

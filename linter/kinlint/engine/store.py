@@ -104,11 +104,7 @@ class Store:
             self.oxigraph.load(text, ox.RdfFormat.N_TRIPLES, to_graph=graph, lenient=True)
             if len(named) < len(statements):
                 # `load` is fastest, but renames blank nodes.
-                blank = [
-                    f"{s} {p} {o} {name} .\n"
-                    for s, p, o in statements
-                    if s[0] == "_" or o[0] == "_"
-                ]
+                blank = [f"{s} {p} {o} {name} .\n" for s, p, o in statements if "_" in (s[0], o[0])]
                 text = "".join(blank).encode()
                 self.oxigraph.extend(ox.parse(text, ox.RdfFormat.N_QUADS, lenient=True))
         except (SyntaxError, UnicodeEncodeError, MemoryError):
@@ -124,8 +120,8 @@ class Store:
         for file in files:
             try:
                 base = file.absolute().as_uri()
-                form = ox.RdfFormat.TURTLE
-                self.oxigraph.load(path=file, format=form, base_iri=base, to_graph=graph)
+                turtle = ox.RdfFormat.TURTLE
+                self.oxigraph.load(path=file, format=turtle, base_iri=base, to_graph=graph)
             except SyntaxError as error:
                 raise RuleInvalid(f"{file}:{error.lineno}: {error.msg}") from error
             self.vocabulary.append(file)
@@ -225,6 +221,12 @@ class Store:
         given = statement((subject, predicate, "<any:>"))
         quads = self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None)
         yield from sorted((token(quad.object) for quad in quads), key=_address)
+
+    def leading_to(self, node: Term) -> Iterator[tuple[Term, Term]]:
+        """Yield the subjects and the properties of which *node* is a value, in any graph."""
+        object_ = statement(("<any:>", RDF_TYPE, node)).object
+        for quad in self.oxigraph.quads_for_pattern(None, None, object_, None):
+            yield token(quad.subject), token(quad.predicate)
 
     def predicate_objects(self, subject: Term) -> Iterator[tuple[Term, Term]]:
         """Yield the asserted properties and values of *subject*, sorted by property."""

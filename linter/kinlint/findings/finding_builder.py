@@ -136,11 +136,9 @@ class FindingBuilder:
         ways = {term: matched[name] for name, term in named.items() if name in matched}
         terms = [*named.values(), *([result.value] if result.value is not None else ())]
         for term in dict.fromkeys(terms):
-            path = result.path if is_literal(term) else None
-            found = locator.sources(result.focus, path, term)
-            if not found and is_literal(term) and term in ways:
-                found = locator.sources(result.focus, ways[term], term)
-            for place, triple in found:
+            path = None if is_iri(term) else result.path if term == result.value else ways.get(term)
+            sought = path is not None or not is_literal(term)
+            for place, triple in locator.sources(result.focus, path, term) if sought else ():
                 if triple[1] != RDF_TYPE:
                     yield place, f"{wording.source(triple)} is given here"
             described = None if is_literal(term) or term == result.focus else locator.node(term)

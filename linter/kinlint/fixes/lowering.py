@@ -47,13 +47,16 @@ def lower_delta(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
             )
             raise NotExpressible(f"{several} the value that changes")
         ((document, old),) = trace.written
-        yield Replacement(document, old, (old[0], old[1], _unsigned(new[0], trace.sign)))
+        yield Replacement(document, old, (old[0], old[1], signed(new[0], trace.sign)))
     if added:
         raise NotExpressible("the format has no word for what is added")
 
 
-def _unsigned(value: Term, sign: int) -> Term:
-    """Return what is to be written for *value*, which is that times *sign*."""
+def signed(value: Term, sign: int) -> Term:
+    """Return what is to be written for *value*, which is that times *sign*.
+
+    Raises NotExpressible for a sign of 0, of values that are worked out.
+    """
     if sign == 1:
         return value
     datatype = literal_datatype(value)

@@ -12,10 +12,12 @@ from math import isfinite
 from kinlint.addresses import document_of
 from kinlint.document import FROM, Document
 from kinlint.edits import Delta, NotExpressible
+from kinlint.engine.lifting import lifts
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
 from kinlint.fixes.lowering import lower_delta
+from kinlint.fixes.new_elements import is_new, new_elements
 from kinlint.terms import (
     NUMERIC,
     XSD,
@@ -87,6 +89,11 @@ def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
     def sheet(document: Document) -> _Sheet:
         return sheets.setdefault(document.graph, _Sheet(document))
 
+    made = _new_of_lifted(delta, home)
+    for document, triple in new_elements(provenance, made) if made else ():
+        sheet(document).added[triple] = None
+    told = set(made)
+    delta = Delta(delta.removed, tuple(each for each in delta.added if each not in told))
     above = [each for each in delta.removed if not _removed_from_documents(store, each, sheet)]
     if not all(map(store.is_lifted, above)):
         raise NotExpressible("what has to go is written nowhere: it follows from other statements")
@@ -95,13 +102,21 @@ def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
     for document, old, new in lower_delta(provenance, lifted):
         sheet(document).removed[old] = None
         sheet(document).added[new] = None
-    rest = [each for each in delta.added if each not in set(lifted.added)]
+    told = set(lifted.added)
+    rest = [each for each in delta.added if each not in told]
     for document, triple in _homes(store, rest, list(sheets.values()), home):
         for each in (document, *_besides(triple, document, sheets.values())):
             sheet(each).added[triple] = None
     return Placed(
         {graph: each.delta() for graph, each in sheets.items()}, Delta(*map(tuple, named))
     )
+
+
+def _new_of_lifted(delta: Delta, home: Document) -> Sequence[Triple]:
+    """Return the triples of new nodes that *delta* adds to the lifted model of *home*, if any."""
+    known = lifts([home.format]) if home.format.is_tree else ()
+    new = [each for each in delta.added if any(map(is_new, each[::2]))]
+    return [each for each in new if each[1] in known]
 
 
 def _is_number(term: Term) -> bool:
@@ -143,7 +158,7 @@ def _homes(
     store: Store, added: Sequence[Triple], sheets: Sequence[_Sheet], home: Document
 ) -> Iterable[tuple[Document, Triple]]:
     """The document for each of the *added* triples; new nodes go where they are named."""
-    new = {term for triple in added for term in triple[::2] if _is_new(term)}
+    new = {term for triple in added for term in triple[::2] if is_new(term)}
     where: dict[Term, Document] = {}
     left = list(added)
     while left:
@@ -160,10 +175,6 @@ def _homes(
         if len(waiting) == len(left):
             where.update(dict.fromkeys((triple[0] for triple in waiting), home))
         left = waiting
-
-
-def _is_new(term: Term) -> bool:
-    return is_blank(term) and term.startswith("_:new")
 
 
 def _home(store: Store, node: Term, sheets: Sequence[_Sheet], home: Document) -> Document:
