@@ -17,7 +17,7 @@ from kinlint.engine.construct_template import Made, trimmed
 from kinlint.engine.lifting import Lifting
 from kinlint.formats.records import ELEMENTS
 from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
-from kinlint.sparql.expressions import arguments, end, unwrapped
+from kinlint.sparql.expression_tokens import arguments, end, unwrapped
 from kinlint.sparql.patterns import Pattern, patterns
 from kinlint.sparql.tokens import is_variable
 from kinlint.sparql.variables import variables

@@ -16,8 +16,8 @@ from kinlint.engine.lifting import lifts
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
+from kinlint.fixes.element_insertion import insertion, is_new
 from kinlint.fixes.lowering import lower_delta
-from kinlint.fixes.new_elements import is_new, new_elements
 from kinlint.terms import (
     NUMERIC,
     XSD,
@@ -90,7 +90,7 @@ def place_delta(provenance: Provenance, delta: Delta, home: Document) -> Placed:
         return sheets.setdefault(document.graph, _Sheet(document))
 
     made = _new_of_lifted(delta, home)
-    for document, triple in new_elements(provenance, made) if made else ():
+    for document, triple in insertion(provenance, made) if made else ():
         sheet(document).added[triple] = None
     told = set(made)
     delta = Delta(delta.removed, tuple(each for each in delta.added if each not in told))

@@ -41,9 +41,7 @@ def is_new(term: Term) -> bool:
     return is_blank(term) and term.startswith("_:new")
 
 
-def new_elements(
-    provenance: Provenance, added: Sequence[Triple]
-) -> Iterator[tuple[Document, Triple]]:
+def insertion(provenance: Provenance, added: Sequence[Triple]) -> Iterator[tuple[Document, Triple]]:
     """Yield what states *added*, triples of new nodes of a lifted model, in documents.
 
     Raises `NotExpressible` if no lifting query reads such values anywhere.
