@@ -224,8 +224,8 @@ class Store:
 
     def leading_to(self, node: Term) -> Iterator[tuple[Term, Term]]:
         """Yield the subjects and the properties of which *node* is a value, in any graph."""
-        object_ = statement(("<any:>", RDF_TYPE, node)).object
-        for quad in self.oxigraph.quads_for_pattern(None, None, object_, None):
+        given = statement(("<any:>", RDF_TYPE, node)).object
+        for quad in self.oxigraph.quads_for_pattern(None, None, given, None):
             yield token(quad.subject), token(quad.predicate)
 
     def predicate_objects(self, subject: Term) -> Iterator[tuple[Term, Term]]:
@@ -286,10 +286,6 @@ class Store:
             return []
         found = self.oxigraph.quads_for_pattern(quad.subject, None, quad.object, None)
         return sorted((str(each.predicate) for each in found), key=component)
-
-    def spelled(self, subject: Term, predicate: Term | None, value: Term) -> Triple | None:
-        """Return the triple as spelled by the first document that states it; None if none does."""
-        return next((triple for _, triple in self.written(subject, predicate, value)), None)
 
 
 def _bound(
