@@ -100,6 +100,22 @@ def test_unbound_values_are_no_values():
     assert len(made(store(), flat)) == len(("is", "high", "sum"))
 
 
+def test_what_has_to_be_there_is_not_optional():
+    """A left join whose group has to match is a join; one that may bind it elsewhere stays."""
+    query = parsed("CONSTRUCT { ?r :is ?v } WHERE { ?r a ir:Size ; ir:volume ?v }")
+    one = """CONSTRUCT { ?n a ir:Size ; ir:volume ?v } WHERE { ?n :width ?w
+        OPTIONAL { ?n :depth ?d FILTER (?d > ?w) } BIND (IF(?d > 2, ?d * ?w, ?none) AS ?v) }"""
+    either = """CONSTRUCT { ?n a ir:Size ; ir:volume ?d } WHERE { ?n :width ?w
+        OPTIONAL { ?n :depth ?d FILTER (?d > 5) } OPTIONAL { ?n :width ?d } }"""
+    lenient = """CONSTRUCT { ?n a ir:Size ; ir:volume ?v } WHERE { ?n :width ?w
+        OPTIONAL { ?n :depth ?d } BIND (COALESCE(?d, ?w) AS ?v) }"""
+    for reading, left, found in ((one, 0, 1), (either, 2, 2), (lenient, 1, 2)):
+        flat = unfolded(query, parsed(reading))
+        assert flat is not None
+        assert render(flat).count("OPTIONAL") == left
+        assert len(made(store(), flat)) == found
+
+
 @pytest.mark.parametrize(
     "query",
     [

@@ -48,6 +48,9 @@ NAMES = {each.name: each.title for each in LIFTED}
 
 
 RECORDS = """
+- `ir:Body`, called as the body, has a frame of its own.
+- `ir:Frame`, called as the frame, has its origin at the point `ir:origin`.
+- `ir:AttachedFrame`, called as the frame, is on `ir:body`.
 - `ir:Placement`, called as the pose: `ir:frame` is on `ir:base` at `ir:x` `ir:y` `ir:z`, in metres.
   If it is on the body `ir:carrier` by that alone, its origin may be the point `ir:centre`.
 - `ir:EulerAngles`, called as the pose: it is turned by `ir:roll` `ir:pitch` `ir:yaw` about fixed
@@ -55,9 +58,23 @@ RECORDS = """
 - `ir:Quaternion`, called as the pose: it is turned by `ir:qx` `ir:qy` `ir:qz` `ir:qw`.
 - `ir:Inertia`, called as the body: `ir:mass` in kilograms, read from `ir:mass-from`; about the
   centre of mass `ir:ixx` `ir:iyy` `ir:izz` `ir:ixy` `ir:ixz` `ir:iyz` in kg m², `ir:moments-from`.
-- `ir:DriveLimits`, called as the joint: where `ir:limit` bounds its drive, `ir:effort`,
-  `ir:velocity` and `ir:acceleration`, each read from `ir:effort-from` and so on, in newtons and
-  metres if `ir:linear`, else in newton metres and radians.
+- `ir:Joint`, called as the joint, is of the class `ir:kind`, between the bodies that are named as
+  `ir:parent` and `ir:child`; `ir:carrier` and `ir:rider` are these where it puts frames and vectors
+  on them. It joins its own frame to `ir:child-frame`, which is on `ir:child-frame-on` if no other
+  record says so, and `ir:coincides-with` that where it is at zero. Its axis, if it has one, is the
+  vector `ir:axis` with `ir:axis-x` `ir:axis-y` `ir:axis-z`, read from `ir:axis-from`.
+- `ir:Limits`, called as the joint, in newtons and metres if `ir:linear`, else in newton metres and
+  radians: where `ir:range` bounds its position, `ir:lower` and `ir:upper`; where `ir:drive` bounds
+  its drive, `ir:effort`, `ir:velocity` and `ir:acceleration`, each read from `ir:effort-from` and
+  so on.
+- `ir:Coupling`, called as the coupling: `ir:follower` is where `ir:leader` is, times
+  `ir:multiplier`, plus `ir:offset` in metres if `ir:linear`, else in radians.
+- `ir:Chain`, called as the chain, has a record for each `ir:joint`.
+- `ir:Geometry`, called as the shape: what is of the class `ir:kind` is of `ir:body` and attached to
+  `ir:frame`.
+- `ir:Box` of the sizes `ir:x` `ir:y` `ir:z`, `ir:SolidOfRevolution` of the class `ir:kind` with
+  `ir:radius` and `ir:length`, in metres, and `ir:Mesh` from the file `ir:filename`, scaled by
+  `ir:x` `ir:y` `ir:z`, are called as the shape.
 """
 
 

@@ -139,7 +139,7 @@ class Derivations:
             for each in self._patterns
             if each.object == name and is_variable(each.subject) and (properties := _valued(each))
         ]
-        found = (*bound, *read)
+        found = tuple(dict.fromkeys((*bound, *read)))
         return found[0] if len(found) == 1 else Combination(found)
 
     def _expression(self, expression: Expression) -> Derivation:

@@ -34,7 +34,7 @@ EVERYWHERE = frozenset(
 """Properties that nodes of many classes have, so that asking for them asks for no query."""
 
 FOUNDATION = frozenset({"bodies", "joints"})
-"""Queries that make what everything else is about."""
+"""Shared queries that make what everything else is about."""
 
 
 _compiled: dict[str, str] = {}
@@ -72,7 +72,8 @@ class Lifting:
 
     def serves(self, wanted: Collection[Term]) -> bool:
         """Tell whether the query makes anything that is *wanted*."""
-        return self.name in FOUNDATION or not self.makes.isdisjoint(wanted)
+        shared = self.name.rpartition("/")[2]
+        return shared in FOUNDATION or not self.makes.isdisjoint(wanted)
 
     def update(self, wanted: Collection[Term] | None = None) -> str:
         """Return what stores all that it makes, or what of it `part` returns for *wanted*."""

@@ -8,9 +8,9 @@ Ontologies", Journal on Data Semantics X, 2008, section 5.3.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import count
+from itertools import accumulate, count, takewhile
 
 from kinlint.errors import RuleInvalid
 from kinlint.sparql.ast import Bind, Clause, Construct, Element, Expression, Filter, Group, Triples
@@ -19,6 +19,9 @@ from kinlint.sparql.tokens import is_variable
 from kinlint.sparql.variables import certain, variables, visible, words
 from kinlint.terms import Term
 from kinlint.vocabulary import INTERMEDIATE
+
+_LENIENT = frozenset({"IF", "COALESCE", "BOUND", "EXISTS", "||", "&&"})
+"""What may have a value where a part of it has none."""
 
 
 def is_reading(query: Construct) -> bool:
@@ -59,11 +62,12 @@ class _Unfolding:
             else:
                 kept.append(each)
         self._rename(query)
-        own = certain(self.reading.group)
         tests = dict.fromkeys(self.values[name] for name in lacking if name in self.values)
-        bound = [_bound(name) for name in tests if is_variable(name) and name not in own]
+        asked = [name for name in tests if is_variable(name)]
+        read = _with_certain(self.reading.group, asked)
+        bound = [_bound(name) for name in asked if name not in certain(read)]
         made = [self._with_values(each) for each in kept]
-        group = Group((*self.reading.group.elements, *bound, *made))
+        group = Group((*read.elements, *bound, *made))
         return Construct(Triples(self._words(query.template.tokens)), group, ())
 
     def _matches(self, pattern: Pattern, record: str, values: Mapping[Term, Sequence[str]]) -> bool:
@@ -139,6 +143,48 @@ def _record(reading: Construct) -> tuple[str, Mapping[Term, Sequence[str]]]:
     for _, predicate, value in triples:
         values.setdefault(predicate, []).append(value)
     return triples[0][0], values
+
+
+def _with_certain(group: Group, asked: Iterable[str]) -> Group:
+    """Return *group* for solutions that bind all variables *asked*, with fewer OPTIONAL in it.
+
+    Where only an OPTIONAL binds what is asked, a solution without its group is none: the left join
+    is a join then, which stores answer faster.
+    """
+    needed = set(asked)
+    for each in reversed(group.elements):
+        if isinstance(each, Bind) and each.variable in needed:
+            needed |= _strict(each.expression)
+    found: list[Element] = []
+    for each in group.elements:
+        others = Group(tuple(other for other in group.elements if other is not each))
+        match each:
+            case Clause((("OPTIONAL" | "optional"), *_), inner) if needed & certain(
+                inner
+            ) - visible(others):
+                found += inner.elements
+            case _:
+                found.append(each)
+    return Group(tuple(map(_ended, found)))
+
+
+def _ended(part: Element) -> Element:
+    """Return *part* so that triple patterns may follow it."""
+    if isinstance(part, Triples) and part.tokens[-1] != ".":
+        return Triples((*part.tokens, "."))
+    return part
+
+
+def _strict(expression: Expression) -> set[str]:
+    """Return variables without which *expression* has no value; perhaps not all of them."""
+    parts = words(expression)
+    if parts[0].upper() == "IF":
+        depths = accumulate((each == "(") - (each == ")") for each in parts)
+        ends = (at for at, depth in enumerate(depths) if depth == 1 and parts[at] == ",")
+        parts = parts[2 : next(ends)]
+    parts = list(takewhile(lambda each: each.upper() != "IN", parts))
+    lenient = _LENIENT.intersection(each.upper() for each in parts)
+    return set() if lenient else set(filter(is_variable, parts))
 
 
 def _bound(name: str) -> Filter:
