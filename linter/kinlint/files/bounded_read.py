@@ -35,7 +35,7 @@ def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
         if not stat.S_ISREG(about.st_mode):
             raise Unreadable(f"'{shown(path)}' is not a file")
         if about.st_size > limit:
-            raise Unreadable(f"'{shown(path)}' has more than {limit >> 20} MiB")
+            raise Unreadable(f"'{shown(path)}' has more than {limit >> 10} KiB")
         return path.read_bytes()
     except (FileNotFoundError, NotADirectoryError):
         raise Unreadable(f"there is no file '{shown(path)}'", missing=True) from None

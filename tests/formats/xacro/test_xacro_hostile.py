@@ -61,6 +61,32 @@ ENDLESS = {
     "joined": "${','.join(['a'*1000000]*1000)}",
     "replaced": "${('a'*1000000).replace('a', 'a'*1000000)}",
     "sum of lists": "${python.sum([[1]]*100000, [])}",
+    "hash of long tuples": "${[python.hash(t) for t in [python.tuple(range(900))]*90000]}",
+    "hash of what is shared": "${(lambda f: f(f, (1,), 60))"
+    "(lambda f, x, n: f(f, (x, x), n-1) if n else python.hash(x))}",
+    "sets of long tuples": "${[python.frozenset([python.tuple(range(9000))]) for i in range(9000)]}",
+    "set of equal hashes": "${len(python.set([i*(2**61-1) for i in range(20000)]))}",
+    "union of equal hashes": "${len(python.set([1]).union([i*(2**61-1) for i in range(20000)]))}",
+    "table of equal hashes": "${len(dict([[i*(2**61-1), 1] for i in range(20000)]))}",
+    "unions": "${[python.set(range(1900)) | python.set(range(1900)) for i in range(90000)]}",
+    "lcm of many": "${math.lcm(*range(1, 90000))}",
+    "lcm of a few large": "${math.lcm(*[2**250-i for i in range(1, 9000)])}",
+    "format with a table": "${'%(a)s' * 100000 % dict(a='b'*100000)}",
+    "format of long texts": "${'%s'*1000 % python.tuple(['a'*100000]*1000)}",
+    "format of what is shared": "${'%r' % [[0]*90000]*90}",
+    "zip": "${python.list(python.zip(*[range(90000)]*3000))}",
+    "any": "${python.any([[0]*9000 == [0]*9000 for i in range(90000)])}",
+    "in": "${[(1,2) in [(1,3)]*90000 for i in range(90000)]}",
+    "comparisons": "${[[0]*90000 == [0]*90000 for i in range(90000)]}",
+    "smallest by a lambda": "${min(range(90000), key=lambda x: len([0]*90000))}",
+    "greatest by hash": "${max([python.tuple(range(9000))]*90, key=python.hash)*90000}",
+    "sorted by text": "${sorted([python.list(range(90))]*9000, key=str)*90000}",
+    "texts of lists": "${[str([0]*90000) for i in range(9000)]}",
+    "count": "${[([0]*90000).count(1) for i in range(90000)]}",
+    "split": "${[('a '*400000).split() for i in range(90)]}",
+    "upper case": "${[('a'*1000000).upper() for i in range(900)]}",
+    "slices": "${[([0]*90000)[1:] for i in range(90000)]}",
+    "exact sums": "${[math.fsum([0.1]*90000) for i in range(9000)]}",
     "many pieces": "$ " * 100000,
 }
 
@@ -177,7 +203,12 @@ YAML = {
     ),
     "could not determine a constructor": "a: !!python/object/apply:os.getpid []\n",
     "refer to each other without end": "[" * 5000,
-    "has more than 1 MiB": "a: 1\n" * 300_000,
+    "has more than 128 KiB": "a: 1\n" * 300_000,
+    "has a number of more than 400 characters": "a: " + "1:" * 60_000 + "1\n",
+    "takes far longer": "a: &a {"
+    + ",".join(f"k{n}: 1" for n in range(5000))
+    + "}\n"
+    + "".join(f"b{n}: {{<<: *a}}\n" for n in range(3000)),
 }
 
 

@@ -57,6 +57,7 @@ class Session:
         self._watch = VisitRecord(self.bounds)
         self._open = [self.pieces.path]
         self._files: dict[int, ParsedXacro] = {}
+        self._tables: dict[Path, Any] = {}
         self._remarks: list[Remark] = []
         self._includes: list[tuple[Element, SourceText]] = []
         self._including = self._watch.element
@@ -206,12 +207,14 @@ class Session:
 
     def _load_yaml(self, name: str) -> Any:
         path = self._resolved(str(name))
-        return yaml_table.load(
-            table(path, self.pieces.path),
-            path.name,
-            lambda text: evaluate(text, self._known, self.bounds),
-            self.bounds,
-        )
+        if path not in self._tables:
+            self._tables[path] = yaml_table.load(
+                table(path, self.pieces.path),
+                path.name,
+                lambda text: evaluate(text, self._known, self.bounds),
+                self.bounds,
+            )
+        return self._tables[path]
 
     def _required(self, tag: Element, names: list[str]) -> list[str]:
         """Check attributes as xacro does.

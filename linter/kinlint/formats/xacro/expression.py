@@ -12,7 +12,7 @@ import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
 
-from kinlint.formats.xacro.expansion_limits import Limits, Refused
+from kinlint.formats.xacro.expansion_limits import ENTRIES, Limits, Refused
 
 _Made = TypeVar("_Made")
 
@@ -150,6 +150,7 @@ class _Evaluation:
         left, result = self.value(node.left, names), True
         for kind, operand in zip(node.ops, node.comparators, strict=True):
             right = self.value(operand, names)
+            self._bounds.check_comparison(left, right)
             result = COMPARING[type(kind)](left, right)
             if not result:
                 break
@@ -166,7 +167,7 @@ class _Evaluation:
         return self._made(tuple(self._elements(node.elts, names)))
 
     def _set(self, node: ast.Set, names: Mapping[str, Any]) -> set[Any]:
-        return self._made(set(self._elements(node.elts, names)))
+        return self._made(set(self._bounds.listed(self._elements(node.elts, names), ENTRIES)))
 
     def _made(self, value: _Made) -> _Made:
         self._bounds.result(value)
@@ -203,7 +204,7 @@ class _Evaluation:
             return owner.member(node.attr)
         for kind, methods in METHODS.items():
             if isinstance(owner, kind) and node.attr in methods:
-                return self._bounds.method(owner, getattr(owner, node.attr))
+                return self._bounds.method(owner, node.attr)
         if isinstance(owner, Entries):
             return owner.entry(node.attr)
         raise AttributeError(f"'{type(owner).__name__}' has no attribute '{node.attr}' here")
@@ -216,7 +217,7 @@ class _Evaluation:
         keywords = {each.arg: self.value(each.value, names) for each in node.keywords if each.arg}
         if len(keywords) != len(node.keywords):
             raise Refused("'**' in an expression")
-        return self._bounds.result(function(*positional, **keywords))
+        return self._bounds.call(function, positional, keywords)
 
     def _lambda(self, node: ast.Lambda, names: Mapping[str, Any]) -> Callable[..., Any]:
         given = node.args
@@ -237,7 +238,8 @@ class _Evaluation:
 
     def _setcomp(self, node: ast.SetComp, names: Mapping[str, Any]) -> set[Any]:
         scopes = self._scopes(node.generators, names)
-        return self._made({self.value(node.elt, each) for each in scopes})
+        values = (self.value(node.elt, each) for each in scopes)
+        return self._made({*self._bounds.listed(values, ENTRIES)})
 
     def _generatorexp(self, node: ast.GeneratorExp, names: Mapping[str, Any]) -> Iterator[Any]:
         scopes = self._scopes(node.generators, names)
@@ -245,9 +247,8 @@ class _Evaluation:
 
     def _dictcomp(self, node: ast.DictComp, names: Mapping[str, Any]) -> dict[Any, Any]:
         scopes = self._scopes(node.generators, names)
-        return self._made(
-            {self.value(node.key, each): self.value(node.value, each) for each in scopes}
-        )
+        pairs = ((self.value(node.key, each), self.value(node.value, each)) for each in scopes)
+        return self._made(dict(self._bounds.listed(pairs, ENTRIES)))
 
     def _scopes(
         self, generators: list[ast.comprehension], names: Mapping[str, Any]
@@ -274,12 +275,12 @@ class _Evaluation:
     def _joinedstr(self, node: ast.JoinedStr, names: Mapping[str, Any]) -> str:
         parts = []
         for each in node.values:
+            value = each
             if isinstance(each, ast.FormattedValue):
                 if each.format_spec is not None:
                     raise Refused("a format in an expression")
-                parts.append(str(self._bounds.result(self.value(each.value, names))))
-            else:
-                parts.append(str(self.value(each, names)))
+                value = each.value
+            parts.append(self._bounds.text(str(self._bounds.result(self.value(value, names)))))
         return self._bounds.text("".join(parts))
 
 

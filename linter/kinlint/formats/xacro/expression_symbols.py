@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinlint.formats.xacro.expansion_limits import Limits, Refused
+from kinlint.formats.xacro.expansion_limits import NUMBER, Limits, Refused, weight
 from kinlint.formats.xacro.expression import Entries, Members
 
 KINDS = (int, float, str, bool, list, dict, tuple, set, frozenset, complex, type(None))
@@ -105,7 +105,9 @@ class _Python:
         return type(value)
 
     def _ordered(self, items: Iterable[Any], **how: Any) -> list[Any]:
-        return sorted(self.bounds.listed(items), **how)
+        found = self.bounds.listed(items)
+        self.bounds.charge(weight(found) * len(found).bit_length())
+        return sorted(found, **how)
 
     def _mapped(self, function: Callable[..., Any], *items: Iterable[Any]) -> list[Any]:
         return [function(*each) for each in zip(*map(self.bounds.items, items), strict=False)]
@@ -127,8 +129,12 @@ def _mathematics(bounds: Limits) -> dict[str, Any]:
             total = bounds.result(total * item)
         return total
 
-    values["prod"] = product
-    return values
+    def multiple(*numbers: int) -> int:
+        if sum(number.bit_length() for number in numbers) > NUMBER.bit_length():
+            raise Refused("a huge number")
+        return math.lcm(*numbers)
+
+    return {**values, "prod": product, "lcm": multiple}
 
 
 def _small(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -12,7 +12,8 @@ from kinlint.formats.dependencies.included_text import included_text, keep
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
 
-TABLE_SIZE = 1 << 20
+TABLE_SIZE = 1 << 17
+"""Maximum size of a YAML file, in bytes."""
 TABLES = (".yaml", ".yml", ".json")
 
 

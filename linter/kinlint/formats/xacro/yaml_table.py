@@ -13,6 +13,12 @@ from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.expression_symbols import dotted
 
 MERGED = 10_000
+"""Maximum number of entries that one mapping may merge."""
+DIGITS = 400
+"""Maximum length of a number, in characters: PyYAML's base 60 takes quadratic time."""
+PER_CHARACTER = 16
+"""Weight of a character of YAML: PyYAML reads some 150 000 of them a second."""
+MERGE = "tag:yaml.org,2002:merge"
 UNITS = {
     "!radians": 1.0,
     "!degrees": math.pi / 180.0,
@@ -30,19 +36,29 @@ def load(data: bytes, name: str, evaluate: Callable[[str], Any], bounds: Limits)
     """
 
     class Loader(yaml.SafeLoader):  # type: ignore[misc]
-        """PyYAML's safe loader with units, and without merging beyond measure."""
+        """PyYAML's safe loader with units, without long numbers or merging beyond measure."""
 
         def flatten_mapping(self, node: yaml.MappingNode) -> None:
-            for _, value in node.value:
-                if isinstance(value, yaml.SequenceNode) and len(value.value) > MERGED:
-                    return
-            super().flatten_mapping(node)
-            if len(node.value) > MERGED:
+            given = [value for key, value in node.value if key.tag == MERGE]
+            listed = (v.value if isinstance(v, yaml.SequenceNode) else [v] for v in given)
+            merged = [v for values in listed for v in values if isinstance(v, yaml.MappingNode)]
+            for each in merged:
+                self.flatten_mapping(each)
+            size = sum(len(each.value) for each in merged)
+            if size > MERGED:
                 raise LimitExceeded(f"'{name}' merges more than {MERGED} entries")
+            bounds.charge(PER_CHARACTER * size)
+            super().flatten_mapping(node)
+
+        def construct_scalar(self, node: yaml.ScalarNode) -> Any:
+            if node.tag.endswith((":int", ":float")) and len(node.value) > DIGITS:
+                raise LimitExceeded(f"'{name}' has a number of more than {DIGITS} characters")
+            return super().construct_scalar(node)
 
     def with_unit(loader: yaml.SafeLoader, tag: str, node: yaml.Node) -> float:
         return float(evaluate(str(loader.construct_scalar(node)))) * UNITS["!" + tag]
 
+    bounds.charge(PER_CHARACTER * len(data))
     Loader.add_multi_constructor("!", with_unit)
     try:
         loader = Loader(data)
