@@ -115,7 +115,7 @@ def test_what_never_ends_is_no_model(kinlint, lamp, monkeypatch):
         code, out, err = kinlint(path, "--output-format", "concise")
 
         assert code == 2
-        assert "more than 0 KiB" in out + err
+        assert "more than 0 MiB" in out + err
 
 
 GEARS = """\
