@@ -21,7 +21,7 @@ from kinlint.terms import Term
 from kinlint.vocabulary import INTERMEDIATE
 
 _LENIENT = frozenset({"IF", "COALESCE", "BOUND", "EXISTS", "||", "&&"})
-"""What may have a value where a part of it has none."""
+"""Forms that have a value although a part of them has none."""
 
 
 def is_reading(query: Construct) -> bool:
