@@ -1,4 +1,4 @@
-"""Lints texts once: the stages of the pipeline with nothing kept."""
+"""Lints texts once: an analysis with nothing kept."""
 
 from __future__ import annotations
 

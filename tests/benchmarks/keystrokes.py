@@ -16,7 +16,7 @@ from benchmarks.urdf_robot import urdf_chain
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
+from kinlint.pipeline.analyzer import Analyzer
 from kinlint.text import SourceText
 
 JOINTS = 60
@@ -74,7 +74,7 @@ def typing(name: str, text: str, pattern: re.Pattern[str], book: Rulebook) -> Ca
     places = [match.end() for match in pattern.finditer(text)]
     at = places[len(places) // 2]
     texts = cycle([f"{text[:at]}1{text[at:]}", text])
-    incremental = IncrementalAnalyzer(Settings(), book)
+    incremental = Analyzer(Settings(), book, repeated=True)
     for each in (text, next(texts), next(texts)):
         incremental.examine([SourceText(name, each)])
     gc.collect()

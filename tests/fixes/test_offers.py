@@ -3,9 +3,9 @@
 import pytest
 from mending import book, mend, offered, outcome, repair
 
-from kinlint.fixes import offers as offers_module
 from kinlint.fixes.rounds import ROUNDS
-from kinlint.lint import examine
+from kinlint.formats import incremental_reader
+from kinlint.formats.registry import read
 from kinlint.rule import Applicability
 
 ARM = """<robot name="arm">
@@ -314,18 +314,18 @@ def test_fixes_that_come_to_an_end_are_at_odds_with_nothing(rules):
     assert (made.restless, len(made.report.fixed)) == ([], 2)
 
 
-def test_no_text_is_linted_again_that_was_linted_just_now(rules, monkeypatch):
-    """The trial of a fix that is made then is what tells what is left."""
-    linted = []
+def test_no_text_is_read_again_that_was_read_just_now(rules, monkeypatch):
+    """The trial of a fix that is made then has read what is left."""
+    texts = []
 
-    def counted(sources, *given, **named):
-        linted.append(sources[0].text)
-        return examine(sources, *given, **named)
+    def counted(source, options):
+        texts.append(source.text)
+        return read(source, options)
 
-    monkeypatch.setattr(offers_module, "examine", counted)
+    monkeypatch.setattr(incremental_reader, "read", counted)
     text, report = mend(one(rules, SWAP), ARM)
 
-    assert (linted, len(report.fixed), report.findings) == ([ARM, text], 1, ())
+    assert (texts, len(report.fixed), report.findings) == ([ARM, text], 1, ())
 
 
 def test_a_number_that_moves_keeps_its_spelling_in_json(rules):

@@ -9,8 +9,7 @@ from typing import Any
 from kinlint import lint
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.pipeline.analyzer import Examination
-from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
+from kinlint.pipeline.analyzer import Analyzer, Examination
 from kinlint.report import Report
 from kinlint.text import SourceText
 
@@ -23,7 +22,7 @@ def answer(examination: Examination) -> dict[str, Any]:
 
 
 def agree(
-    incremental: IncrementalAnalyzer,
+    incremental: Analyzer,
     sources: Sequence[SourceText],
     settings: Settings,
     rulebook: Rulebook,

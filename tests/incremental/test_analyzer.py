@@ -13,8 +13,7 @@ from support import linting
 from kinlint import lint
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Choice, FileSettings, Ignore, Settings
-from kinlint.pipeline.analyzer import Cancelled
-from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
+from kinlint.pipeline.analyzer import Analyzer, Cancelled
 from kinlint.text import SourceText, Span
 
 pytestmark = pytest.mark.slow
@@ -50,7 +49,7 @@ def book() -> Rulebook:
 def test_edits_of_samples(file, book):
     """Whatever somebody does to a sample, the answer is that of a run from the beginning."""
     settings, name = Settings(), str(file)
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     number = SAMPLES.index(file)
     other = SAMPLES[(number + 1) % len(SAMPLES)].read_text("utf-8")
     for text in versions(file.read_text("utf-8"), [other], number, STEPS):
@@ -65,7 +64,7 @@ def test_edits_of_real_files(form, turn, book):
     files = sorted(each for each in folder.rglob(f"*.{form}") if each.stat().st_size < 30_000)
     file, beside = (files[(turn * 37 + step) % len(files)] for step in (0, 11))
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     second = SourceText(str(beside), beside.read_text("utf-8", "replace"))
     for text in versions(file.read_text("utf-8", "replace"), [], turn, DEEP):
         sources = [SourceText(str(file), text), second] if file != beside else [second]
@@ -75,7 +74,7 @@ def test_edits_of_real_files(form, turn, book):
 def test_what_is_broken_and_mended(book):
     """While a file cannot be read nothing is found in it, and afterwards all that was before."""
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     for text in (ARM, ARM.replace('"x": 0.1', '"x": 0.'), ARM.replace(": 0.1", ": 0.11"), ARM):
         agree(incremental, [SourceText("arm.jsonld", text)], settings, book)
 
@@ -83,7 +82,7 @@ def test_what_is_broken_and_mended(book):
 def test_files_that_come_and_go(book):
     """Files may be added, may be companions, and may leave."""
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     arm, base = SourceText("arm.jsonld", ARM), SourceText("b.jsonld", ARM.replace("tool", "hand"))
     companion = SourceText("b.jsonld", base.text, companion=True)
     for sources in ([arm], [arm, base], [base, arm], [arm, companion], [], [base], [arm, arm]):
@@ -93,7 +92,7 @@ def test_files_that_come_and_go(book):
 def test_the_same_number_spelled_twice(book):
     """Two spellings of one number are one statement: what is left of them still is said."""
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     for numbers in ("0.1", "[0.1, 0.10]", "0.10", "[1.0e-1, 0.1]", "[0.1, 0.2]"):
         text = ARM.replace('"x": 0.1', f'"x": {numbers}')
         agree(incremental, [SourceText("arm.jsonld", text)], settings, book)
@@ -102,7 +101,7 @@ def test_the_same_number_spelled_twice(book):
 def test_only_the_order_changes(book):
     """What is listed first is told first, even if nothing else is said than before."""
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     text = (ROOT / "samples/broken/disconnected-chain.jsonld").read_text("utf-8")
     lines = text.splitlines(keepends=True)
     for turned in (lines, lines[:3] + lines[3:-2][::-1] + lines[-2:], lines):
@@ -115,7 +114,7 @@ def test_settings_count(book):
     ignore = Ignore(("FRM",), "x", "kinlint.toml", iri="https://example.org/arm#pose", place=place)
     own = FileSettings(choices=(Choice(select=("ALL",), ignore=("UNI",)),), ignores=(ignore,))
     for settings in (Settings(default=own), Settings(default=own, partial=True)):
-        incremental = IncrementalAnalyzer(settings, book)
+        incremental = Analyzer(settings, book, repeated=True)
         for text in (ARM, ARM.replace("ex:pose-coord", "ex:coord"), ARM.replace("ex:tool", "ex:t")):
             agree(incremental, [SourceText("arm.jsonld", text)], settings, book)
 
@@ -124,7 +123,7 @@ def test_settings_count(book):
 def test_cancelled(patience, book):
     """Given up at any point, it goes on from there and answers the same."""
     settings = Settings()
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     texts = [ARM, ARM.replace("0.1", "0.4"), ARM.replace('"M"', '"RAD"'), ARM]
     for text in texts:
         left = iter(range(patience))
@@ -138,7 +137,7 @@ def test_cancelled(patience, book):
 def test_engines_that_cannot_follow_answer_too(book):
     """pySHACL judges from the beginning each time."""
     settings = Settings(engine="pyshacl", default=FileSettings((Choice(select=("FRM",)),)))
-    incremental = IncrementalAnalyzer(settings, book)
+    incremental = Analyzer(settings, book, repeated=True)
     source = SourceText("arm.jsonld", ARM)
     assert answer(incremental.examine([source])) == answer(
         lint.examine([source], [], settings, book)

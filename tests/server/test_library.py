@@ -100,11 +100,11 @@ def test_a_fault_is_told_and_ends_nothing(here, library, monkeypatch):
     """A rule, or a reader, that breaks."""
 
     class Broken:
-        def __init__(self, *_):
+        def __init__(self, *_, **_more):
             raise ZeroDivisionError
 
     with monkeypatch.context() as patch:
-        patch.setattr(session, "IncrementalAnalyzer", Broken)
+        patch.setattr(session, "Analyzer", Broken)
         step = library.step(moment(here, 1, ("leg.urdf", LEG)), never)
         assert "ZeroDivisionError" in step.faults[0]
         assert library.step(moment(here, 1, ("leg.urdf", LEG)), never).done

@@ -14,7 +14,7 @@ from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
 from kinlint.formats.records import ELEMENTS
-from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
@@ -48,7 +48,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     for document in documents:
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
-    store = run_stages("lifting", SingleRun(()), Inputs(documents))
+    store = run_stages("lifting", Run(()), Inputs(documents))
     lifted = list(store.lifted())
     statements = Statements(lifted)
     if not statements.subjects:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from kinlint.terms import Term, Triple, is_iri, is_literal, literal_value
+from kinlint.terms import RDF_TYPE, Term, Triple, is_iri, is_literal, literal_value
 from kinlint.vocabulary import INFERRED_GRAPH
 
 Pattern = Triple
@@ -117,3 +117,9 @@ def name(term: Term) -> str:
         text = term[1:-1].rstrip("#/")
         return text[max(text.rfind("#"), text.rfind("/")) + 1 :]
     return term
+
+
+def names_its_terms(axioms: Iterable[Axiom]) -> bool:
+    """Tell whether all *axioms* name their properties and classes, so that changes select them."""
+    patterns = (pattern for axiom in axioms for pattern in (*axiom.body, axiom.head))
+    return not any(is_variable(p) or (p == RDF_TYPE and is_variable(o)) for _, p, o in patterns)

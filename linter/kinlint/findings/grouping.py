@@ -15,7 +15,7 @@ COUNT = "count"
 
 def grouped(
     findings: Iterable[Finding],
-    detailed: Callable[[Finding], Finding] = lambda finding: finding,
+    detailed: Callable[[Finding], Finding] | None = None,
     reused: Collection[str] = (),
 ) -> list[Finding]:
     """Return *findings* with each group as one, which has the others as related.
@@ -24,7 +24,7 @@ def grouped(
 
     A group lies in one model and is what one rule finds there with the same values of the variables
     that the rule groups by. Suppressed places make groups of their own. What is reported goes
-    through *detailed*, which the others are spared.
+    through *detailed*, if that is given; the others are spared.
 
     *reused* are the names of texts that may stand in a robot several times, such as macros: what a
     rule finds at one place of them is reported once, too.
@@ -32,10 +32,14 @@ def grouped(
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for finding in findings:
         groups.setdefault(_sameness(finding, reused), []).append(finding)
+    tell = detailed or _brief
     return [
-        detailed(group[0]) if len(group) == 1 else _merged(group, detailed)
-        for group in groups.values()
+        tell(group[0]) if len(group) == 1 else _merged(group, tell) for group in groups.values()
     ]
+
+
+def _brief(finding: Finding) -> Finding:
+    return finding
 
 
 def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:

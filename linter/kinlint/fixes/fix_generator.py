@@ -103,8 +103,9 @@ class FixGenerator(Generator):
                 if sources.setdefault(path, place.source).text != place.source.text:
                     raise NotExpressible("the file has changed since it was read")
                 edits.setdefault(path, {})[Edit(place.span, text)] = None
+        title = builder.filled(repair.title, finding)
         return Candidate(
-            finding, repair, rank, meant, where.lifted, where.deltas,
+            finding, repair, title, rank, meant, where.lifted, where.deltas,
             {path: _ordered(own) for path, own in edits.items()}, sources,
         )  # fmt: skip
 

@@ -37,6 +37,8 @@ class Candidate:
     finding: Finding
     repair: Repair
     """The title of the change, and how far it may be trusted."""
+    title: str
+    """The title of the repair, with the values of the finding."""
     rank: int
     """The place of the repair among those of the finding; the preferred has 0."""
     meant: Delta
@@ -136,6 +138,11 @@ class Generator(ABC):
     @cached_property
     def _writable(self) -> WritableFiles:
         return WritableFiles.from_texts(self.texts, self.settings)
+
+    @cached_property
+    def documents(self) -> Mapping[Term, Document]:
+        """The documents by their graphs."""
+        return {each.graph: each for each in self.examination.documents}
 
     @cached_property
     def homes(self) -> Mapping[str, Document]:

@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from kinlint.catalogue.rulebook import Rulebook
-from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
@@ -16,9 +14,8 @@ from kinlint.fixes.sparql_update import render_update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, try_candidates
 from kinlint.formats.dependencies.file_groups import group_sources
-from kinlint.lint import examine
 from kinlint.phases import Phases
-from kinlint.pipeline.analyzer import Examination
+from kinlint.pipeline.analyzer import Analyzer, Examination
 from kinlint.report import Report
 from kinlint.rule import Applicability
 from kinlint.terms import Term
@@ -43,8 +40,6 @@ class Offers:
     """The candidates that were tried, with what their trials showed."""
     refused: Sequence[Refusal]
     """The repairs that cannot be made, with the reasons."""
-    latest: tuple[Texts, Examination] | None = None
-    """The texts that were tried last, with what was found in them."""
 
     def fix(self, candidate: Candidate) -> Fix | None:
         """Return *candidate* as far as it may be trusted; None if it may not be."""
@@ -52,9 +47,8 @@ class Offers:
         if verdict.applicability is None:
             return None
         applicability = min(verdict.applicability, repair.applicability)
-        builder = self.generator.examination.builder
         fix = Fix(
-            title=builder.filled(repair.title, candidate.finding),
+            title=candidate.title,
             applicability=applicability,
             edits=candidate.text_edits,
             update=render_update(candidate.meant),
@@ -82,24 +76,22 @@ class Offers:
 
 def offer_fixes(
     generator: Generator,
+    analyzer: Analyzer,
     least: Applicability = Applicability.DISPLAY,
     wanted: Sieve = accept_all,
     phases: Phases | None = None,
 ) -> Offers:
-    """Return which candidates of *generator* hold when they are tried.
+    """Return which candidates of *generator* hold when they are tried by *analyzer*.
 
+    That is the one of its examination, whose store then says what the texts tried last say.
     Candidates that the settings trust less than *least* are not tried, nor are those for findings
     that are not *wanted*. The time of the trials is added to *phases*.
     """
     found = generator.candidates(wanted(generator.examination.report.findings), least)
     groups = _groups(found, generator) if found else []
-    latest = None
 
     def again(tried: Texts) -> Examination:
-        nonlocal latest
-        made = examine_with_fixes(tried, (), generator.settings, generator.rulebook, phases)
-        latest = tried, made
-        return made
+        return examine_with_fixes(tried, (), analyzer, phases, brief=True)
 
     verdicts = try_candidates(groups, generator, again) if groups else {}
     refused = [*generator.refused]
@@ -108,25 +100,20 @@ def offer_fixes(
         for each, verdict in verdicts.items()
         if verdict.applicability is None
     ]
-    return Offers(generator, groups, verdicts, refused, latest)
+    return Offers(generator, groups, verdicts, refused)
 
 
 def examine_with_fixes(
     texts: Texts,
     errors: Iterable[SourceError],
-    settings: Settings,
-    rulebook: Rulebook,
+    analyzer: Analyzer,
     phases: Phases | None,
+    *,
+    brief: bool = False,
 ) -> Examination:
-    """Lint *texts*, with all that repairs ask for."""
-    return examine(
-        texts.given,
-        errors,
-        settings,
-        rulebook,
-        phases,
-        repairing=True,
-        overlay=texts.changed,
+    """Lint *texts* by *analyzer*, with all that repairs ask for unless *brief*."""
+    return analyzer.examine(
+        texts.given, errors, phases, repairing=True, brief=brief, overlay=texts.changed
     )
 
 

@@ -30,16 +30,36 @@ def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
         return bool(changed(before, delta) == tree(after))
     removed = set(delta.removed)
     mending = any(_of_the_text(triple) for triple in (*delta.removed, *delta.added))
-    old = (
+    old = {
         triple
         for triple in before.statements
         if triple not in removed and not (mending and _means_nothing(triple))
-    )
-    expected = _canonical([*old, *delta.added])
-    found = _canonical(after.statements)
+    }
+    old.update(delta.added)
+    expected, found = map(_canonical, _differing(old, set(after.statements)))
     if mending or any(map(_means_nothing, delta.removed)):
         return expected <= found
     return expected == found
+
+
+def _differing(one: set[Triple], other: set[Triple]) -> tuple[set[Triple], set[Triple]]:
+    """Return the statements of each graph but for those that both make in the same words.
+
+    Statements of blank nodes from which blank nodes lead to a difference count as different.
+    """
+    apart = one ^ other
+    waiting = {term for s, _, o in apart for term in (s, o) if is_blank(term)}
+    if waiting:
+        beside: dict[Term, list[Triple]] = {}
+        for triple in one & other:
+            for term in triple[::2]:
+                if is_blank(term):
+                    beside.setdefault(term, []).append(triple)
+        while waiting:
+            near = beside.pop(waiting.pop(), ())
+            apart.update(near)
+            waiting.update(term for s, _, o in near for term in (s, o) if term in beside)
+    return one & apart, other & apart
 
 
 def _means_nothing(triple: Triple) -> bool:

@@ -17,7 +17,7 @@ from kinlint.fixes.offers import Offers, Sieve, accept_all, examine_with_fixes, 
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
 from kinlint.phases import Phases
-from kinlint.pipeline.analyzer import NOTHING, Examination
+from kinlint.pipeline.analyzer import NOTHING, Analyzer
 from kinlint.report import Report
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
@@ -52,9 +52,10 @@ def lint_texts(
 ) -> Offers:
     """Return what `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
     spent, texts = phases or Phases(), Texts(sources)
-    examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
+    analyzer = Analyzer(settings, rulebook, trying=True)
+    examination = examine_with_fixes(texts, errors, analyzer, spent)
     with spent.phase("fixing"):
-        return offer_fixes(FixGenerator(examination, texts, settings, rulebook))
+        return offer_fixes(FixGenerator(examination, texts, settings, rulebook), analyzer)
 
 
 def fix_in_rounds(  # noqa: PLR0913, PLR0917
@@ -81,12 +82,12 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
     originals: dict[Path, SourceText] = {}
     reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
     restless: Sequence[Finding] = ()
-    spent = phases or Phases()
-    examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
+    spent, analyzer = phases or Phases(), Analyzer(settings, rulebook, trying=True)
+    examination = examine_with_fixes(texts, errors, analyzer, spent)
     for _ in range(ROUNDS):
         with spent.phase("fixing"):
             made = generator(examination, texts, settings, rulebook)
-            found = offer_fixes(made, least, wanted)
+            found = offer_fixes(made, analyzer, least, wanted)
         chosen = list(_chosen(found, least))
         if not chosen:
             restless = ()
@@ -106,15 +107,14 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
         if state in reached:
             texts, count = reached[state]
             fixed, restless = fixed[:count], fixed[count:]
-            examination = examine_with_fixes(texts, errors, settings, rulebook, spent)
+            examination = examine_with_fixes(texts, errors, analyzer, spent)
             break
         reached[state] = texts, len(fixed)
         restless = fixed[before:]
-        examination = _known(found, texts, errors) or examine_with_fixes(
-            texts, errors, settings, rulebook, spent
-        )
+        examination = examine_with_fixes(texts, errors, analyzer, spent)
     with spent.phase("fixing"):
-        left = offer_fixes(generator(examination, texts, settings, rulebook), wanted=wanted)
+        made = generator(examination, texts, settings, rulebook)
+        left = offer_fixes(made, analyzer, wanted=wanted)
     if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
         restless = ()
     given = set(map(texts.path, sources))
@@ -128,13 +128,6 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
         sorted({one.rule.code for one in restless}),
         left,
     )
-
-
-def _known(found: Offers, texts: Texts, errors: Collection[SourceError]) -> Examination | None:
-    """Return what the trial of *texts* found; None if that is not all, as after *errors*."""
-    if errors or found.latest is None or not found.latest[0].same(texts):
-        return None
-    return found.latest[1]
 
 
 def _state(texts: Texts, originals: Mapping[Path, SourceText]) -> State:

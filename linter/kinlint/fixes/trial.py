@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -47,6 +47,8 @@ class Group:
     """The batches that are still to be tried."""
     held: list[list[Candidate]] = field(default_factory=list)
     """The batches that proved as claimed, each as a whole."""
+    doubted: tuple[list[Candidate], list[Candidate]] | None = None
+    """The two parts of a batch that led to findings, which the second part may do."""
 
     @cached_property
     def names(self) -> frozenset[str]:
@@ -77,8 +79,7 @@ def try_candidates(
                     break
         if not trial:
             break
-        given = replace(texts, given=[text for group, _, _ in trial for text in group.sources])
-        after = examine(given.rewritten(each for _, _, changes in trial for each in changes))
+        after = examine(texts.rewritten(each for _, _, changes in trial for each in changes))
         for group, batch, changes in trial:
             _settle(group, batch, _verdict(generator, group, batch, changes, after), verdicts)
     for group in groups:
@@ -97,13 +98,27 @@ def _settle(
     if verdict.applicability and _claim(batch) <= verdict.applicability:
         group.held.append(batch)
         verdicts.update((each, Verdict(each.repair.applicability)) for each in batch)
+        _conclude(group, batch, verdicts)
         return
     useless = batch if len(batch) == 1 else list(_useless(batch, verdict))
     verdicts.update(dict.fromkeys(useless, verdict))
     left = [each for each in batch if each not in verdicts]
     if left:
         whole = len(left) == len(batch)
-        group.batches[:0] = _parts(left, verdict) if whole else [left]
+        parts = _parts(left, verdict) if whole else [left]
+        if verdict.applicability and _claim(parts[-1]) <= verdict.applicability:
+            group.doubted = parts[0], parts[-1]
+        group.batches[:0] = parts
+
+
+def _conclude(group: Group, batch: list[Candidate], verdicts: dict[Candidate, Verdict]) -> None:
+    """Settle what was written with *batch*, if that holds alone: it is what led to findings."""
+    if group.doubted is None or group.doubted[0] is not batch:
+        return
+    _, others = group.doubted
+    group.batches.remove(others)
+    group.held.append(others)
+    verdicts.update((each, Verdict(each.repair.applicability)) for each in others)
 
 
 def _claim(batch: Iterable[Candidate]) -> Applicability:

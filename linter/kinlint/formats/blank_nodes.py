@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from copy import copy
 from hashlib import blake2b
 
 from kinlint.terms import Term, blank
@@ -36,3 +37,25 @@ class BlankNodes:
     def labels(self) -> Mapping[Term, str]:
         """Labels that the text gives to its blank nodes."""
         return {node: label for label, node in self._written.items()}
+
+    def continued(self) -> BlankNodes:
+        """Return labels for what is new in the document, apart from all that were asked for."""
+        more = copy(self)
+        more._written = dict(self._written)  # noqa: SLF001  of its own class
+        return more
+
+
+class RecalledBlankNodes(BlankNodes):
+    """Labels that were given before, in their order, and when these are used up, *new* ones."""
+
+    def __init__(self, before: Iterable[Term], new: BlankNodes) -> None:
+        self._before = iter(before)
+        self._new = new
+
+    def fresh(self) -> Term:
+        """Return a blank node without a name in the text."""
+        return next(self._before, None) or self._new.fresh()
+
+    def named(self, label: str) -> Term:
+        """Return the blank node that the text calls *label*."""
+        return self._new.named(label)

@@ -19,10 +19,13 @@ class IncrementalReader:
     """Reads the texts that one file has, one after the other.
 
     What it reads is what `registry.read` does, but sooner, if little has changed since a text
-    that could be read.
+    that could be read. If *divided*, it takes already the first text apart for that. If *lasting*,
+    blank nodes keep their labels, so that the documents differ less, and from what is read at once.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, divided: bool = True, lasting: bool = False) -> None:
+        self._dividing = divided
+        self._lasting = lasting
         self._last: Document | None = None
         self._options: ReadOptions | None = None
         self._parted: Reading | None = None
@@ -40,7 +43,9 @@ class IncrementalReader:
         if last is not None and unchanged and not (last.format.includes or last.pieces):
             return last
         source = with_format(source)
-        now = self._divided(source, options) if source.format == JSONLD else None
+        divisible = self._dividing and source.format == JSONLD
+        now = self._divided(source, options) if divisible else None
+        self._dividing = True
         document = now.document if now is not None else read(source, options)
         self._last, self._options = document, options
         self._parted = now or self._parted
@@ -52,7 +57,7 @@ class IncrementalReader:
 
         if self._parted is not None:
             try:
-                return divided_reader.reread(self._parted, source, options)
+                return divided_reader.reread(self._parted, source, options, lasting=self._lasting)
             except divided_reader.Indivisible:
                 pass
         try:

@@ -94,19 +94,21 @@ class SuppressionGenerator(Generator):
                 nodes.setdefault(site.graph, {})[site.node] = sorted(own)
                 continue
             source, span = site.element.source, site.element.span
-            path = self.writable_path(self.examination.store.documents[site.graph], source)
+            path = self.writable_path(self.documents[site.graph], source)
             sources[path] = source
             edits.setdefault(path, []).append(comment_edit(source, span, sorted(own), self.reason))
             deltas[site.graph] = Delta()
         for graph, codes_of in nodes.items():
-            document = self.examination.store.documents[graph]
+            document = self.documents[graph]
             path = self.writable_path(document, document.source)
             deltas[graph] = ignore_delta(document, codes_of, self.reason)
             sources[path] = document.source
             edits.setdefault(path, []).extend(self._statements(document, deltas[graph]))
         joined = {path: _joined(made) for path, made in edits.items()}
         meant = Delta(added=tuple(triple for each in deltas.values() for triple in each.added))
-        return Candidate(findings[0], SUPPRESSION, 0, meant, Delta(), deltas, joined, sources)
+        return Candidate(
+            findings[0], SUPPRESSION, SUPPRESSION.title, 0, meant, Delta(), deltas, joined, sources
+        )
 
     def _require_reason(self) -> None:
         if not self.reason:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -69,6 +71,24 @@ class Changes:
         self.properties |= made.properties
         self.classes |= made.classes
         return made
+
+    @contextmanager
+    def undone(self, name: Term) -> Iterator[None]:
+        """Put the graph *name* of the store back to what it was before the changes, for a while."""
+        store, graph = self.store.oxigraph, ox.NamedNode(iri_value(name))
+        turns = Counter(quad for quad in self.added if quad.graph_name == graph)
+        turns.subtract(quad for quad in self.removed if quad.graph_name == graph)
+        came = [quad for quad, number in turns.items() if number > 0]
+        went = [quad for quad, number in turns.items() if number < 0]
+        for quad in came:
+            store.remove(quad)
+        store.extend(went)
+        try:
+            yield
+        finally:
+            for quad in went:
+                store.remove(quad)
+            store.extend(came)
 
     def update_names(self) -> None:
         """Note the properties, and the classes with all that those are subclasses of."""

@@ -169,9 +169,3 @@ def _matched(pattern: Pattern, fact: Fact, known: Bindings) -> Bindings | None:
         elif part != term:
             return None
     return bindings
-
-
-def can_follow(axioms: Iterable[Axiom]) -> bool:
-    """Tell whether `Inference` can follow *axioms*: all name their properties and classes."""
-    patterns = (pattern for axiom in axioms for pattern in (*axiom.body, axiom.head))
-    return not any(is_variable(p) or (_part(p) == TYPE and is_variable(o)) for _, p, o in patterns)

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import count
 
 from kinlint.formats.records import ELEMENTS
 from kinlint.incremental.dependency_paths import Path, PatternPath, paths_to
-from kinlint.sparql.ast import Triples
-from kinlint.sparql.parser import parse
+from kinlint.sparql.ast import Group, Triples
 from kinlint.sparql.patterns import patterns
-from kinlint.sparql.tokens import is_variable, tokens
+from kinlint.sparql.tokens import is_variable
 from kinlint.terms import Term
 
 
@@ -24,21 +22,19 @@ class Restriction:
     pattern_paths: tuple[PatternPath, ...]
 
 
-@lru_cache(maxsize=512)
-def find_restriction(select: str) -> Restriction | None:
-    """Return the variable of the query *select* to which the most of its patterns lead.
+def find_restriction(group: Group) -> Restriction | None:
+    """Return the variable of the query *group* to which the most of its patterns lead.
 
     It is one for elements; of several, the last: fewer solutions have the same. None where
     solutions depend on each other, or where nothing says that a variable is bound in each.
     """
-    query = parse(tokens(select, {}))
-    first = query.group.elements[0] if query.group.elements else None
-    if query.tail or not isinstance(first, Triples):
+    first = group.elements[0] if group.elements else None
+    if not isinstance(first, Triples):
         return None
     found: Restriction | None = None
     fewest = 0
     for root in _elements(first):
-        pattern_paths = paths_to(query.group, root)
+        pattern_paths = paths_to(group, root)
         if pattern_paths is None:
             return None
         lost = sum(each.steps is None for each in pattern_paths)

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from kinlint.engine.constraint import FOCUS, Constraint
 from kinlint.engine.evaluate import result, rows
 from kinlint.engine.pruning import Presence
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank, token
-from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes
-from kinlint.incremental.dependency_paths import pattern_paths
-from kinlint.incremental.query_dependencies import dependencies
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
+
+if TYPE_CHECKING:
+    from kinlint.engine.compiler.query_dependencies import Dependencies
+    from kinlint.incremental.affected_nodes import AffectedNodes
 
 Row = Mapping[str, Term]
 GIVEN = f"VALUES ?this {{ {FOCUS} }}"
@@ -34,35 +37,49 @@ class TrackedChecking:
         self._results: dict[int, list[Result]] = {}
         self._seconds: dict[int, float] = {}
 
+    @cached_property
+    def deferred(self) -> bool:
+        """Tell whether only the reference engine may judge some of the constraints."""
+        return any(each.deferred is not None for each in self.constraints)
+
+    @cached_property
+    def _dependencies(self) -> Sequence[Dependencies]:
+        from kinlint.engine.compiler.query_dependencies import Dependencies  # noqa: PLC0415  most runs run once
+
+        return [Dependencies.from_constraint(each) for each in self.constraints]
+
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Check what looks at what *changes* are about; at first, everything."""
+        if not self._rows:
+            for number, constraint in enumerate(self.constraints):
+                if constraint.deferred is None:
+                    ask()
+                    possible = self._presence.may_violate(constraint)
+                    self._note(number, self._all(number) if possible else [])
+            return
+        from kinlint.incremental.affected_nodes import AffectedNodes  # noqa: PLC0415  most runs run once
+
         presence, affected = self._presence, AffectedNodes(changes)
         changed = {(quad.predicate, quad.object) for quad in (*changes.removed, *changes.added)}
         presence.forget((token(predicate), token(value)) for predicate, value in changed)
         for number, constraint in enumerate(self.constraints):
-            if number in self._rows and not dependencies(constraint.select).looks_at(
-                changes.properties, changes.classes
-            ):
+            looks = self._dependencies[number].looks_at(changes.properties, changes.classes)
+            if number in self._rows and not looks:
                 continue
             ask()
             if not presence.may_violate(constraint):
-                found = list[Row]()
-            else:
-                nodes = self._concerned(number, affected)
-                if nodes is not None and not nodes:
-                    continue
+                self._note(number, [])
+                continue
+            nodes = self._concerned(number, affected)
+            if nodes is None or nodes:
                 known = None if nodes is None else self._checked(number, nodes)
-                found = self._all(number) if known is None else known
-            self._note(number, found)
+                self._note(number, self._all(number) if known is None else known)
 
     def _all(self, number: int) -> list[Row]:
         """Return all violations of a constraint; note how long that took."""
-        constraint = self.constraints[number]
         started = time.perf_counter()
-        found = list[Row](rows(self.store, constraint))
+        found = list[Row](rows(self.store, self.constraints[number]))
         self._seconds[number] = time.perf_counter() - started
-        if self._seconds[number] >= LITTLE:
-            pattern_paths(constraint.select)  # The next time, this is known.
         return found
 
     def _note(self, number: int, found: list[Row]) -> None:
@@ -75,6 +92,9 @@ class TrackedChecking:
         """Return the target nodes that may violate it anew or no more; None for all."""
         if number not in self._rows or self._seconds.get(number, 0.0) < LITTLE:
             return None
+        from kinlint.incremental.affected_nodes import TooMany  # noqa: PLC0415  most runs run once
+        from kinlint.incremental.dependency_paths import pattern_paths  # noqa: PLC0415
+
         paths = pattern_paths(self.constraints[number].select)
         if paths is None:
             return None

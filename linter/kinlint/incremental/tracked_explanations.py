@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 import pyoxigraph as ox
 
 from kinlint.engine.axioms import Axiom
+from kinlint.engine.compiler.query_dependencies import dependencies
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import Step, because
 from kinlint.engine.result import Result
 from kinlint.engine.store import Function, Store
 from kinlint.incremental.change import Changes
-from kinlint.incremental.query_dependencies import Dependencies, dependencies
 from kinlint.terms import Term, Triple
 
 
@@ -22,12 +22,13 @@ class Reads:
     """The nodes and queries that a store was asked about."""
 
     nodes: set[Term] = field(default_factory=set)
-    queries: set[Dependencies] = field(default_factory=set)
+    queries: set[str] = field(default_factory=set)
 
     def meet(self, changes: Changes, nodes: set[Term]) -> bool:
         """Tell whether *changes*, which are about *nodes*, may answer otherwise."""
         return not self.nodes.isdisjoint(nodes) or any(
-            each.looks_at(changes.properties, changes.classes) for each in self.queries
+            dependencies(each).looks_at(changes.properties, changes.classes)
+            for each in self.queries
         )
 
 
@@ -44,7 +45,7 @@ class TrackedStore(Store):
     ) -> Iterator[dict[str, Term]]:
         """The solutions of a SELECT."""
         if self.looks is not None:
-            self.looks.queries.add(dependencies(text))
+            self.looks.queries.add(text)
         return super().rows(text, substitutions, functions)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
@@ -75,6 +76,8 @@ class Explanations:
 
     def forget(self, changes: Changes, results: Sequence[Result]) -> None:
         """Forget what *changes* may have changed, and what is not among *results*."""
+        if not self._known:
+            return
         nodes = {str(quad.subject) for quad in (*changes.removed, *changes.added)}
         there = set(map(id, results))
         self._known = {

@@ -21,17 +21,30 @@ class TrackedFacts:
         self._store = store
         self._index = TrackedIndex(store)
         self._context = FactContext(self._index)
-        self._kinds: Sequence[FactKind] = (*asked(wanted), *helpful(hints))
+        self._asked = tuple(asked(wanted))
+        self._kinds: Sequence[FactKind] = (*self._asked, *helpful(hints))
+        self._stale = set(range(len(self._kinds)))
         self._found: dict[int, tuple[Triple, ...]] = {}
         self._facts: dict[Triple, None] | None = None
 
-    def run(self, changes: Changes, named: Iterable[Triple], ask: Callable[[], None]) -> None:
-        """Compute what *changes* touch, at first everything; *named* is stated besides."""
+    def run(
+        self,
+        changes: Changes,
+        named: Iterable[Triple],
+        ask: Callable[[], None],
+        *,
+        hinting: bool = True,
+    ) -> None:
+        """Compute what *changes* touch, at first everything; *named* is stated besides.
+
+        Unless *hinting*, hints that were computed before stay as they are until a later turn.
+        """
         self._forget(changes)
-        for number, kind in enumerate(self._kinds):
-            if number not in self._found:
+        for number, kind in enumerate(self._kinds if hinting else self._asked):
+            if number in self._stale:
                 ask()
                 self._found[number] = tuple(kind.found(self._context))
+                self._stale.discard(number)
         found = [each for _, found in sorted(self._found.items()) for each in found]
         before, self._facts = self._facts, dict.fromkeys((*found, *named))
         if before is None:
@@ -45,7 +58,7 @@ class TrackedFacts:
             self._context.__dict__.pop(name, None)
             for number, kind in enumerate(self._kinds):
                 if name in kind.parts:
-                    self._found.pop(number, None)
+                    self._stale.add(number)
 
     @staticmethod
     def _restate(before: dict[Triple, None], after: dict[Triple, None], changes: Changes) -> None:

@@ -6,18 +6,20 @@ import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import count
 from typing import TypeAlias
 
 import pyoxigraph as ox
 
-from kinlint.engine.lifting import Lifting, asked
+from kinlint.engine.compiler.query_dependencies import Dependencies, dependencies_of
+from kinlint.engine.lifting import Lifting, asked, lift
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
-from kinlint.incremental.query_dependencies import Dependencies, dependencies
 from kinlint.incremental.restriction import Restriction, find_restriction, restrict_query
 from kinlint.sparql.ast import render
+from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
 
@@ -43,7 +45,7 @@ class Unit:
     narrow: Restriction | None
     """The variable by which the query can be restricted, if there is one."""
     made: dict[Row, list[tuple[Triple, ...]]] | None = None
-    """The triples of each solution, once for each time that it came; None before the first run."""
+    """The triples of each solution, once for each time that it came; None until somebody asks."""
 
     @classmethod
     def from_lifting(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
@@ -51,19 +53,30 @@ class Unit:
         made, where = lifting.part(kept)
         used = set[str]().union(*(each.variables for each in made))
         names = tuple(sorted(name[1:] for name in used))
-        body = f"WHERE {render(where)}"
-        narrow = find_restriction(f"SELECT * {body}") if names else None
+        narrow = find_restriction(where) if names else None
         if narrow is not None:
             root = narrow.root[1:]
             names = (*(name for name in names if name != root), root)
         shown = " ".join(f"?{name}" for name in names) or "*"
-        select = f"SELECT {shown} {body}"
+        select = f"SELECT {shown} WHERE {render(where)}"
         template = [(each.subject, each.predicate, each.items or each.object) for each in made]
-        return cls(select, names, template, dependencies(select), narrow)
+        return cls(select, names, template, dependencies_of(where), narrow)
+
+    def may_make(self, triple: Triple) -> bool:
+        """Tell whether one of the triples that it makes may be *triple*."""
+        return any(
+            all(is_variable(word) or word == term for word, term in zip(made, triple, strict=True))
+            for *ends, value in self.template
+            if isinstance(value, str) and (made := (*ends, value))
+        )
 
 
 class TrackedLifting:
-    """Asserted statements about elements to lifted ones: a composable model."""
+    """Asserted statements about elements to lifted ones: a composable model.
+
+    At first all queries store what they make. What a query made of which solution is found out when
+    something changes that it looks at: from the statements as they were before.
+    """
 
     def __init__(
         self,
@@ -72,29 +85,51 @@ class TrackedLifting:
         kept: Collection[Term] | None = None,
     ) -> None:
         self.store = store
-        formats = {document.format for document in store.documents.values()}
-        self.units = [Unit.from_lifting(each, kept) for each in asked(formats, wanted)]
+        self._wanted = wanted
+        self._kept = kept
+        self._lifted = False
         self._counts: Counter[Triple] = Counter()
         self._numbers = count(1)
 
+    @cached_property
+    def units(self) -> Sequence[Unit]:
+        """The queries that make something wanted."""
+        formats = {document.format for document in self.store.documents.values()}
+        return [Unit.from_lifting(each, self._kept) for each in asked(formats, self._wanted)]
+
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Lift by those queries that look at what *changes* are about; at first, by all."""
+        if not self._lifted:
+            lift(self.store, self._wanted, self._kept)
+            self._lifted = True
+            return
         affected = AffectedNodes(changes)
         for unit in self.units:
-            if unit.made is None:
-                ask()
-                self._relift(unit, None, changes)
-            elif unit.dependencies.looks_at(changes.properties, changes.classes):
+            if unit.dependencies.looks_at(changes.properties, changes.classes):
                 ask()
                 roots = _concerned(unit, affected)
                 if roots is None or roots:
+                    self._recall(unit, changes)
                     self._relift(unit, roots, changes)
+
+    def _recall(self, unit: Unit, changes: Changes) -> None:
+        """Find out what *unit* has made, from what was asserted before *changes*."""
+        if unit.made is not None:
+            return
+        with changes.undone(ASSERTED_GRAPH):
+            rows = Counter(self._rows(unit, None))
+        unit.made, used = {}, set[Term]()
+        for row, times in rows.items():
+            unit.made[row] = [tuple(self._known(unit, row, used)) for _ in range(times)]
+            for triples in unit.made[row]:
+                self._counts.update(triples)
 
     def _relift(self, unit: Unit, roots: Collection[Term] | None, changes: Changes) -> None:
         """Lift anew by *unit* what it makes of *roots*, or all."""
         rows = Counter(self._rows(unit, roots))
         gone, come = list[Triple](), list[Triple]()
-        made = unit.made = unit.made or {}
+        made = unit.made
+        assert made is not None
         known = made if roots is None else [row for row in made if row[-1] in roots]
         for row in [row for row in known if row not in rows]:
             for triples in made.pop(row):
@@ -109,6 +144,9 @@ class TrackedLifting:
         before = {each for each in (*gone, *come) if self._counts[each]}
         self._counts.subtract(gone)
         self._counts.update(come)
+        for other in [each for each in self.units if each.made is None]:
+            if any(not self._counts[each] and other.may_make(each) for each in gone):
+                self._recall(other, changes)
         after = {each for each in (*gone, *come) if self._counts[each]}
         for each in gone:
             if not self._counts[each]:
@@ -127,6 +165,37 @@ class TrackedLifting:
         for solution in solutions:
             terms = (solution[place] for place in places)
             yield tuple(None if term is None else token(term) for term in terms)
+
+    def _known(self, unit: Unit, row: Row, used: set[Term]) -> Iterator[Triple]:
+        """Yield what *unit* has made of *row*; of lists, those cells that are not *used* yet."""
+        known = dict(zip(unit.names, row, strict=True))
+        for subject, predicate, value in unit.template:
+            start, property_ = _bound_term(subject, known), _bound_term(predicate, known)
+            if isinstance(value, str):
+                yield from _triple(start, property_, _bound_term(value, known))
+            elif start and property_ and start[0] != '"':
+                items = tuple(_bound_term(item, known) for item in value)
+                heads = (head for head in self.store.values(start, property_) if head not in used)
+                found = (cells for head in heads if (cells := self._cells(head, items)))
+                cells = next(found, ())
+                used.update(each[0] for each in cells)
+                if cells:
+                    yield start, property_, cells[0][0]
+                    yield from cells
+
+    def _cells(self, head: Term, items: Sequence[Term | None]) -> tuple[Triple, ...]:
+        """Return the statements of the cells of the list *head* if it has *items*, else none."""
+        found = list[Triple]()
+        for item in items:
+            if head[0] != "_":
+                return ()
+            there, rests = list(self.store.values(head, FIRST)), list(self.store.values(head, REST))
+            if there != ([] if item is None else [item]) or len(rests) != 1:
+                return ()
+            found += [(head, FIRST, each) for each in there]
+            found.append((head, REST, rests[0]))
+            head = rests[0]
+        return tuple(found) if head == NIL else ()
 
     def _filled(self, unit: Unit, row: Row) -> Iterator[Triple]:
         """Yield what the template of *unit* says for *row*, less what is unbound or no triple."""

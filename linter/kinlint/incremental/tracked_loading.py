@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
+
+import pyoxigraph as ox
 
 from kinlint.document import Document
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.difference import triple_difference
-from kinlint.incremental.triple_index import vocabulary_of
 from kinlint.terms import Triple
 
 
@@ -58,6 +60,14 @@ class TrackedLoading:
                 if each[0] in subjects and each[:2] in pairs
             ]
             kept = set(to_quads(still, ASSERTED_GRAPH))
-            vocabulary = vocabulary_of(self._vocabulary).quads
+            vocabulary = _vocabulary(self._vocabulary)
             removed = [each for each in removed if each not in kept and each not in vocabulary]
         changes.apply(removed, to_quads(come, ASSERTED_GRAPH))
+
+
+@lru_cache(maxsize=4)
+def _vocabulary(files: tuple[Path, ...]) -> ox.Store:
+    """Return the statements of *files*, which no edit changes."""
+    store = Store()
+    store.load_vocabulary(files)
+    return store.oxigraph

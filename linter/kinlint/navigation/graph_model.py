@@ -9,7 +9,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import FROM, Document
 from kinlint.engine.store import Store
 from kinlint.formats.records import ELEMENTS
-from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.terms import Term, Triple
@@ -44,8 +44,8 @@ class GraphModel:
         return run_stages("facts", self._lifted, Inputs(self.documents), demand, first="closure")
 
     @cached_property
-    def _lifted(self) -> SingleRun:
-        run = SingleRun(self.rulebook.vocabulary)
+    def _lifted(self) -> Run:
+        run = Run(self.rulebook.vocabulary)
         run_stages("lifting", run, Inputs(self.documents))
         return run
 

@@ -24,19 +24,24 @@ IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "Contex
 """Classes of the source layer that every file has."""
 
 
-def conclude(
+def conclude(  # noqa: PLR0913
     builder: FindingBuilder,
     documents: Sequence[Document],
     joined: Sequence[Document],
     selection: RuleSelection,
     failed: Sequence[SourceError],
+    *,
+    brief: bool = False,
 ) -> Report:
-    """Return the report on *documents*, which *joined* has with their companions."""
+    """Return the report on *documents*, which *joined* has with their companions.
+
+    If *brief*, findings lack what they rest on and what else they speak of.
+    """
     policies = selection.policies
     judged = policies.apply_severities(_meant(builder.brief(), documents, joined))
     silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
     apart = folded(tuple(silenced), builder.results, builder.store)
-    told = grouped(apart, builder.detailed, _reused(joined))
+    told = grouped(apart, None if brief else builder.detailed, _reused(joined))
     told = [with_consequences_told(finding) for finding in told]
     told.sort(key=lambda finding: finding.sort_key)
     unapplied = (each for each in documents if not has_judged_vocabulary(each, selection.rulebook))

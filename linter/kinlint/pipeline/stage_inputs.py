@@ -29,6 +29,8 @@ class Inputs:
     """The documents that missing files are looked for in: all but companions."""
     packages_of: Callable[[str], Packages] | None = None
     """Returns the packages that a file, by its name, can name; None to look for no files."""
+    repairing: bool = True
+    """False if nobody asks for repairs this time, so that their hints may be out of date."""
 
     def missing(self, demand: Demand) -> Iterator[Triple]:
         """Yield statements about files that documents refer to and that are not there."""

@@ -23,7 +23,7 @@ from kinlint.findings.finding_builder import findings
 from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.pipeline.single_run import SingleRun
+from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.rule import Rule
@@ -70,7 +70,7 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
     options = ReadOptions()
     documents = join_companions([read(text, options) for text in texts])
     inputs = Inputs(documents, documents, options.packages_of)
-    run = SingleRun(rulebook.vocabulary)
+    run = Run(rulebook.vocabulary)
     return documents, run_stages("facts", run, inputs, Demand.for_everything(rulebook))
 
 

@@ -31,9 +31,10 @@ def fixes_of(
         def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
             return [each for each in found if finding_key(each) in missing]
 
-        examination = view.session.repairing(phases)
+        examination, analyzer = view.session.repairing(phases)
         made = offer_fixes(
             FixGenerator(examination, view.session.texts, view.settings, view.rulebook),
+            analyzer,
             least=Applicability.UNSAFE,
             wanted=wanted,
             phases=phases,

@@ -14,8 +14,7 @@ from kinlint.finding import Finding, Fix
 from kinlint.fixes.texts import Texts
 from kinlint.lint import examine
 from kinlint.phases import Phases
-from kinlint.pipeline.analyzer import Cancelled, Examination
-from kinlint.pipeline.incremental_analyzer import IncrementalAnalyzer
+from kinlint.pipeline.analyzer import Analyzer, Cancelled, Examination
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.document_store import DocumentStore, Stamp, stamp
 from kinlint.server.frozen_state import FrozenState
@@ -41,8 +40,8 @@ class Session:
     """Included files that are no sources of their own, with their stamps."""
     fixes: dict[Named, tuple[Fix, ...]] = field(default_factory=dict)
     """Fixes already proven, by finding."""
-    _incremental: IncrementalAnalyzer | None = None
-    _repairing: Examination | None = None
+    _incremental: Analyzer | None = None
+    _mending: Analyzer | None = None
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
     released: bool = False
     """True if the analysis was dropped since none of the files is open; its diagnostics stay."""
@@ -123,14 +122,14 @@ class Session:
         if self.model.settings != model.settings or self.book is not book or self._moved():
             self._incremental, self._complete = None, False
         self.model, self.book, self.examination = model, book, None
-        self._repairing, self._tried, self.released = None, True, False
+        self._mending, self._tried, self.released = None, True, False
         self._overlay = documents.overlay
         self.fixes.clear()
         try:
             if self._incremental is None:
                 Policies(model.settings, book.rules).check_selectors()
                 self._incremental, self.fresh_cache = (
-                    IncrementalAnalyzer(model.settings, book),
+                    Analyzer(model.settings, book, repeated=True),
                     True,
                 )
             made = self._incremental.examine(
@@ -154,7 +153,7 @@ class Session:
     def release(self) -> None:
         """Drop the analysis; its diagnostics stay published."""
         self.released, self.examination = True, None
-        self._incremental, self._repairing, self._complete = None, None, False
+        self._incremental, self._mending, self._complete = None, None, False
         self.fixes.clear()
 
     def invalidate(self) -> None:
@@ -166,20 +165,14 @@ class Session:
         """Tell whether the analysis raised an error and would again unless something changes."""
         return self._tried and self.examination is None and not self.released
 
-    def repairing(self, phases: Phases) -> Examination:
-        """The examination with all that repairs ask for."""
-        if self._repairing is None:
-            model = self.model
-            self._repairing = examine(
-                self.texts.given,
-                model.errors,
-                model.settings,
-                self.book,
-                phases,
-                repairing=True,
-                overlay=self._overlay,
-            )
-        return self._repairing
+    def repairing(self, phases: Phases) -> tuple[Examination, Analyzer]:
+        """The examination with all that repairs ask for, and what made it, for trials of them."""
+        model = self.model
+        self._mending = self._mending or Analyzer(model.settings, self.book, trying=True)
+        made = self._mending.examine(
+            self.texts.given, model.errors, phases, repairing=True, overlay=self._overlay
+        )
+        return made, self._mending
 
     @property
     def texts(self) -> Texts:

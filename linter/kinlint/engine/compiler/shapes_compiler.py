@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.deferral import Deferred
 from kinlint.engine.compiler.oxigraph_probe import try_out
+from kinlint.engine.compiler.query_dependencies import sweeps
 from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shape import Shape, target_shapes
@@ -162,4 +163,4 @@ def _compiled(
         premises=tuple((literal_token(s), p, literal_token(o)) for s, p, o in premises),
         targets=chain.target.ways,
     )
-    return replace(compiled, needs=query_terms(compiled))
+    return replace(compiled, needs=query_terms(compiled), sweeps=sweeps(everywhere))

@@ -9,7 +9,7 @@ from kinlint.formats.json_text.json_parser import ArrayElement, parse
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS
 from kinlint.formats.jsonld.incremental.alignment import align, difference
-from kinlint.formats.jsonld.incremental.document_assembly import Assembly, Named, assemble
+from kinlint.formats.jsonld.incremental.document_assembly import Assembly, assemble
 from kinlint.formats.jsonld.incremental.part import Arrangement, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
 from kinlint.formats.jsonld.incremental.part_statements import PartStatements
@@ -31,8 +31,13 @@ class Division:
     end: int
     """End of the graph."""
 
-    def assembled(self, source: SourceText, known: Named) -> Assembly:
-        """Return the document of *source*, which is divided like that; *known* parts keep names."""
+    def assembled(
+        self, source: SourceText, before: Assembly | None = None, *, lasting: bool = False
+    ) -> Assembly:
+        """Return the document of *source*, which is divided like that.
+
+        Some parts are as they were *before*; if *lasting*, their blank nodes keep their labels.
+        """
         end, gap = self.end, self.stating.place
 
         def move(span: Span) -> Span:
@@ -40,7 +45,7 @@ class Division:
 
         hull = self.hull if end == gap.end else self.hull.moved(move)
         given = Arrangement([*self.elements.parts, hull], [*self.elements.shifts, 0])
-        return assemble(source, given, self.stating, known)
+        return assemble(source, given, self.stating, before, lasting=lasting)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,13 +81,16 @@ def read_divided(source: SourceText, options: ReadOptions) -> Reading:
             raise Indivisible from fault
         unmoved = Arrangement(stating.parts, [0] * len(stating.parts))
         division = Division(stating, unmoved, hull, stating.place.end)
-        return Reading(options, division, division.assembled(source, {}))
+        return Reading(options, division, division.assembled(source))
 
 
-def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading:
+def reread(
+    before: Reading, source: SourceText, options: ReadOptions, *, lasting: bool = False
+) -> Reading:
     """Read *source*, whose text is almost that of *before*.
 
-    Raises Indivisible if that does not help, SourceError if *source* is no JSON.
+    If *lasting*, blank nodes that were there keep their labels. Raises Indivisible if that does not
+    help, SourceError if *source* is no JSON.
     """
     last, old = before.document.source, before.division
     if old.stating.exhausted or source.name != last.name or options != before.options:
@@ -106,7 +114,8 @@ def reread(before: Reading, source: SourceText, options: ReadOptions) -> Reading
         between = Arrangement(parts, shifts)
         arranged = old.elements.replaced(found.first, found.rest, between, change.shift)
         division = replace(old, elements=arranged, end=old.end + change.shift)
-        return Reading(options, division, division.assembled(source, before.assembly.named))
+        made = division.assembled(source, before.assembly, lasting=lasting)
+        return Reading(options, division, made)
 
 
 def _part(old: Division, element: ArrayElement | int, rest: int) -> Part:

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
-from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.blank_nodes import BlankNodes, RecalledBlankNodes
 from kinlint.formats.jsonld.expansion_record import ShadowedTerm
 from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.jsonld.incremental.part import Arrangement, Part, PartNotes, shifted
@@ -18,7 +18,7 @@ from kinlint.formats.jsonld.incremental.part_statements import PartStatements
 from kinlint.formats.jsonld.loss_report import shadowed, sort_key, state_losses, state_uses
 from kinlint.formats.jsonld.losses import Loss, LossObserver
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.terms import Term, Triple
+from kinlint.terms import Term, Triple, is_blank
 from kinlint.text import SourceText, Span
 
 Named = Mapping[Part, tuple[tuple[Term, ...], Part]]
@@ -29,12 +29,17 @@ class Labelling:
     """Labels of blank nodes, in the order in which a reader of the whole file would create them.
 
     That is by the statements of one part after the other, then, after `finish`, by what is lost.
+    Parts of the assembly *lasting* keep the labels that they have there.
     """
 
-    def __init__(self, name: str, parts: Sequence[Part]) -> None:
-        self.blanks = BlankNodes(name)
+    def __init__(self, name: str, parts: Sequence[Part], lasting: Assembly | None) -> None:
+        self.blanks = BlankNodes(name) if lasting is None else lasting.blanks.continued()
         self._parts = [part for part in parts if part.asked]
-        self._names: list[dict[Term, Term]] = [{} for _ in self._parts]
+        self._names: list[dict[Term, Term]] = []
+        for part in self._parts:
+            labels = lasting.named[part][0] if lasting and part in lasting.named else ()
+            asked = (node for node, _ in part.asked)
+            self._names.append(dict(zip(asked, labels, strict=False)))
         self._ask(0)
 
     def finish(self, known: Named) -> Named:
@@ -54,6 +59,8 @@ class Labelling:
         for part, names in zip(self._parts, self._names, strict=True):
             ends = (0, *part.steps, len(part.asked))
             for node, label in part.asked[ends[step] : ends[step + 1]]:
+                if node in names:
+                    continue
                 names[node] = blanks.fresh() if label is None else blanks.named(label)
 
 
@@ -159,25 +166,37 @@ class Assembly:
 
     document: Document
     named: Named
+    blanks: BlankNodes
+    """The labels of its blank nodes."""
+    aside: Sequence[Term]
+    """The blank nodes of the source layer, in the order of their creation."""
 
 
 def assemble(
-    source: SourceText, given: Arrangement, stating: PartStatements, known: Named
+    source: SourceText,
+    given: Arrangement,
+    stating: PartStatements,
+    before: Assembly | None,
+    *,
+    lasting: bool,
 ) -> Assembly:
-    """Assemble the document of the *given* parts of *source*; parts that are *known* keep names.
+    """Assemble the document of the *given* parts of *source*, some of them as they were *before*.
 
-    *stating* is what read them.
+    *stating* is what read them. If *lasting*, what was there before keeps its labels; otherwise all
+    labels are those that a reader of the whole file would give.
     """
     parts, shifts = given.parts, given.shifts
-    labelling = Labelling(source.name, parts)
-    layer = SourceLayer(document_iri(source.name), labelling.blanks)
+    kept = before if lasting else None
+    labelling = Labelling(source.name, parts, kept)
+    blanks = RecalledBlankNodes(kept.aside, labelling.blanks) if kept else labelling.blanks
+    layer = SourceLayer(document_iri(source.name), blanks)
     layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
     file = tuple(layer.triples)
     layer.state_namespaces(_first((part.namespaces for part in parts), shifts))
     layer.state_terms(_first((part.terms for part in parts), shifts))
     uses = (use for notes in given.notes() for use in notes.uses)
     state_uses(layer, uses, stating.release)
-    named = labelling.finish(known)
+    named = labelling.finish({} if before is None else before.named)
     arranged = Arrangement([named[each][1] if each.asked else each for each in parts], shifts)
     state_losses(layer, _losses(list(arranged.notes())))
     stated = group_numbers([part.spans for part in arranged.parts])
@@ -188,7 +207,7 @@ def assemble(
     places = SourceMap(ShiftedTripleSpans(stated, arranged, layer, nodes), nodes)
     prefixes = stating.prefixes
     document = Document(source, layer.document, tuple(stated), places, prefixes, format=JSONLD)
-    return Assembly(document, named)
+    return Assembly(document, named, labelling.blanks, [*filter(is_blank, layer.nodes)])
 
 
 def _first(found: Iterable[Mapping[str, Span]], shifts: Sequence[int]) -> dict[str, Span]:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from kinlint.engine.compiler.shacl_terms import SUBCLASS
+from kinlint.engine.constraint import PLAIN, Constraint
+from kinlint.sparql.ast import Group, Select
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import Pattern
 from kinlint.sparql.tokens import is_variable, tokens
@@ -14,6 +16,8 @@ from kinlint.sparql.variables import iris, triple_patterns
 from kinlint.terms import RDF_TYPE, Term, is_iri
 
 BELOW = (SUBCLASS, "*")
+CLASSES, PROPERTIES = "c", "p"
+"""Letters of `Constraint.sweeps`."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +27,15 @@ class Dependencies:
     terms: frozenset[Term]
     any_class: bool
     any_property: bool
+
+    @classmethod
+    def from_constraint(cls, constraint: Constraint) -> Dependencies:
+        """Return what the query of *constraint* may look at; every IRI in its text counts."""
+        return cls(
+            frozenset(PLAIN.findall(constraint.select)),
+            CLASSES in constraint.sweeps,
+            PROPERTIES in constraint.sweeps,
+        )
 
     def looks_at(self, properties: Collection[Term], classes: Collection[Term]) -> bool:
         """Tell whether triples of *properties*, and of being of *classes*, may matter.
@@ -40,13 +53,23 @@ class Dependencies:
 @lru_cache(maxsize=1024)
 def dependencies(select: str) -> Dependencies:
     """Return all that the query *select* may look at, be it there or not."""
-    query = parse(tokens(select, {}))
+    return dependencies_of(parse(tokens(select, {})))
+
+
+def dependencies_of(query: Select | Group) -> Dependencies:
+    """Return all that *query* may look at, be it there or not."""
     found = triple_patterns(query)
     return Dependencies(
         frozenset(iris(query)),
         any(_unnamed(found)),
         any(is_variable(path[0]) or "!" in path for _, path, _ in found),
     )
+
+
+def sweeps(select: str) -> str:
+    """Return what `Constraint.sweeps` says of the query *select*."""
+    found = dependencies(select)
+    return CLASSES * found.any_class + PROPERTIES * found.any_property
 
 
 def _unnamed(found: Collection[Pattern]) -> Iterable[bool]:
