@@ -10,7 +10,8 @@ from support.linting import book
 
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
-from kinlint.formats.xml.schema import TEXT, ElementType, Reference, Schema, schema
+from kinlint.formats.xml.element_types import ElementType, Reference, Schema
+from kinlint.formats.xml.schema import TEXT, schema
 from kinlint.rule import Rule
 from kinlint.rule_testing.rule_conformance import unmarked
 from kinlint.terms import iri_value

@@ -11,7 +11,8 @@ from functools import cache
 from kinlint import resources
 from kinlint.conversion.published import published_terms
 from kinlint.engine.lifting import Lifting, queries
-from kinlint.formats.xml.schema import ElementType, schema
+from kinlint.formats.xml.element_types import ElementType
+from kinlint.formats.xml.schema import schema
 from kinlint.sparql.variables import words
 from kinlint.terms import iri_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeAlias
 
 from kinlint.addresses import child_address, repeated_address, root_of
-from kinlint.formats.xml.schema import ANY, ElementType, Schema
+from kinlint.formats.xml.element_types import ANY, ElementType, Schema
 from kinlint.formats.xml.schema_diagnostics import Diagnostics
 from kinlint.formats.xml.value_reading import SPACE, Form, value_reader
 from kinlint.terms import XSD, Term, Triple, iri_value, literal
@@ -165,17 +165,24 @@ class Elements:
                 written = "".join((*texts.pop(number, ()), *pending)).strip(SPACE)
                 pending.clear()
                 self._text(number, node, type_, tag, written)
-            for each in type_.requires:
-                if each not in first:
-                    remarks.note(
-                        "MissingElement", number, None,
-                        tag=each, parentTag=tag, displayOnly=self._display_only(type_) or None,
-                    )  # fmt: skip
+            if type_.requires or type_.expects:
+                self._missing(number, type_, tag, first)
             if scopes and number in scopes:
                 remarks.leave_element(number)
             self.closed = number
 
         return end
+
+    def _missing(self, number: int, type_: ElementType, tag: str, first: Mapping[str, int]) -> None:
+        """Note the children that an element of *type_* lacks; *first* are the tags that it has."""
+        for each in (*type_.requires, *type_.expects):
+            if each not in first:
+                optional = each in type_.expects
+                self.remarks.note(
+                    "MissingElement", number, None,
+                    tag=each, parentTag=tag, displayOnly=self._display_only(type_) or None,
+                    optional=optional or None, default=type_.assumed.get(each),
+                )  # fmt: skip
 
     def _display_only(self, type_: ElementType) -> bool:
         """Tell whether an element of *type_* below the open ones only matters for display."""

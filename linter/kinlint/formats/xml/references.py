@@ -10,7 +10,8 @@ from kinlint.document import Document
 from kinlint.file_format import Format
 from kinlint.formats.records import FORMATS
 from kinlint.formats.source_layer import src
-from kinlint.formats.xml.schema import ElementType, Reference, Schema, schema
+from kinlint.formats.xml.element_types import ElementType, Reference, Schema
+from kinlint.formats.xml.schema import schema
 from kinlint.terms import Term, Triple, iri_value, is_literal, literal, literal_value
 
 ROOTS = {each.namespace: each.roots for each in FORMATS}

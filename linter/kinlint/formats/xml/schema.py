@@ -1,156 +1,24 @@
 """Schema of a format: its elements, their attributes and children.
 
-The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a process.
+The tables are Turtle files, `shapes/formats/*.ttl`; each is loaded once in a process. Where a file
+of elements is generated, the other one adds to it, and corrects it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cache
 
 from kinlint import resources
 from kinlint.file_format import Format
-from kinlint.formats.xml.value_reading import Form, ValueReader, value_reader
+from kinlint.formats.xml.element_types import ElementType, Lifetime, Reference, Schema, Slot
+from kinlint.formats.xml.value_reading import Form
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
 
 KINDS = ("text", "number", "integer", "boolean", "vectors")
 VECTOR = "vector"
 TEXT = iri(f"{SRC}text")
-Version = tuple[int, ...]
-
-
-@dataclass(eq=False, slots=True)
-class Slot:
-    """A place for a value: an attribute, or the text of an element."""
-
-    predicate: Term
-    reading: ValueReader
-    _stem: str
-    _components: list[Term] = field(default_factory=list)
-
-    @classmethod
-    def from_iri(cls, iri_: str, form: Form) -> Slot:
-        """Return the slot whose property is *iri_*."""
-        return cls(iri(iri_), value_reader(form), iri_)
-
-    def components(self, count: int) -> list[Term]:
-        """Return the properties of *count* components."""
-        known = self._components
-        while len(known) < count:
-            known.append(f"<{self._stem}-{len(known) + 1}>")
-        return known if len(known) == count else known[:count]
-
-
-@dataclass(frozen=True, slots=True)
-class Lifetime:
-    """The first version of a format that has something, and the last, as far as known."""
-
-    since: str | None = None
-    until: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """The value of an attribute or text of an element is the name of another element."""
-
-    predicate: Term
-    """The property, of `ref:`, that leads from the element to the one that is named."""
-    targets: tuple[tuple[str, str], ...]
-    """Possible targets, by the namespace of their format and their tag.
-
-    The first that exists counts, or else the last. Those of another format are in the file that
-    this one is joined to.
-    """
-    optional: bool
-    """True if the name stands for itself where there is no such element."""
-    required: bool
-    """True if the value must be there. Elsewhere, nothing is named by an empty one."""
-    inside: bool
-    """True if the name belongs to the scope of the element itself and not to the enclosing one."""
-
-
-@dataclass(eq=False, slots=True)
-class ElementType:
-    """Type of an element below certain others."""
-
-    tag: str
-    """Its tag; empty if any."""
-    predicate: Term
-    """Property from the parent to the element."""
-    attributes: dict[str, Slot] = field(default_factory=dict)
-    children: dict[str, ElementType] = field(default_factory=dict)
-    once: frozenset[str] = frozenset()
-    """Tags of children that may occur once."""
-    required: tuple[str, ...] = ()
-    """Attributes that must be given."""
-    requires: tuple[str, ...] = ()
-    """Tags of children that must occur."""
-    content: Slot | None = None
-    """Slot of its text, if the format defines one."""
-    choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    """Words that attributes can be, or its text ("")."""
-    references: dict[Term, Reference] = field(default_factory=dict)
-    """References by name, by property."""
-    files: frozenset[Term] = frozenset()
-    """Properties that name files."""
-    leads: dict[Term, ElementType] = field(default_factory=dict)
-    """Children with references below them, by their properties."""
-    scope: tuple[str, ...] = ()
-    """Tags of the elements that it knows by name."""
-    open: bool = False
-    """True if it takes any child and attribute."""
-    display_only: bool = False
-    """True if it and what is in it only matter for display."""
-    lifetime: Lifetime | None = None
-    lifetimes: dict[str, Lifetime] = field(default_factory=dict)
-    dated: bool = False
-    """True if not every version of the format has it, or one of its attributes."""
-    checked: bool = False
-    """True if its attributes need checks."""
-
-
-@dataclass(eq=False, slots=True)
-class Schema:
-    """Schema of a format."""
-
-    namespace: str
-    """Namespace of its elements."""
-    roots: dict[str, ElementType]
-    """Types of root elements, by tag."""
-    types: dict[str, list[ElementType]]
-    """All types with a tag."""
-    parents: dict[str, list[str]]
-    """Tags of the possible parents of a tag."""
-    names: str = ""
-    """Attribute by which elements have names."""
-    version: str | None = None
-    """Version of a file without one."""
-
-    @property
-    def flat(self) -> bool:
-        """Tell whether all names are known in the whole file."""
-        return all(each is self.roots.get(each.tag) for each in self._scopes)
-
-    @property
-    def kinds(self) -> frozenset[str]:
-        """The tags of what is known by name alone, where no other thing has it."""
-        return frozenset(tag for each in self._scopes for tag in each.scope)
-
-    @property
-    def _scopes(self) -> Iterator[ElementType]:
-        return (each for types in self.types.values() for each in types if each.scope)
-
-
-ANY = ElementType("", "", open=True)
-"""Type of elements that are not of the format itself, with everything below them."""
-
-
-def version(text: str) -> Version | None:
-    """Return the parts of a version number; None if *text* is none."""
-    parts = text.strip().split(".")
-    return tuple(int(part) for part in parts) if all(p.isdecimal() for p in parts) else None
 
 
 @cache
@@ -172,15 +40,15 @@ class _Tables:
 
         self.namespace = f"{KINLINT}{form}#"
         self.nodes: dict[str, dict[str, list[str]]] = {}
-        path = resources.data("shapes") / "formats" / f"{form}.ttl"
-        base = path.absolute().as_uri()
-        for quad in ox.parse(path=path, format=ox.RdfFormat.TURTLE, base_iri=base):
-            entries = self.nodes.setdefault(quad.subject.value, {})
-            name = quad.predicate.value.rpartition("#")[2]
-            entries.setdefault(name, []).append(quad.object.value)
-        self.infinite = any(
-            "true" in entries.get("infinite", ()) for entries in self.nodes.values()
-        )
+        folder = resources.data("shapes") / "formats"
+        for path in (folder / f"{form}-elements.ttl", folder / f"{form}.ttl"):
+            if not path.exists():
+                continue
+            base = path.absolute().as_uri()
+            for quad in ox.parse(path=path, format=ox.RdfFormat.TURTLE, base_iri=base):
+                entries = self.nodes.setdefault(quad.subject.value, {})
+                name = quad.predicate.value.rpartition("#")[2]
+                entries.setdefault(name, []).append(quad.object.value)
 
     def schema(self) -> Schema:
         """Return the schema, its types linked with each other."""
@@ -189,16 +57,21 @@ class _Tables:
         }
         roots: dict[str, ElementType] = {}
         types: dict[str, list[ElementType]] = {}
-        parents: dict[str, list[str]] = {}
+        parents: dict[str, list[ElementType]] = {}
         default, names = None, ""
         for node, type_ in found.items():
             entries = self.nodes[node]
             types.setdefault(type_.tag, []).append(type_)
             for child in (*entries.get("once", ()), *entries.get("many", ())):
                 type_.children[found[child].tag] = found[child]
-                parents.setdefault(found[child].tag, []).append(type_.tag)
-            type_.once = frozenset(found[child].tag for child in entries.get("once", ()))
-            type_.requires = tuple(found[child].tag for child in entries.get("requires", ()))
+                parents.setdefault(found[child].tag, []).append(type_)
+            once, many, requires, expects = (
+                dict.fromkeys(found[child].tag for child in entries.get(word, ()))
+                for word in ("once", "many", "requires", "expects")
+            )
+            type_.once = frozenset(once.keys() - many.keys())
+            type_.requires = tuple(requires)
+            type_.expects = tuple(each for each in expects if each not in requires)
             type_.references = dict(self._references(entries, type_))
             if f"{FMT}Root" in entries.get("type", ()):
                 roots[type_.tag] = type_
@@ -227,7 +100,7 @@ class _Tables:
 
     def _type(self, entries: dict[str, list[str]]) -> ElementType:
         tag = entries["tag"][0]
-        infinite = self.infinite
+        infinite = "true" in entries.get("infinite", ())
         kinds: dict[str, list[str]] = {}
         for kind, names in entries.items():
             if kind in KINDS or (kind.startswith(VECTOR) and kind[len(VECTOR) :].isdecimal()):
@@ -250,6 +123,7 @@ class _Tables:
             else None,
             files=frozenset(map(_place, entries.get("file", ()))),
             scope=tuple(each.rpartition("#")[2] for each in entries.get("scope", ())),
+            assumed=dict(each.split(" ", 1) for each in entries.get("assumes", ())),
             choices={name: tuple(words) for name, words in choices.items()},
             open="true" in entries.get("open", ()),
             display_only="true" in entries.get("displayOnly", ()),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kinlint.formats.source_layer import SourceLayer, src
-from kinlint.formats.xml.schema import ElementType, Lifetime, Schema, Slot, version
+from kinlint.formats.xml.element_types import ElementType, Lifetime, Schema, Slot, version
 from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.formats.xml.value_reading import UNEXPANDED
 from kinlint.suggestion import nearest
@@ -101,18 +101,20 @@ class Diagnostics:
             if prefix == "xacro":
                 self.note("Unexpanded", number, None, written=f"<{tag}>")
         elif not outer.open:
-            elsewhere = self.schema.parents.get(tag)
+            elsewhere = self.schema.homes(tag, outer)
+            listed = tag in outer.attributes or None
             if elsewhere:
                 self.note(
-                    "MisplacedElement", number, None,
-                    tag=tag, parentTag=outer.tag or None, elsewhere=_listed(elsewhere),
+                    "MisplacedElement", number, None, tag=tag, parentTag=outer.tag or None,
+                    elsewhere=_listed(elsewhere), isAttribute=listed,
                 )  # fmt: skip
             else:
                 free = [each for each in outer.children if each not in outer.once & first.keys()]
                 resembles = self._nearest(tag, free)
                 self.note(
                     "UndeclaredElement", number, None,
-                    tag=tag, parentTag=outer.tag or None, resembles=resembles,
+                    tag=tag, parentTag=outer.tag or None, isAttribute=listed,
+                    resembles=None if listed else resembles,
                 )  # fmt: skip
 
     def check_element(
@@ -230,7 +232,7 @@ def _span(places: ElementPlaces, kind: str, number: int, place: str | None) -> S
 
 def _listed(tags: Sequence[str]) -> str:
     """Return the first of *tags* in a phrase."""
-    *most, last = list(dict.fromkeys(tags))[:MOST_PLACES]
+    *most, last = tags[:MOST_PLACES]
     return f"{', '.join(most)} or {last}" if most else last
 
 

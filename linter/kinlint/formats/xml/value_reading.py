@@ -19,9 +19,10 @@ UNEXPANDED = re.compile(r"\$[{(]")
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?,?", re.ASCII)
-INTEGER = re.compile(r"[-+]?\d+", re.ASCII)
+INTEGER = re.compile(r"([-+]?\d+)(?:[uU]|\.0*)?", re.ASCII)
+"""A whole number, as C++ writes one without a sign, or with nothing behind the point."""
 HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]+")
-SPECIAL = {"inf": "INF", "+inf": "INF", "-inf": "-INF", "nan": "NaN", "+nan": "NaN", "-nan": "NaN"}
+INFINITE = {"inf": "INF", "+inf": "INF", "-inf": "-INF"}
 TRUTHS = {"true": "true", "false": "false", "1": "1", "0": "0"}
 SPACE = " \t\r\n"
 
@@ -85,13 +86,15 @@ class NumberReader(ValueReader):
             return f"decimal comma in {wrong}"
         if NUMBER.fullmatch(wrong):
             return f"{wrong} is too large for a double"
+        if wrong.lower() in INFINITE:
+            return f"{wrong} is not finite"
         return f"{wrong} is not a number"
 
     def _number(self, part: str) -> Term | None:
         if NUMBER.fullmatch(part) and isfinite(float(part)):
             return f'"{part}"^^<{XSD}double>'
-        if self.infinite and part.lower() in SPECIAL:
-            return f'"{SPECIAL[part.lower()]}"^^<{XSD}double>'
+        if self.infinite and part.lower() in INFINITE:
+            return f'"{INFINITE[part.lower()]}"^^<{XSD}double>'
         return None
 
 
@@ -105,7 +108,8 @@ class IntegerReader(ValueReader):
         part = written.strip(SPACE)
         if HEXADECIMAL.fullmatch(part):
             part = str(int(part, 16))
-        return f'"{part}"^^<{XSD}integer>' if INTEGER.fullmatch(part) else None
+        match = INTEGER.fullmatch(part)
+        return f'"{match[1]}"^^<{XSD}integer>' if match else None
 
 
 class BooleanReader(ValueReader):

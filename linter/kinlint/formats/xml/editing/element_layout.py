@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
+from kinlint.formats.xml.element_types import Schema
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
-from kinlint.formats.xml.schema import Schema
 from kinlint.formats.xml.span_lookup import WRITTEN, ElementPlaces, Tag
 from kinlint.formats.xml.value_reading import SPACE
 from kinlint.text import SourceText, Span

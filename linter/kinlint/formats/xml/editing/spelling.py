@@ -7,7 +7,7 @@ from math import isfinite
 
 from kinlint.edits import NotExpressible
 from kinlint.formats.xml.recovery import CONTROL, HIGHEST
-from kinlint.formats.xml.value_reading import HEXADECIMAL, NUMBER, SPECIAL
+from kinlint.formats.xml.value_reading import HEXADECIMAL, INFINITE, NUMBER
 from kinlint.terms import NUMERIC, XSD, Term, is_literal, literal_datatype, literal_value
 from kinlint.text import SourceText
 
@@ -32,7 +32,7 @@ def _token(word: str) -> float | str:
     if HEXADECIMAL.fullmatch(word):
         return float(int(word, 16))
     lower = word.lower()
-    return TRUTHS[lower] if lower in TRUTHS else SPECIAL.get(lower, word)
+    return TRUTHS[lower] if lower in TRUTHS else INFINITE.get(lower, word)
 
 
 def unescaped(raw: str) -> str:
