@@ -97,6 +97,8 @@ class Descriptions:
     """All kinds of elements, numbered."""
     places: dict[int, list[str]] = field(default_factory=lambda: defaultdict(list))
     """The paths at which elements of a kind stand."""
+    orders: dict[int, dict[str, int]] = field(default_factory=dict)
+    """The ranks of the children of a kind, by tag, as they are first described."""
 
     @cached_property
     def described(self) -> Mapping[str, Mapping[Version, Row]]:
@@ -153,6 +155,7 @@ class Descriptions:
         )
         number = self.kinds.setdefault(kind, len(self.kinds))
         self.places[number].append(path)
+        self.orders.setdefault(number, {each[0]: rank for rank, each in enumerate(children)})
         return number
 
     def lifetime(self, paths: Sequence[str]) -> Lifetime:
@@ -245,7 +248,8 @@ class Table:
         if kind.infinite:
             parts.append("fmt:infinite true")
         once, many, expects, assumes = [], [], [], []
-        for tag, several, default, child in kind.children:
+        order = self.all.orders[number]
+        for tag, several, default, child in sorted(kind.children, key=lambda each: order[each[0]]):
             term = f"sdf:{self._named(number, tag, child)}"
             (many if several else once).append(term)
             if default == NO_DEFAULT:

@@ -182,23 +182,30 @@ def _number(value: float) -> Term:
 
 def resolve_references(found: Iterable[NameUse], scopes: Scopes) -> Iterator[Triple]:
     """Yield what leads from the elements of the names *found* to what they name, if it is there."""
-    owners = dict(_owners(scopes))
+    owners = {element: (owner, inside) for element, owner, inside in _owners(scopes)}
     for each in found:
-        owner = owners.get(each.element)
-        if owner is None:
+        if each.element not in owners:
             continue
+        owner, inside = owners[each.element]
         name = literal_value(each.value).strip()
-        inside = each.reference.inside
+        inside = inside or each.reference.inside
         target = scopes.find_inside(name, owner) if inside else scopes.find(name, owner)
         if isinstance(target, SdfElement):
             yield each.element, each.reference.predicate, target.node
 
 
-def _owners(scopes: Scopes) -> Iterator[tuple[Term, SdfElement]]:
-    """Yield what is in a scope, and each element within it that is in none of its own."""
-    for owner in scopes.enclosing:
-        pending = [owner]
+def _owners(scopes: Scopes) -> Iterator[tuple[Term, SdfElement, bool]]:
+    """Yield each element with the nearest one that is in a scope, or has one.
+
+    Also whether names of the element belong to the scope of that one itself: those of an include.
+    """
+    for owner in dict.fromkeys((*scopes.own, *scopes.enclosing)):
+        pending = [(owner, owner not in scopes.enclosing)]
         while pending:
-            element = pending.pop()
-            yield element.node, owner
-            pending += [each for each in element.children if each not in scopes.enclosing]
+            element, inside = pending.pop()
+            yield element.node, owner, inside
+            pending += [
+                (each, inside or each.tag == "include")
+                for each in element.children
+                if each not in scopes.enclosing and each not in scopes.own
+            ]
