@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import unescape
 
 import pytest
 from data import locate_data
 
+from kinlint.addresses import document_of
 from kinlint.configuration.settings import Settings
 from kinlint.document import FROM, Document
 from kinlint.engine.lifting import lift
 from kinlint.engine.provenance import Provenance, Written
 from kinlint.engine.store import Store
+from kinlint.file_format import Format
+from kinlint.formats.dependencies.companions import find_companions, join_companions
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.records import BY_NAME, TREES
 from kinlint.formats.registry import decode, read
 from kinlint.terms import (
     NUMERIC,
@@ -24,42 +28,58 @@ from kinlint.terms import (
     literal_datatype,
     literal_value,
 )
+from kinlint.text import SourceText
 
 pytestmark = pytest.mark.corpus
 
-SUFFIXES = {
-    "urdf": (".urdf",),
-    "sdf": (".sdf", ".world"),
-    "xacro": (".xacro",),
-}
 CONSTANT = {"0", "1", "xyz"}
 """What queries state of their own: nothing, one of something, and the order of angles."""
 COMPOSED = ("parent-", "placed-")
 """How the properties begin that readers of SDF compose of several poses."""
 ATTRIBUTES = {
-    ("JointPositionLimit", "lower"): "lower",
-    ("JointPositionLimit", "upper"): "upper",
-    ("ActuatorForceLimit", "upper"): "effort",
-    ("ActuatorVelocityLimit", "upper"): "velocity",
-    ("ActuatorAccelerationLimit", "upper"): "acceleration",
-    ("JointCoupling", "multiplier"): "multiplier",
-    ("JointCoupling", "offset"): "offset",
-    ("MassScalar", "mass"): "value",
-    **{("MomentOfInertiaXYZ", name): name for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")},
-    **{("VectorXYZ", "xyz"[i]): f"xyz-{i + 1}" for i in range(3)},
-    **{("EulerAngles", name): f"rpy-{i}" for i, name in enumerate(("alpha", "beta", "gamma"), 1)},
-    **{("Quaternion", f"q{'xyzw'[i]}"): f"quat_xyzw-{i + 1}" for i in range(4)},
-    **{(kind, "radius"): "radius" for kind in ("Sphere", "Cylinder", "Capsule")},
-    **{(kind, "length"): "length" for kind in ("Cylinder", "Capsule")},
+    "urdf": {
+        ("JointPositionLimit", "lower"): "lower",
+        ("JointPositionLimit", "upper"): "upper",
+        ("ActuatorForceLimit", "upper"): "effort",
+        ("ActuatorVelocityLimit", "upper"): "velocity",
+        ("ActuatorAccelerationLimit", "upper"): "acceleration",
+        ("JointCoupling", "multiplier"): "multiplier",
+        ("JointCoupling", "offset"): "offset",
+        ("MassScalar", "mass"): "value",
+        **{
+            ("MomentOfInertiaXYZ", name): name
+            for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+        },
+        **{("VectorXYZ", "xyz"[i]): f"xyz-{i + 1}" for i in range(3)},
+        **{
+            ("EulerAngles", name): f"rpy-{i}"
+            for i, name in enumerate(("alpha", "beta", "gamma"), 1)
+        },
+        **{("Quaternion", f"q{'xyzw'[i]}"): f"quat_xyzw-{i + 1}" for i in range(4)},
+        **{(kind, "radius"): "radius" for kind in ("Sphere", "Cylinder", "Capsule")},
+        **{(kind, "length"): "length" for kind in ("Cylinder", "Capsule")},
+    },
+    "srdf": {("JointPosition", "value"): "value-1"},
 }
-"""The attributes of URDF that have the values of the properties of a class."""
+"""The attributes, by format, that have the values of the properties of a class."""
 
 
-def documents(form: str) -> Iterator[Document]:
-    """Yield the files of a format that can be read."""
-    folder = locate_data("robots", form)
-    for path in sorted(each for each in folder.rglob("*") if each.suffix in SUFFIXES[form]):
-        yield read(decode(str(path), path.read_bytes()), ReadOptions.from_settings(Settings()))
+def texts(form: Format) -> Iterator[SourceText]:
+    """Yield the files of a format."""
+    folder = locate_data("robots", form.name)
+    for path in sorted(each for each in folder.rglob("*") if each.suffix in form.suffixes):
+        yield decode(str(path), path.read_bytes())
+
+
+def models(form: Format) -> Iterator[tuple[Document, ...]]:
+    """Yield the files of a format, each with the one that it speaks of, if that is there."""
+    own = {each.name: each for each in texts(form)}
+    others = {} if form.speaks_of is None else {t.name: t for t in texts(BY_NAME[form.speaks_of])}
+    partner = find_companions([*own.values(), *others.values()]) if others else {}
+    for name, text in own.items():
+        files = (text, others[partner[name]]) if name in partner else (text,)
+        options = ReadOptions.from_settings(Settings())
+        yield tuple(join_companions([read(each, options) for each in files]))
 
 
 def local(term: Term) -> str:
@@ -86,13 +106,13 @@ def negative(value: Term) -> Term:
 
 
 class Lifted:
-    """What was lifted of one document."""
+    """What was lifted of the documents of a model; it is called by the name of the first."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, documents: Sequence[Document]) -> None:
         store = Store()
-        store.load([document])
+        store.load(documents)
         lift(store)
-        self.document, self.store, self.provenance = document, store, Provenance(store)
+        self.documents, self.store, self.provenance = documents, store, Provenance(store)
         self.triples: list[Triple] = list(store.lifted())
         self.types: dict[Term, set[str]] = {}
         for subject, predicate, value in self.triples:
@@ -107,7 +127,7 @@ class Lifted:
             if not is_literal(value):
                 continue
             trace = self.provenance.trace(triple)
-            where = f"{self.document.source.name}: {triple}"
+            where = f"{self.documents[0].source.name}: {triple}"
             if not trace.written:
                 self._is_left_out(triple, where)
             for each in trace.written:
@@ -117,7 +137,7 @@ class Lifted:
                 assert says(shown(written), value if trace.sign > 0 else negative(value)), where
                 key = (subject, *written.triple[:2])
                 assert taken.setdefault(key, predicate) == predicate, where
-                self._is_called_so(written.triple, subject, predicate, where)
+                self._is_called_so(written, subject, predicate, where)
 
     def _is_left_out(self, triple: Triple, where: str) -> None:
         """What is written nowhere is a constant of a query, and its element has a place.
@@ -133,21 +153,27 @@ class Lifted:
         )
         assert composed or literal_value(value) in CONSTANT, where
         for element in elements:
-            assert element in self.document.map.nodes, where
+            assert any(element in each.map.nodes for each in self.documents), where
 
-    def _is_called_so(self, written: Triple, subject: Term, predicate: Term, where: str) -> None:
-        """The attribute of URDF is that of the table."""
-        for kind in self.types.get(subject, ()) if self.document.format.lifted_as == "urdf" else ():
-            wanted = ATTRIBUTES.get((kind, local(predicate)))
-            assert wanted in (None, local(written[1])), where
+    def _is_called_so(self, written: Written, subject: Term, predicate: Term, where: str) -> None:
+        """The attribute is that of the table of its format."""
+        names = ATTRIBUTES.get(written.document.format.lifted_as, {})
+        for kind in self.types.get(subject, ()):
+            wanted = names.get((kind, local(predicate)))
+            assert wanted in (None, local(written.triple[1])), where
 
 
-@pytest.mark.parametrize("form", SUFFIXES)
-def test_the_text_at_the_place_of_a_lifted_value_is_that_value(form: str) -> None:
+@pytest.mark.parametrize("form", TREES, ids=lambda form: form.name)
+def test_the_text_at_the_place_of_a_lifted_value_is_that_value(form: Format) -> None:
     """Of each value of each public robot; what is worked out leads to numbers that are there."""
     count = 0
-    for document in documents(form):
-        lifted = Lifted(document)
+    for documents in models(form):
+        lifted = Lifted(documents)
         lifted.check()
-        count += len(lifted.triples)
-    assert count, f"nothing was lifted of any file of {form}"
+        count += sum(_of(documents[0], each) for each in lifted.triples)
+    assert count, f"nothing was lifted of any file of {form.name}"
+
+
+def _of(document: Document, triple: Triple) -> bool:
+    """Tell whether *triple* is about a node that is lifted from *document*."""
+    return document_of(triple[0]) == document.graph
