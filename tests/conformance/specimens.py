@@ -22,8 +22,12 @@ NOWHERE = "nobody"
 """The name that nothing in a specimen has."""
 BY_WORD = {("sdf", "world")}
 """What is referred to by a word of the format, whatever its name is."""
-OUTSIDE = {("sdf", "model", "pose"), ("sdf", "world", "pose")}
-"""Elements whose names are looked for around the element that they stand in."""
+OUTSIDE = {
+    ("sdf", "model", "pose"),
+    ("sdf", "world", "pose"),
+    ("sdf", "include", "placement_frame"),
+}
+"""Elements whose names are looked for around the element that they stand in, or in another file."""
 
 
 @cache

@@ -57,3 +57,16 @@ def losses(read_: Document, kind: str) -> list[dict[str, Any]]:
         place = read_.location(read_.map.nodes[node].best)
         found.append({**details, "text": place.source[place.span], "file": place.source.name})
     return found
+
+
+def gaps(read_: Document) -> list[dict[str, Any]]:
+    """What is said of each name that stands for nothing, with the text of the name."""
+    found = []
+    for element, property_, gap in read_.statements:
+        if property_ == iri(f"{SRC}dangling"):
+            said_ = {p[len(SRC) + 1 : -1]: o for s, p, o in read_.statements if s == gap}
+            place = read_.location(read_.map.triples[element, said_["property"], said_["written"]])
+            texts = {key: literal_value(o) for key, o in said_.items() if o.startswith('"')}
+            source = place.source
+            found.append({**said_, **texts, "text": source[place.span], "file": source.name})
+    return found

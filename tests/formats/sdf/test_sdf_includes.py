@@ -3,7 +3,7 @@
 import os
 
 import pytest
-from reading_sdf import file, losses, numbers, paths, said
+from reading_sdf import file, gaps, losses, numbers, paths, said
 
 from kinlint.formats.sdf import reader
 from kinlint.terms import is_literal, literal_value
@@ -68,7 +68,7 @@ def test_a_file_that_is_included_twice_is_two_models(folder):
     read = arm(folder, twice.format("a") + twice.format("b"), "b::palm")
     (body,) = paths(read, said(read, "/model/arm/joint/j", "childBody"))
     assert body == "/model/arm/include;2/sdf/model/hand/link/palm"
-    found = losses(read, "UndefinedName")
+    found = gaps(read)
     assert [loss["text"] for loss in found] == ["nowhere", "nowhere"]
     assert len({loss["node"] for loss in found}) == 2
     assert all(loss["file"].endswith("model.sdf") for loss in found)

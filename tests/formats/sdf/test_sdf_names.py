@@ -1,7 +1,7 @@
 """Names in SDF stand for what the scope says, and what they do not stand for is stated."""
 
 import pytest
-from reading_sdf import document, losses, model, paths, said
+from reading_sdf import document, gaps, losses, model, paths, said
 
 BODIES = '<link name="base"/><link name="tip"/>'
 
@@ -9,6 +9,7 @@ BODIES = '<link name="base"/><link name="tip"/>'
 VISUAL = (
     '<link name="l"><visual name="v"><pose relative_to="nowhere">0 0 0 0 0 0</pose></visual></link>'
 )
+INERTIAL = VISUAL.replace('visual name="v"', "inertial").replace("visual", "inertial")
 CIRCLE = """<frame name="f" attached_to="g"/><frame name="g" attached_to="h"/>
     <frame name="h" attached_to="f"/><frame name="i" attached_to="f"/>"""
 POSES = """<link name="l"><pose relative_to="f"/></link>
@@ -44,7 +45,7 @@ def test_a_joint_joins_the_link_that_a_frame_is_attached_to(name, body):
         + joint("base", name)
     )
     assert paths(read, said(read, "/model/arm/joint/j", "childBody")) == [body]
-    assert losses(read, "UndefinedName") == []
+    assert gaps(read) == []
 
 
 def test_the_model_itself_is_attached_to_its_canonical_link():
@@ -89,18 +90,15 @@ def test_a_name_of_an_older_version_may_have_the_delimiter_in_it():
             None,
         ),
         (joint("base", "tip", '<axis><mimic joint="k"/></axis>'), "joint", "k", None),
-        (
-            VISUAL,
-            "relative_to",
-            "nowhere",
-            None,
-        ),
+        (VISUAL, "relative_to", "nowhere", None),
+        (INERTIAL, "relative_to", "nowhere", None),
+        ('<frame name="f"><pose frame="tipp"/></frame>', "frame", "tipp", "tip"),
     ],
 )
 def test_a_name_that_stands_for_nothing_is_stated_where_it_is_written(
     text, role, written, resembles
 ):
-    (loss,) = losses(model(BODIES + text), "UndefinedName")
+    (loss,) = gaps(model(BODIES + text))
     assert (loss["role"], loss["written"], loss["text"]) == (role, written, written)
     assert loss.get("resembles") == resembles
 
@@ -109,7 +107,23 @@ def test_a_name_is_not_looked_for_outside_of_its_model():
     read = model(
         BODIES + '<model name="hand"><link name="palm"/>' + joint("tip", "palm") + "</model>"
     )
-    assert [loss["written"] for loss in losses(read, "UndefinedName")] == ["tip"]
+    assert [loss["written"] for loss in gaps(read)] == ["tip"]
+
+
+def test_a_pose_that_an_include_replaces_names_nothing(tmp_path):
+    """The frame that an include places is in its model, and that of its pose is beside it."""
+    hand = '<model name="hand"><pose relative_to="gone"/><link name="palm"/></model>'
+    (tmp_path / "hand.sdf").write_text(f'<sdf version="1.9">{hand}</sdf>', "utf-8")
+    include = "<include><uri>{}</uri><pose{}/><placement_frame>{}</placement_frame></include>"
+
+    def missing(attributes, frame):
+        text = include.format("hand.sdf", attributes, frame)
+        body = f'<sdf version="1.9"><model name="arm">{BODIES}{text}</model></sdf>'
+        return [gap["written"] for gap in gaps(document(body, str(tmp_path / "arm.sdf")))]
+
+    assert missing("", "palm") == []
+    assert missing(' relative_to="tip"', "tip") == ["tip"]
+    assert missing(' relative_to="palm"', "palm") == ["palm"]
 
 
 def test_names_in_a_file_that_is_not_read_are_taken_on_trust():
@@ -118,8 +132,8 @@ def test_names_in_a_file_that_is_not_read_are_taken_on_trust():
     named = model(BODIES + include.format("<name>hand</name>") + joint("base", "hand::palm"))
     unnamed = model(BODIES + include.format("") + joint("base", "anything::palm"))
     other = model(BODIES + include.format("<name>hand</name>") + joint("base", "arm2::palm"))
-    assert losses(named, "UndefinedName") == losses(unnamed, "UndefinedName") == []
-    assert len(losses(other, "UndefinedName")) == 1
+    assert gaps(named) == gaps(unnamed) == []
+    assert len(gaps(other)) == 1
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import ChainMap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import cast
 
@@ -11,6 +11,8 @@ from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.terms import Term, Triple, literal
 from kinlint.text import Span
+
+NO_TRIPLES: Mapping[Triple, Span | None] = {}
 
 
 class _Triples(Mapping[Triple, Span]):
@@ -38,12 +40,15 @@ class _Triples(Mapping[Triple, Span]):
 
 
 def with_statements(
-    document: Document, layer: SourceLayer, triples: Sequence[Triple] = ()
+    document: Document, layer: SourceLayer, triples: Mapping[Triple, Span | None] = NO_TRIPLES
 ) -> Document:
-    """Return *document* with the statements of *layer*, and *triples* that follow from its own."""
+    """Return *document* with the statements of *layer*, and *triples* that follow from its own.
+
+    Those without a place are where their subject is.
+    """
     if not layer.triples and not triples:
         return document
-    added: dict[Triple, Span | None] = {**dict.fromkeys(triples), **layer.triples}
+    added: dict[Triple, Span | None] = {**triples, **layer.triples}
     nodes = ChainMap(layer.nodes, cast("dict[Term, NodeSpans]", document.map.nodes))
     places = SourceMap(_Triples(document.map.triples, added, nodes), nodes)
     return replace(document, statements=[*document.statements, *added], map=places)

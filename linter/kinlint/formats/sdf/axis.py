@@ -31,7 +31,7 @@ def direction(frames: Frames, joint: SdfElement, axis: SdfElement) -> Vector | N
     name = xyz.attributes.get("expressed_in", "")
     if not name and not axis.truth("use_parent_model_frame") and not _old(joint):
         return x, y, z
-    seer = frames.find(name or MODEL, joint, xyz, "expressed_in")
+    seer = frames.find(name or MODEL, joint)
     seen = frames.pose_in_world(seer) if seer is not None else None
     place = frames.pose_in_world(joint)
     if seen is None or place is None:

@@ -13,60 +13,42 @@ from typing import TypeAlias
 from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, UnknownName
 from kinlint.formats.sdf.sdf_elements import SdfElement
-from kinlint.suggestion import nearest
 
 Found: TypeAlias = SdfElement | None
 """An element, or None for what is unknown."""
 
 
 @dataclass(frozen=True)
-class FrameProblem:
-    """Reference that leads nowhere."""
+class CircularReference:
+    """Frames that refer to each other in a circle."""
 
-    kind: str
     owner: SdfElement
+    """The first of them."""
     carrier: SdfElement
-    """Element with the reference."""
+    """The element with its reference."""
     role: str
     """Attribute or text of the reference."""
     written: str
     """The name."""
-    resembles: str | None = None
-    """Similar name in the scope."""
-    members: tuple[SdfElement, ...] = ()
-    """Other members of the cycle, if it is one."""
+    members: tuple[SdfElement, ...]
+    """The others."""
 
 
 @dataclass
 class Frames:
-    """The frames in *scopes*; `problems` are what was met on the way."""
+    """The frames in *scopes*."""
 
     scopes: Scopes
-    problems: list[FrameProblem] = field(default_factory=list)
+    circles: list[CircularReference] = field(default_factory=list)
+    """The circles that were met on the way."""
     _bases: dict[SdfElement, Found] = field(default_factory=dict)
     _bodies: dict[SdfElement, Found] = field(default_factory=dict)
     _places: dict[SdfElement, Transform | None] = field(default_factory=dict)
     _reported: set[tuple[SdfElement, str]] = field(default_factory=set)
 
-    def find(self, name: str, owner: SdfElement, carrier: SdfElement, role: str) -> Found:
+    def find(self, name: str, owner: SdfElement) -> Found:
         """Return the element that *owner* calls *name* in its scope."""
-        return self._checked(self.scopes.find(name, owner), name, owner, carrier, role)
-
-    def _checked(
-        self,
-        found: SdfElement | UnknownName,
-        name: str,
-        owner: SdfElement,
-        carrier: SdfElement,
-        role: str,
-    ) -> Found:
-        if isinstance(found, SdfElement):
-            return found
-        if found.certain and (carrier, role) not in self._reported:
-            self._reported.add((carrier, role))
-            near = nearest(name, found.known)
-            self.problems.append(FrameProblem("UndefinedName", owner, carrier, role, name, near))
-        return None
+        return _known(self.scopes.find(name, owner))
 
     # Poses
 
@@ -82,7 +64,7 @@ class Frames:
             attributes = pose.attributes if pose else {}
             name = attributes.get("relative_to") or attributes.get("frame", "")
             if pose is not None and name:
-                self._bases[element] = self.find(name, element, pose, "relative_to")
+                self._bases[element] = self.find(name, element)
             elif element.tag == "joint":
                 self._bases[element] = self.end(element, "child")
             elif element.tag == "frame" and element.attributes.get("attached_to"):
@@ -99,7 +81,7 @@ class Frames:
             return None
         if name == WORLD and name not in self.scopes.enclosing[joint].names:
             return self.scopes.outermost(joint)
-        return self.find(name, joint, end, tag)
+        return self.find(name, joint)
 
     def pose_in_world(self, element: SdfElement) -> Transform | None:
         """Return the pose of *element* in its world, if it can be computed."""
@@ -131,20 +113,19 @@ class Frames:
         inner = self._placed_by(element)
         return own if inner is None else composed(own, inverse(inner))
 
-    def _placement_frame(self, model: SdfElement) -> tuple[str, SdfElement]:
+    def _placement_frame(self, model: SdfElement) -> str:
         include = self.scopes.included.get(model)
         placement = include.first("placement_frame") if include else None
         if placement is not None:
-            return placement.text.strip(), placement
-        return model.attributes.get("placement_frame", ""), model
+            return placement.text.strip()
+        return model.attributes.get("placement_frame", "")
 
     def _placed_by(self, model: SdfElement) -> Transform | None:
         """Return the pose, in *model*, of the frame that the pose of *model* is meant to place."""
-        name, carrier = self._placement_frame(model)
+        name = self._placement_frame(model)
         if not name:
             return None
-        role = "placement_frame"
-        found = self._checked(self.scopes.find_inside(name, model), name, model, carrier, role)
+        found = _known(self.scopes.find_inside(name, model))
         at, pose, seen = found, IDENTITY, {model}
         while at is not None and at not in seen and at in self.scopes.enclosing:
             seen.add(at)
@@ -185,14 +166,13 @@ class Frames:
         return self._attached(element) if element.attributes.get("attached_to") else element.holder
 
     def _attached(self, frame: SdfElement) -> Found:
-        return self.find(frame.attributes["attached_to"], frame, frame, "attached_to")
+        return self.find(frame.attributes["attached_to"], frame)
 
     def canonical(self, model: SdfElement) -> Found:
         """Return the link, or the model, that the frame of *model* is attached to."""
         name = model.attributes.get("canonical_link", "")
         if name:
-            inside = self.scopes.find_inside(name, model)
-            return self._checked(inside, name, model, model, "canonical_link")
+            return _known(self.scopes.find_inside(name, model))
         scope = self.scopes.own[model]
         own = model.first("link")
         every = [own] if own else [*scope.names.values()]
@@ -214,10 +194,9 @@ class Frames:
             if reason is not None:
                 carrier, role, name = reason
                 others = tuple(other for other in order if other is not each)
-                problem = FrameProblem("CircularReference", each, carrier, role, name, None, others)
                 if (carrier, role) not in self._reported:
                     self._reported.add((carrier, role))
-                    self.problems.append(problem)
+                    self.circles.append(CircularReference(each, carrier, role, name, others))
                 return
 
     def _why_posed(self, element: SdfElement) -> tuple[SdfElement, str, str] | None:
@@ -234,6 +213,10 @@ class Frames:
             return element, "attached_to", element.attributes["attached_to"]
         child = element.first("child") if element.tag == "joint" else None
         return (child, "child", child.text.strip()) if child is not None else None
+
+
+def _known(found: SdfElement | UnknownName) -> Found:
+    return found if isinstance(found, SdfElement) else None
 
 
 def _from(first: SdfElement, path: Iterable[SdfElement]) -> list[SdfElement]:

@@ -44,7 +44,7 @@ def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[GearCoupling
     for box in boxes:
         body = box.first("gearbox_reference_body")
         name = body.text.strip() if body else ""
-        held = frames.find(name, box, body, "gearbox_reference_body") if body and name else None
+        held = frames.find(name, box) if name else None
         reference = frames.body(held) if held is not None else None
         parent, child = _ends(frames, box)
         leader = hinges.get(frozenset((reference, parent)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from kinlint.formats.dependencies.model_uri import MissingModel, locate
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.sdf.added_statements import value_span, with_statements
 from kinlint.formats.sdf.format import SDF
-from kinlint.formats.sdf.frames import FrameProblem
+from kinlint.formats.sdf.frames import CircularReference
 from kinlint.formats.sdf.included_statements import with_includes
 from kinlint.formats.sdf.resolution import resolve_names
 from kinlint.formats.sdf.sdf_elements import SdfElement, tree
@@ -50,8 +50,8 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     root = tree(whole.graph, whole.statements)
     if root is None:
         return whole
-    triples, problems = resolve_names(root, whole.statements)
-    return _with_names(whole, triples, problems)
+    triples, circles = resolve_names(root, whole.statements)
+    return _with_names(whole, triples, circles)
 
 
 @dataclass
@@ -130,22 +130,25 @@ def _includes(root: SdfElement) -> Iterator[SdfElement]:
 
 
 def _with_names(
-    document: Document, triples: Sequence[Triple], problems: Sequence[FrameProblem]
+    document: Document,
+    triples: Mapping[Triple, Triple | None],
+    circles: Sequence[CircularReference],
 ) -> Document:
     """Return *document* with what was derived from it."""
     layer = SourceLayer(document.graph, BlankNodes(f"{document.source.name}#names"))
-    for problem in problems:
-        carrier, role = problem.carrier.node, problem.role
+    for circle in circles:
+        carrier, role = circle.carrier.node, circle.role
         ways = (f"<{ATTRIBUTE}{role}>", src("text"), f"<{ATTRIBUTE}frame>")
         node = layer.add_node(
-            problem.kind,
-            value_span(document, carrier, ways, problem.written),
-            ("node", problem.owner.node),
+            "CircularReference",
+            value_span(document, carrier, ways, circle.written),
+            ("node", circle.owner.node),
             ("role", literal(role)),
-            ("written", literal(problem.written)),
-            ("resembles", literal(problem.resembles) if problem.resembles else None),
+            ("written", literal(circle.written)),
         )
-        layer.triples[carrier, src("undefined"), node] = layer.nodes[node].best
-        for member in problem.members:
+        for member in circle.members:
             layer.triples[node, src("member"), member.node] = layer.nodes[node].best
-    return with_statements(document, layer, triples)
+    written = document.map.triples
+    return with_statements(
+        document, layer, {each: written[of] if of else None for each, of in triples.items()}
+    )

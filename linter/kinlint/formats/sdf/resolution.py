@@ -7,19 +7,20 @@ gearbox couples, and references that lead nowhere.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
-from kinlint.formats.sdf.frames import FrameProblem, Frames, transform_of
+from kinlint.formats.sdf.frames import CircularReference, Frames, transform_of
 from kinlint.formats.sdf.gearbox import gears
+from kinlint.formats.sdf.name_references import References
 from kinlint.formats.sdf.rigid_transform import Transform, between, composed, rounded
-from kinlint.formats.sdf.scopes import FRAMES, Scopes
+from kinlint.formats.sdf.scopes import Scopes, known_by_name
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src
-from kinlint.formats.xml.references import NameUse, names
+from kinlint.formats.xml.references import names
 from kinlint.formats.xml.schema import schema
-from kinlint.terms import XSD, Term, Triple, literal, literal_value
+from kinlint.terms import XSD, Term, Triple, literal
 
 ENTITIES = ("model", "actor", "light")
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
@@ -27,16 +28,17 @@ COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 def resolve_names(
     root: SdfElement, statements: Sequence[Triple]
-) -> tuple[list[Triple], list[FrameProblem]]:
-    """Return the triples and the problems that follow from *root* and all elements below it.
+) -> tuple[dict[Triple, Triple | None], list[CircularReference]]:
+    """Return the triples and the circles that follow from *root* and all elements below it.
 
-    The *statements* of the document have the names by which elements refer to others.
+    The *statements* of the document have the names by which elements refer to others. A triple that
+    follows from one of them has that as its value.
     """
     scopes = Scopes.below(root)
     resolution = _Resolution(root, scopes, Frames(scopes))
-    leading = resolve_references(names(statements, schema(SDF.name)), scopes)
-    triples = [*dict.fromkeys((*resolution.statements(), *leading))]
-    return triples, resolution.frames.problems
+    leading = References(scopes).statements(names(statements, schema(SDF.name)))
+    worked_out = dict.fromkeys(resolution.statements())
+    return {**worked_out, **dict(leading)}, resolution.frames.circles
 
 
 class _Resolution:
@@ -130,11 +132,15 @@ class _Resolution:
     def _parts(self, element: SdfElement, body: SdfElement | None) -> Iterator[Triple]:
         """Yield the poses of what is in a link or a joint."""
         for part in element.children:
-            pose = part.first("pose") if part.tag not in (*FRAMES, "inertial") else None
+            pose = (
+                part.first("pose")
+                if part.tag not in (*known_by_name("model"), "inertial")
+                else None
+            )
             if pose is None:
                 continue
             name = pose.attributes.get("relative_to") or pose.attributes.get("frame", "")
-            seer = self.frames.find(name, element, pose, "relative_to") if name else element
+            seer = self.frames.find(name, element) if name else element
             seen, own = self.frames.pose_in_world(seer) if seer else None, transform_of(pose)
             if pose.numbers and seen is not None and own is not None:
                 yield from self._seen(part, body, seer, composed(seen, own))
@@ -161,7 +167,7 @@ class _Resolution:
             mimic = axis.first("mimic")
             leader = mimic.attributes.get("joint", "") if mimic else ""
             if mimic is not None and leader:
-                found = self.frames.find(leader, joint, mimic, "joint")
+                found = self.frames.find(leader, joint)
                 if found is not None:
                     yield mimic.node, src("leader"), found.node
 
@@ -178,34 +184,3 @@ def _pose(node: Term, body: str, pose: Transform) -> Iterator[Triple]:
 
 def _number(value: float) -> Term:
     return literal(repr(value), f"{XSD}double")
-
-
-def resolve_references(found: Iterable[NameUse], scopes: Scopes) -> Iterator[Triple]:
-    """Yield what leads from the elements of the names *found* to what they name, if it is there."""
-    owners = {element: (owner, inside) for element, owner, inside in _owners(scopes)}
-    for each in found:
-        if each.element not in owners:
-            continue
-        owner, inside = owners[each.element]
-        name = literal_value(each.value).strip()
-        inside = inside or each.reference.inside
-        target = scopes.find_inside(name, owner) if inside else scopes.find(name, owner)
-        if isinstance(target, SdfElement):
-            yield each.element, each.reference.predicate, target.node
-
-
-def _owners(scopes: Scopes) -> Iterator[tuple[Term, SdfElement, bool]]:
-    """Yield each element with the nearest one that is in a scope, or has one.
-
-    Also whether names of the element belong to the scope of that one itself: those of an include.
-    """
-    for owner in dict.fromkeys((*scopes.own, *scopes.enclosing)):
-        pending = [(owner, owner not in scopes.enclosing)]
-        while pending:
-            element, inside = pending.pop()
-            yield element.node, owner, inside
-            pending += [
-                (each, inside or each.tag == "include")
-                for each in element.children
-                if each not in scopes.enclosing and each not in scopes.own
-            ]

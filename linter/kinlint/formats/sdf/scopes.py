@@ -4,14 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 
+from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.sdf_elements import SdfElement
-
-FRAMES = ("link", "joint", "frame", "model")
-"""The elements whose names stand for frames."""
+from kinlint.formats.xml.schema import schema
 
 MODEL, WORLD = "__model__", "world"
 SEPARATOR = "::"
+
+
+@cache
+def known_by_name(tag: str) -> frozenset[str]:
+    """Return the tags of what others refer to by name in an element with *tag*.
+
+    A world is not among them: names that are not its own do not lead out of one.
+    """
+    types = [type_ for same in schema(SDF.name).types.values() for type_ in same]
+    named = {end for each in types for ref in each.references.values() for _, end in ref.targets}
+    scopes = (each.scope for each in types if each.tag == tag)
+    return frozenset(name for scope in scopes for name in scope if name in named - {WORLD})
 
 
 @dataclass(eq=False)
@@ -75,7 +87,7 @@ class Scopes:
     def _members(self, at: SdfElement, scope: SdfScope) -> Iterator[tuple[SdfElement, str, bool]]:
         """Yield the frames of *at*, what they are called, and whether they are merged into it."""
         for child in at.children:
-            if child.tag in FRAMES:
+            if child.tag in known_by_name(at.tag):
                 yield child, child.name, False
             elif child.tag == "include":
                 merged = child.attributes.get("merge", "").lower() in ("true", "1")
@@ -91,9 +103,13 @@ class Scopes:
     def find(self, name: str, user: SdfElement) -> SdfElement | UnknownName:
         """Return the element that *name* refers to where *user*, an element in a scope, uses it."""
         scope = self.enclosing[user]
+        return self.look_up(name, scope, user.holder or scope.element)
+
+    def look_up(self, name: str, scope: SdfScope, home: SdfElement) -> SdfElement | UnknownName:
+        """Return the element that *name* refers to in *scope*, to an element in *home*."""
         if name == WORLD and name not in scope.names and scope.element.tag != "model":
             return scope.element
-        return self._found(name, scope, user.holder or scope.element)
+        return self._found(name, scope, home)
 
     def outermost(self, user: SdfElement) -> SdfElement:
         """Return the world that *user* is in."""

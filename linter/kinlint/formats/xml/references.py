@@ -118,9 +118,14 @@ def resolve_references(
                 yield from ((gap, source) for gap in _dangling(each, tag, target))
 
 
+def gap_of(name: NameUse) -> Term:
+    """Return the node that stands for what *name* does not lead to."""
+    return f"{name.element[:-1]};{iri_value(name.reference.predicate).rpartition('#')[2]}>"
+
+
 def _dangling(name: NameUse, tag: str, target: Term) -> Iterator[Triple]:
     """Yield that there is no *target* with *tag*, which an element refers to by *name*."""
-    gap = f"{name.element[:-1]};{iri_value(name.reference.predicate).rpartition('#')[2]}>"
+    gap = gap_of(name)
     yield name.element, src("dangling"), gap
     yield gap, src("property"), name.place
     yield gap, src("written"), name.value
