@@ -64,7 +64,7 @@ class Constraint:
     needs: tuple[Term, ...] | None = None
     """The properties and classes that the query looks at, None for any."""
     sweeps: str = ""
-    """What the query matches without a name: `c` classes, `p` properties."""
+    """Kinds of terms that the query matches without a name: `c` classes, `p` properties."""
 
     def to_json(self) -> dict[str, Any]:
         """Return the constraint as JSON values; what has its default is left out."""
