@@ -122,6 +122,7 @@ def test_what_an_answer_depends_on_is_looked_at_again(runs, write, monkeypatch, 
     write("part.xacro", PART.format('<link name="l"/>'))
     write("x.xacro", XACRO.format("part.xacro"))
     write("y.xacro", XACRO.format("late.xacro"))
+    write("kinlint.toml", 'xacro-env = ["KINLINT_TEST_LINK"]')
     write(
         "e.xacro", f'<robot name="e" {XMLNS}><link name="$(optenv KINLINT_TEST_LINK no)"/></robot>'
     )

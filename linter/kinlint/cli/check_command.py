@@ -19,6 +19,7 @@ from kinlint.cli.lint_run import LintRun
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
+from kinlint.configuration.project_trust import untrusted_message
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
@@ -67,6 +68,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _warn(found)
         return _show_files(found) if options.show_files else _show_inherent(options, layers, found)
     settings = _settings(options, layers, found)
+    _tell(() if options.silent else map(untrusted_message, layers.untrusted(found.inputs)))
     project = layers.project_config(found.inputs)
     fail_on = project.fail_on or THRESHOLD
     outputs = destinations(options, project)

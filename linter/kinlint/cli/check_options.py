@@ -75,6 +75,7 @@ def _rules(made: Parser) -> None:
     add("--add-ignore", metavar="[=REASON]", help="write suppressions of all that is found")
     add("--rules", metavar="DIR", **TEXTS, help="add the rule files in DIR")
     add("--shapes", metavar="FILE", **TEXTS, help="add the SHACL shapes in FILE")
+    add("--trust", **FLAG, help="let the project's configuration add rules and shapes")
     add("--engine", type=one_of(ENGINES), metavar="|".join(ENGINES), help="what checks the rules")
     add("--no-cache", "-n", **FLAG, help="keep no reports, and recall none")
     add("--cache-dir", type=non_empty, metavar="DIR", help="where reports and rules are kept")

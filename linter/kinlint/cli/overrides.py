@@ -19,6 +19,7 @@ from kinlint.configuration.config_file import (
     per_file,
 )
 from kinlint.configuration.keys import KEYS, SEVERITIES
+from kinlint.configuration.project_trust import ProjectTrust
 from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import Glob, absolute
@@ -70,7 +71,8 @@ def configs(options: Namespace) -> Configs:
             near = "" if path.exists() else missing(path).removeprefix(NOTHING)
             raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE{near}")
         return Configs(fixed=load_config(path))
-    return Configs(fixed=Config("defaults") if options.isolated else None)
+    trust = ProjectTrust.from_user(os.environ, everything=options.trust)
+    return Configs(Config("defaults") if options.isolated else None, trust.restricted)
 
 
 def _is_key(text: str) -> bool:

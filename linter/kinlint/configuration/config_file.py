@@ -8,7 +8,7 @@ Relative paths and patterns start at the directory of the file that says them.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
@@ -48,7 +48,7 @@ class XacroArgument:
     glob: Glob | None = None
 
 
-ADDING = ("choices", "packages", "xacro_args")
+ADDING = ("choices", "packages", "untrusted", "xacro_args")
 """Keys whose values add up along `extend`, as lists do."""
 
 
@@ -84,6 +84,10 @@ class Config:
     """Directories of ROS packages by name; of equal names, the later counts."""
     xacro_args: tuple[XacroArgument, ...] = ()
     """Arguments of xacro files; of equal names, the later counts."""
+    xacro_env: tuple[str, ...] | None = None
+    """Environment variables that xacro files may ask for, besides those of ROS."""
+    untrusted: tuple[str, ...] = ()
+    """Fields that do not count, since the user does not trust the project."""
 
     def extended_by(self, above: Config) -> Config:
         """The two as one, *above* on top: lists that extend add up, the rest replaces.
@@ -138,6 +142,7 @@ def parse_config(
         home=None if source is None else root,
         packages=tuple(_table(said.get("packages", {}), root).items()),
         xacro_args=tuple(_arguments(said.get("xacro-args", {}), root)),
+        xacro_env=tuple(said["xacro-env"]) if "xacro-env" in said else None,
     )
 
 
@@ -231,6 +236,8 @@ class Configs:
     """
 
     fixed: Config | None = None
+    restrict: Callable[[Config], Config] = lambda config: config
+    """Returns what counts of the configuration of a project."""
     _nearest: dict[Path, Config | None] = field(default_factory=dict)
 
     def nearest(self, directory: Path) -> Config | None:
@@ -238,7 +245,7 @@ class Configs:
         if self.fixed is not None:
             return self.fixed
         if directory not in self._nearest:
-            found = _in(directory)
+            found = _in(directory, self.restrict)
             above = directory.parent
             self._nearest[directory] = found or (
                 None if above == directory else self.nearest(above)
@@ -246,11 +253,11 @@ class Configs:
         return self._nearest[directory]
 
 
-def _in(directory: Path) -> Config | None:
+def _in(directory: Path, restrict: Callable[[Config], Config]) -> Config | None:
     for name in NAMES:
         path = directory / name
         if path.is_file() and (said := read(path)) is not None:
-            return _extended(path, said, ())
+            return restrict(_extended(path, said, ()))
     return None
 
 

@@ -232,5 +232,11 @@ KEYS: Mapping[str, Key] = {
         "Arguments for xacro files: for all, or below a glob for those that it matches.",
         'xacro-args = { prefix = "left_", "right/*.xacro" = { prefix = "right_" } }',
     ),
+    "xacro-env": Key(
+        STRINGS,
+        "[]",
+        "Environment variables for $(env) and $(optenv), besides ROS_DISTRO and its kind.",
+        'xacro-env = ["ROBOT_MODEL"]',
+    ),
 }
 """All keys, in the order in which they are told."""

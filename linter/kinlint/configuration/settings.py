@@ -79,6 +79,8 @@ class FileSettings:
     """Directory in which other packages are searched for."""
     xacro_args: tuple[tuple[str, str], ...] = ()
     """Arguments for xacro; later ones win."""
+    xacro_env: tuple[str, ...] = ()
+    """Environment variables that xacro may see, besides those of ROS."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Collection, Hashable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -58,6 +58,10 @@ class ReadOptions:
         default=_no_arguments, compare=False
     )
     """Function that finds the arguments for the source of a name."""
+    xacro_variables_of: Callable[[str], Collection[str]] = field(
+        default=_no_arguments, compare=False
+    )
+    """Function that finds the environment variables that the source of a name may see."""
     overlay: Mapping[Path, SourceText] = field(default_factory=dict, repr=False, compare=False)
     """Texts that replace the content of included files, by their paths with all links followed."""
 
@@ -79,6 +83,7 @@ class ReadOptions:
             Contexts.bundled(settings.contexts, extra),
             packages_of=_packages_of(settings),
             xacro_arguments_of=lambda name: dict(settings.for_file(name).xacro_args),
+            xacro_variables_of=lambda name: settings.for_file(name).xacro_env,
         )
 
 

@@ -74,6 +74,11 @@ class Layers:
         """Return the name, for messages, of the configuration that governs *one*."""
         return self._home(one).origin
 
+    def untrusted(self, inputs: Iterable[Input]) -> list[Config]:
+        """Return the configurations of *inputs* of which a part does not count."""
+        found = {id(config): config for config in map(self._home, inputs)}
+        return [config for config in found.values() if config.untrusted]
+
     def settings(self, inputs: Sequence[Input], **given: Any) -> Settings:
         """The settings of a run over *inputs*; *given* are those that only options decide.
 
@@ -153,6 +158,7 @@ def _file(config: Config, path: Path) -> FileSettings:
             for one in config.xacro_args
             if one.glob is None or one.glob.covers(path)
         ),
+        xacro_env=config.xacro_env or (),
         urdf=next((urdf for glob, urdf in config.srdf or () if glob.covers(path)), None),
     )
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from kinlint.configuration.config_file import Config, Configs, load_config, parse_config
+from kinlint.configuration.project_trust import ProjectTrust
 from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import ConfigError, KinlintError
 from kinlint.files.pathglob import absolute
@@ -21,7 +23,7 @@ LISTS = {
 }
 """Settings that are keys of configuration files."""
 RUNS = ("onType", "onSave")
-KNOWN = (*LISTS, "configuration", "run", "unsafeFixes")
+KNOWN = (*LISTS, "configuration", "run", "trust", "unsafeFixes")
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,8 @@ class ClientSettings:
     """True if texts are analyzed when they are saved."""
     unsafe_fixes: bool = True
     """True if unsafe fixes are offered, too."""
+    trust: bool = False
+    """True if the configuration of every project may add rules and shapes."""
     problems: tuple[str, ...] = ()
     """Messages about settings that cannot be used."""
 
@@ -64,6 +68,7 @@ class ClientSettings:
             file=configuration if isinstance(configuration, str) and configuration else None,
             on_save=run == RUNS[1],
             unsafe_fixes=bool(settings.get("unsafeFixes", True)),
+            trust=bool(settings.get("trust", False)),
             problems=tuple(problems),
         )
 
@@ -81,7 +86,8 @@ class ClientSettings:
         exist.
         """
         if self.file is None:
-            return Configs()
+            trust = ProjectTrust.from_user(os.environ, everything=self.trust)
+            return Configs(restrict=trust.restricted)
         path = absolute(root / Path(self.file).expanduser())
         if not path.is_file():
             raise ConfigError(f"{ORIGIN}: configuration: '{self.file}' is not a file")

@@ -230,6 +230,7 @@ class Workspace:
                     project = WorkspaceFolder(directory, snapshot, self._cache, loose=apart)
                     self._projects[directory, apart] = project
                 yield from list(project.models(self._documents))
+                self._problems += project.untrusted()
             except KinlintError as error:
                 self._problems.append(str(error))
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinlint.configuration.project_trust import untrusted_message
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.pathname import shown
@@ -99,6 +100,10 @@ class WorkspaceFolder:
             settings = self._of(inputs)
             more = find_nearby(group, settings, documents.overlay)
             yield Model(_paths(inputs), tuple(group), settings, tuple(more))
+
+    def untrusted(self) -> list[str]:
+        """Return the messages about configurations of which a part does not count."""
+        return list(map(untrusted_message, self._layers.untrusted(self._found)))
 
     def _is_model(self, one: Input, source: SourceText) -> bool:
         assert one.path is not None

@@ -46,11 +46,6 @@ FAILURES = {
         "substitution '$(anon x)' has no value: '$(anon x)' is not a substitution that xacro knows",
         "main.xacro:2:13 $(anon x)",
     ),
-    "unset variable": (
-        ['<link name="$(env NO_SUCH_VARIABLE)"/>'],
-        "environment variable 'NO_SUCH_VARIABLE' is not known",
-        "main.xacro:2:13 $(env NO_SUCH_VARIABLE)",
-    ),
     "unknown macro": (["<xacro:arm/>"], "there is no macro 'arm'", "main.xacro:2:2 xacro:arm"),
     "unknown parameter": (
         [MACRO, f'<xacro:m a="1" c="2">{BLOCK}</xacro:m>'],

@@ -34,7 +34,10 @@ from kinlint.vocabulary import SRC
 JOINED_TO = iri(f"{SRC}joinedTo")
 LOSSES = frozenset(
     iri(f"{SRC}{name}")
-    for name in ("Unexpanded", "ExpansionFailure", "UnknownPackage", "UnknownArgument")
+    for name in (
+        *("Unexpanded", "ExpansionFailure"),
+        *("UnknownPackage", "UnknownArgument", "UnknownVariable"),
+    )
 )
 """Types of statements which imply that the robot may have parts that were not read."""
 UNREAD = frozenset({iri(f"{SRC}unread")})

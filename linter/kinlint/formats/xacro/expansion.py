@@ -75,6 +75,12 @@ class Fault:
     """The unknown name."""
 
 
+REDEFINED = "redefining global symbol: "
+WITHHELD = "environment variable: "
+NAMED = (REDEFINED, WITHHELD)
+"""Beginnings of remarks that end with a name: of a symbol of xacro itself, and of a variable."""
+
+
 @dataclass(frozen=True)
 class Remark:
     """Warning of xacro, at `span` of `source`."""
@@ -82,8 +88,10 @@ class Remark:
     message: str
     source: SourceText
     span: Span
-    symbol: str = ""
-    """Name of xacro's own that was redefined, if it is about that."""
+    kind: str = ""
+    """One of `NAMED` if the remark is about a name."""
+    name: str = ""
+    """The name."""
 
 
 @dataclass
@@ -166,6 +174,11 @@ def _place(
             return _at(local.get("node") or local["elt"], "name")
         if name == "reqd_attrs":
             return _at(local["tag"], None)
+    return last_place(watch, main)
+
+
+def last_place(watch: VisitRecord, main: SourceText) -> tuple[SourceText, Span]:
+    """Return the place of the attribute, text or element that xacro looked at last."""
     if watch.text is not None and watch.text.origin is not None:
         return watch.text.origin.source, watch.text.origin.stripped
     if watch.element is None:
@@ -179,7 +192,7 @@ def _at(element: Element, attribute: str | None) -> tuple[SourceText, Span]:
 
 def _endless(calls: list[Element], watch: VisitRecord, main: SourceText) -> Fault:
     if not calls:
-        source, span = _place([], watch, main)
+        source, span = last_place(watch, main)
         return Fault("definitions refer to each other without end", source, span)
     again = Counter(call.tagName for call in calls).most_common(1)[0][0]
     call = next(call for call in reversed(calls) if call.tagName == again)

@@ -8,7 +8,7 @@ expressions are walked instead of given to Python, and warnings are collected.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fnmatch import fnmatch
@@ -25,7 +25,16 @@ from kinlint.files.packages import Packages
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.formats.xacro import yaml_table
 from kinlint.formats.xacro.dom import Element, Text, VisitRecord
-from kinlint.formats.xacro.expansion import Expansion, Failure, Remark, expansion_fault
+from kinlint.formats.xacro.expansion import (
+    NAMED,
+    REDEFINED,
+    WITHHELD,
+    Expansion,
+    Failure,
+    Remark,
+    expansion_fault,
+    last_place,
+)
 from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits, Refused
 from kinlint.formats.xacro.expression import Members, evaluate
 from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize
@@ -39,7 +48,6 @@ from kinlint.text import SourceText
 
 INCLUDES = 40
 """Maximum depth of includes."""
-REDEFINED = "redefining global symbol: "
 _ONE_AT_A_TIME = Lock()
 
 
@@ -50,6 +58,8 @@ class Session:
     pieces: Pieces
     arguments: Mapping[str, str]
     packages: Packages
+    variables: Collection[str] = ()
+    """Environment variables that the files may ask for, besides those of ROS."""
     bounds: Limits = field(default_factory=Limits)
 
     def __post_init__(self) -> None:
@@ -66,6 +76,8 @@ class Session:
             lambda name: self.packages.find(name, self._directory()),
             self._directory,
             lambda expression, names: evaluate(expression, {**self._known, **names}, self.bounds),
+            self.variables,
+            lambda name: self._add_remark(WITHHELD + name),
         )
         self._texts = TextEvaluator(self.bounds, self._substitution.value)
         self._known = symbols(self.bounds, self._own())
@@ -235,9 +247,13 @@ class Session:
         if element is None:
             return
         message = " ".join(message.split())
-        symbol = message.removeprefix(REDEFINED) if message.startswith(REDEFINED) else ""
-        span = element.span_of("name" if symbol else None)
-        remark = Remark(message, element.origin.source, span, symbol)
+        kind = next((each for each in NAMED if message.startswith(each)), "")
+        name = message.removeprefix(kind) if kind else ""
+        source = element.origin.source
+        span = element.span_of("name" if kind == REDEFINED else None)
+        if kind == WITHHELD:
+            source, span = last_place(self._watch, self.pieces.main)
+        remark = Remark(message, source, span, kind, name)
         if remark not in self._remarks:
             self._remarks.append(remark)
 

@@ -17,7 +17,7 @@ from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xacro.definitions import state_definitions
 from kinlint.formats.xacro.expanded_text import write
-from kinlint.formats.xacro.expansion import MALFORMED, Expansion, Fault
+from kinlint.formats.xacro.expansion import MALFORMED, REDEFINED, WITHHELD, Expansion, Fault
 from kinlint.formats.xacro.expansion_session import Session
 from kinlint.formats.xacro.format import XACRO
 from kinlint.formats.xacro.included_files import Pieces
@@ -32,8 +32,14 @@ TRUE = literal("true", f"{XSD}boolean")
 UNKNOWN = {
     "argument": ("UnknownArgument", "argument"),
     "package": ("UnknownPackage", "package"),
+    "environment variable": ("UnknownVariable", "variable"),
 }
 """Type and property of the statement about a name that is not known here, by its kind."""
+REMARKS = {
+    REDEFINED: ("ShadowedSymbol", "symbol"),
+    WITHHELD: ("WithheldVariable", "variable"),
+}
+"""Type and property of the statement for a remark about a name, by its kind."""
 BODIES = frozenset({"link", "joint"})
 
 
@@ -44,7 +50,12 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     pieces = Pieces(source, absolute(source.name), options)
     packages = options.packages_of(source.name)
-    session = Session(pieces, options.xacro_arguments_of(source.name), packages)
+    session = Session(
+        pieces,
+        options.xacro_arguments_of(source.name),
+        packages,
+        options.xacro_variables_of(source.name),
+    )
     expansion = session.expand()
     layer = _layer(source, pieces, expansion)
     if expansion.fault is None and _is_robot(expansion.parsed):
@@ -96,9 +107,8 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
     if expansion.fault is not None:
         _state_fault(layer, expansion.fault, at)
     for remark in expansion.remarks:
-        kind, prop, value = "XacroRemark", "reason", remark.message
-        if remark.symbol:
-            kind, prop, value = "ShadowedSymbol", "symbol", remark.symbol
+        kind, prop = REMARKS.get(remark.kind, ("XacroRemark", "reason"))
+        value = remark.name if remark.kind else remark.message
         span = at(remark.source, remark.span)
         layer.add_node(kind, span, (prop, literal(value)), ("node", graph))
     state_definitions(layer, expansion.files, at)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, MutableMapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping, MutableMapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from kinlint.files.environment import variable
 from kinlint.formats.xacro.expansion_limits import Refused
+
+ROS_VARIABLES = frozenset({"ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION"})
+"""Environment variables that every file may ask for; none of them is private."""
 
 
 class UnknownSubstitution(Exception):
@@ -32,6 +35,10 @@ class Substitution:
     """Function that returns the directory of the current file."""
     evaluate: Callable[[str, Mapping[str, Any]], Any]
     """Function that returns the value of an expression."""
+    variables: Collection[str] = ()
+    """Environment variables that files may ask for, besides those of ROS."""
+    withheld: Callable[[str], None] = field(default=lambda _: None)
+    """Function that is told of a variable which is not given to a file."""
 
     def value(self, inside: str) -> str:
         """Return the text for `$(inside)`.
@@ -51,7 +58,7 @@ class Substitution:
                 f"'$({inside})' takes {expected or 'no'} argument{'s' * (not expected)}"
             )
         if command == "optenv":
-            return _variable(words[0], " ".join(words[1:]))
+            return self._variable(words[0], " ".join(words[1:]))
         simple: Mapping[str, Callable[..., str]] = {
             "cwd": lambda: str(Path.cwd()),
             "dirname": lambda: str(self.directory()),
@@ -75,25 +82,30 @@ class Substitution:
         return str(found)
 
     def _env(self, name: str) -> str:
-        found = variable(name)
+        found = variable(name) if self._may_see(name) else None
         if found is None:
             raise UnknownSubstitution("environment variable", name)
         return found
+
+    def _variable(self, name: str, default: str = "") -> str:
+        if not self._may_see(name):
+            self.withheld(name)
+            return default
+        found = variable(name)
+        return default if found is None else found
+
+    def _may_see(self, name: str) -> bool:
+        return name in ROS_VARIABLES or name in self.variables
 
     def _eval(self, expression: str) -> str:
         if "__" in expression:
             raise Refused("'__' in $(eval …)")
         names: dict[str, Any] = {name: _typed(value) for name, value in self.arguments.items()}
         names |= {"true": True, "false": False, "find": self._find, "env": self._env}
-        names["optenv"] = _variable
+        names["optenv"] = self._variable
         names["arg"] = lambda name: _typed(self.argument(name))
         names["dirname"] = lambda: str(self.directory())
         return str(self.evaluate(expression, names))
-
-
-def _variable(name: str, default: str = "") -> str:
-    found = variable(name)
-    return default if found is None else found
 
 
 def _typed(value: str) -> bool | float | str:

@@ -1,0 +1,85 @@
+"""Projects that the user trusts, and what others may not bring."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinlint.configuration.config_file import Configs
+from kinlint.configuration.project_trust import ProjectTrust, untrusted_message, user_file
+from kinlint.errors import ConfigError
+
+CONFIG = 'rules = ["rules"]\nshapes = ["s.ttl"]\nxacro-env = ["TOKEN"]\nignore = ["UNI"]\n'
+
+
+@pytest.fixture
+def project(tmp_path):
+    directory = tmp_path / "project"
+    directory.mkdir()
+    (directory / "kinlint.toml").write_text(CONFIG, "utf-8")
+    return directory
+
+
+@pytest.fixture
+def user(tmp_path, monkeypatch):
+    """Write the user's own configuration; its environment."""
+    environment = {"XDG_CONFIG_HOME": str(tmp_path / "config"), "APPDATA": str(tmp_path / "config")}
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setenv("HOME", str(tmp_path))
+
+    def write(text):
+        path = user_file(environment)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, "utf-8")
+        return environment
+
+    return write
+
+
+def nearest(directory, trust):
+    return Configs(restrict=trust.restricted).nearest(directory)
+
+
+def test_a_project_brings_no_rules_by_itself(project, user):
+    config = nearest(project, ProjectTrust.from_user(user("")))
+    assert (config.rules, config.shapes, config.xacro_env) == (None, None, None)
+    assert config.choices[0].ignore == ("UNI",)
+    said = untrusted_message(config)
+    assert "rules and shapes and xacro-env left out" in said
+    assert "--trust" in said
+
+
+@pytest.mark.parametrize("trusted", [".", "..", "../../project"])
+def test_the_user_may_trust_directories(project, user, trusted):
+    """Relative ones are relative to the user's configuration."""
+    text = (
+        f"trusted = ['{(project / trusted).resolve()}']"
+        if trusted != "../../project"
+        else ("trusted = ['../../project']")
+    )
+    config = nearest(project, ProjectTrust.from_user(user(text)))
+    assert config.rules == (project / "rules",)
+    assert config.xacro_env == ("TOKEN",)
+    assert config.untrusted == ()
+
+
+def test_the_home_directory_may_be_named(project, user):
+    config = nearest(project, ProjectTrust.from_user(user("trusted = ['~/project']")))
+    assert config.untrusted == ()
+
+
+def test_a_directory_beside_is_not_trusted(project, user):
+    text = f"trusted = ['{project}-other']"
+    assert nearest(project, ProjectTrust.from_user(user(text))).untrusted
+
+
+def test_everything_may_be_trusted_for_one_run(project, user):
+    config = nearest(project, ProjectTrust.from_user(user(""), everything=True))
+    assert config.shapes == (project / "s.ttl",)
+
+
+@pytest.mark.parametrize("text", ["trusted = 1", "trusted = [1]", "rules = []", "trusted = ["])
+def test_a_wrong_user_configuration_is_an_error(user, text):
+    environment = user(text)
+    with pytest.raises(ConfigError, match=r"config\.toml"):
+        ProjectTrust.from_user(environment)
