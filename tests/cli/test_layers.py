@@ -28,7 +28,7 @@ def test_what_concerns_the_graph_comes_from_the_project(kinlint, pipeline, write
     write("leg/a.jsonld")
     write("r/x.ttl", "")
 
-    assert kinlint()[0] == 0
+    assert kinlint("--trust")[0] == 0
     assert pipeline.settings.contexts == "59e0b06"
     assert pipeline.settings.partial
     assert [path.name for path in pipeline.settings.rules] == ["r"]
@@ -70,7 +70,7 @@ def test_what_configurations_add_holds_for_all_files(kinlint, pipeline, write):
         write(f"{folder}/shape.ttl", "")
         write(f"{folder}/a.jsonld")
 
-    assert kinlint()[0] == 0
+    assert kinlint("--trust")[0] == 0
     assert [path.parent.name for path in pipeline.settings.shapes] == ["arm", "leg"]
     assert [*pipeline.settings.extra_contexts] == [
         "https://example.org/arm.json",
@@ -128,7 +128,7 @@ def test_rules_and_shapes_of_the_command_line_are_added(kinlint, pipeline, write
     write("arm.jsonld")
     for name in ("r", "more", "most"):
         write(f"{name}/a.ttl", "")
-    kinlint("--rules", "more", "--rules", "most")
+    kinlint("--trust", "--rules", "more", "--rules", "most")
 
     assert [path.name for path in pipeline.settings.rules] == ["r", "more", "most"]
 
