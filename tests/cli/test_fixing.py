@@ -176,3 +176,39 @@ def test_why_a_repair_is_not_offered_is_told_if_asked(kinlint, here):
 
     assert code == 1
     assert "LIM001 at arm.urdf.xacro:7:19 has no fix 'Swap the two limits': " in err
+
+
+CIRCLE = """
+@prefix at: <https://w3id.org/kinlint/attribute#> .
+@prefix dash: <http://datashapes.org/dash#> .
+@prefix kl: <https://w3id.org/kinlint/ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix rule: <https://w3id.org/kinlint/rules/> .
+@prefix sh: <http://www.w3.org/ns/shacl#> .
+@prefix urdf: <https://w3id.org/kinlint/urdf#> .
+
+rule:circle-{number} a kl:Rule, sh:NodeShape ;
+    kl:code "TST00{number}" ; rdfs:label "effort of {value}" ; rdfs:comment "A test." ;
+    sh:severity sh:Warning ; sh:targetObjectsOf urdf:limit ;
+    sh:sparql [ sh:message "Effort of {value}." ; sh:prefixes kl:prefixes ; sh:select '''
+        SELECT $this (at:effort AS ?path) ?value {{
+            $this at:effort ?value FILTER (?value = {value}) }}''' ] ;
+    dash:suggestionGenerator [ a dash:SPARQLUpdateSuggestionGenerator ;
+        rdfs:label "Write {other}" ; kl:applicability kl:unsafe ; sh:prefixes kl:prefixes ;
+        rdfs:comment "It is a guess." ; sh:update '''DELETE {{ $this at:effort ?value }}
+        INSERT {{ $this at:effort {other} }} WHERE {{ $this at:effort ?value }}''' ] .
+"""
+
+
+def test_fixes_that_undo_each_other_are_not_made(kinlint, arm, here):
+    """By two rules of the user; one line says which."""
+    for number, value, other in ((1, "10.0", "20.0"), (2, "20.0", "10.0")):
+        rule = CIRCLE.format(number=number, value=value, other=other)
+        (here / f"circle-{number}.ttl").write_text(rule, "utf-8")
+    rules = ("--rules", "circle-1.ttl", "--rules", "circle-2.ttl", "--select", "TST")
+    code, _, err = kinlint("arm.urdf", "--fix", "--unsafe-fixes", *rules)
+
+    assert (code, arm.read_bytes()) == (1, ARM.encode())
+    assert err == (
+        "kinlint: warning: fixes of TST001 and TST002 undo or feed each other; they were not made\n"
+    )

@@ -1,9 +1,8 @@
 """What is offered for a finding, and how far it may be trusted."""
 
 import pytest
-from mending import book, mend, offered, outcome, repair
+from mending import book, mend, offered, repair
 
-from kinlint.fixes.rounds import ROUNDS
 from kinlint.formats import incremental_reader
 from kinlint.formats.registry import read
 from kinlint.rule import Applicability
@@ -259,59 +258,6 @@ def test_the_title_for_several_places_speaks_of_the_first(rules):
 
     assert [fix.title for fix in finding.fixes] == ["Call 'left' a link"]
     assert mend(grouped, WHEELS)[0].count("_link") == 2
-
-
-def replaced(test, old, new):
-    """A rule that lower limits pass unless *test*, whose fix puts *new* in their place."""
-    return {
-        "target": "sh:targetObjectsOf urdf:limit",
-        "select": f"SELECT $this (at:lower AS ?path) ?value {{ $this at:lower ?value {test} }}",
-        "repairs": [
-            repair(
-                f"DELETE {{ $this at:lower {old} }} INSERT {{ $this at:lower ?new }} "
-                f"WHERE {{ $this at:lower ?value BIND ({new} AS ?new) }}",
-                claim="unsafe",
-            )
-        ],
-    }
-
-
-@pytest.mark.parametrize("lower", ["2.6", "1", "-1", "3.0"])
-def test_fixes_that_undo_each_other_come_to_rest(rules, lower):
-    """Whoever fixes again gets the same text, and is told which rules are at odds."""
-    odds = rules(
-        replaced("FILTER (?value > 0)", "?value", "-1e0"),
-        replaced("FILTER (?value < 0)", "?value", "1e0"),
-    )
-    once = outcome(odds, ARM.replace("2.60", lower))
-    twice = outcome(odds, once.texts[0].text)
-
-    assert (twice.changed, twice.report.fixed) == ([], ())
-    assert once.restless == twice.restless == ["TST001", "TST002"]
-    assert len(once.report.fixed) == len(once.changed)
-
-
-def test_fixes_without_an_end_are_stopped(rules):
-    """And so are those that always leave something to fix."""
-    growing = rules(
-        replaced("FILTER (?value < 1e6 && FLOOR(?value / 2) * 2 = ?value)", "?value", "?value + 1"),
-        replaced("FILTER (FLOOR(?value / 2) * 2 != ?value)", "?value", "?value + 1"),
-    )
-    made = outcome(growing, ARM.replace("2.60", "2"))
-
-    assert made.restless
-    assert len(made.report.fixed) == ROUNDS
-
-
-def test_fixes_that_come_to_an_end_are_at_odds_with_nothing(rules):
-    """One fix, and one that follows from it."""
-    following = rules(
-        replaced("FILTER (?value > 2)", "?value", "0.5"),
-        replaced("FILTER (?value = 0.5)", "?value", "0.25"),
-    )
-    made = outcome(following, ARM)
-
-    assert (made.restless, len(made.report.fixed)) == ([], 2)
 
 
 def test_no_text_is_read_again_that_was_read_just_now(rules, monkeypatch):

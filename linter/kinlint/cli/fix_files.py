@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -29,7 +29,6 @@ __all__ = [
     "fix_in_rounds",
     "least_applicability",
     "print_diffs",
-    "unsettled",
     "write_fixes",
     "write_streamed",
 ]
@@ -72,12 +71,6 @@ def write_fixes(outcome: RoundsResult, inputs: Iterable[Input], done: str = "fix
     report = outcome.report
     kept = tuple(one for one in report.fixed if failed.keys().isdisjoint(_files(one)))
     return replace(report, errors=(*report.errors, *errors), fixed=kept)
-
-
-def unsettled(codes: Sequence[str]) -> str:
-    """Return the warning about rules, by their *codes*, whose fixes undo each other."""
-    names = " and ".join(filter(None, (", ".join(codes[:-1]), codes[-1])))
-    return f"fixes of {names} undo each other or find no end, and not all of them were made"
 
 
 def _cause(error: Exception) -> str:

@@ -101,7 +101,9 @@ class LintRun:
             wanted or fix_files.accept_all,
         )
         if outcome.restless and not options.silent:
-            sys.stderr.write(f"kinlint: warning: {fix_files.unsettled(outcome.restless)}\n")
+            from kinlint.fixes.fix_circles import circle_warning  # noqa: PLC0415  most runs rest
+
+            sys.stderr.write(f"kinlint: warning: {circle_warning(outcome.restless)}\n")
         if options.diff:
             fix_files.print_diffs(outcome.changed, options.color)
             return outcome.report

@@ -9,6 +9,7 @@ from pathlib import Path
 from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
+from kinlint.fixes.fix_circles import BARRED, FixCircles
 from kinlint.fixes.generator import Candidate, Generator, Refusal
 from kinlint.fixes.sparql_update import render_update
 from kinlint.fixes.texts import Texts
@@ -74,27 +75,30 @@ class Offers:
         return replace(report, findings=tuple(findings), unfixed=unfixed)
 
 
-def offer_fixes(
+def offer_fixes(  # noqa: PLR0913, PLR0917
     generator: Generator,
     analyzer: Analyzer,
     least: Applicability = Applicability.DISPLAY,
     wanted: Sieve = accept_all,
     phases: Phases | None = None,
+    circles: FixCircles | None = None,
 ) -> Offers:
     """Return which candidates of *generator* hold when they are tried by *analyzer*.
 
     That is the one of its examination, whose store then says what the texts tried last say.
     Candidates that the settings trust less than *least* are not tried, nor are those for findings
-    that are not *wanted*. The time of the trials is added to *phases*.
+    that are not *wanted*, nor those that *circles* bar. The time of trials is added to *phases*.
     """
     found = generator.candidates(wanted(generator.examination.report.findings), least)
+    barred = dict.fromkeys(each for each in found if circles is not None and circles.bars(each))
+    found = [each for each in found if each not in barred]
     groups = _groups(found, generator) if found else []
 
     def again(tried: Texts) -> Examination:
         return examine_with_fixes(tried, (), analyzer, phases, brief=True)
 
     verdicts = try_candidates(groups, generator, again) if groups else {}
-    refused = [*generator.refused]
+    refused = [*generator.refused, *((each.finding, each.repair, BARRED) for each in barred)]
     refused += [
         (each.finding, each.repair, verdict.why)
         for each, verdict in verdicts.items()

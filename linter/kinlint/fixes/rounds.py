@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeAlias
 
@@ -11,13 +11,14 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
+from kinlint.fixes.fix_circles import FixCircles, Round
 from kinlint.fixes.fix_generator import FixGenerator
-from kinlint.fixes.generator import Candidate, MakeGenerator
+from kinlint.fixes.generator import Candidate, Generator, MakeGenerator
 from kinlint.fixes.offers import Offers, Sieve, accept_all, examine_with_fixes, offer_fixes
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group
 from kinlint.phases import Phases
-from kinlint.pipeline.analyzer import NOTHING, Analyzer
+from kinlint.pipeline.analyzer import NOTHING, Analyzer, Examination
 from kinlint.report import Report
 from kinlint.rule import Applicability
 from kinlint.text import SourceText
@@ -38,7 +39,7 @@ class RoundsResult:
     changed: Sequence[tuple[SourceText, SourceText]]
     """The texts that changed, before and after; these may be such that others include."""
     restless: Sequence[str]
-    """The rules, by their codes, whose fixes undo each other or find no end."""
+    """The rules, by their codes, whose fixes undo or feed each other, and are not made."""
     left: Offers
     """The trial of what is left."""
 
@@ -75,67 +76,105 @@ def fix_in_rounds(  # noqa: PLR0913, PLR0917
 
     Of several fixes of a finding the first that may be trusted is made. What the sources include
     is fixed, too, but not what those do that are *streamed*; those called one of *kept* stay as
-    they are. Fixes that lead back to texts as they were before are not made, nor those of findings
-    that are not *wanted*.
+    they are. Fixes that undo or feed each other are not made, nor those of findings that are not
+    *wanted*.
     """
-    texts, fixed = Texts(sources, streamed, kept, overlay), list[Finding]()
-    originals: dict[Path, SourceText] = {}
-    reached: dict[State, tuple[Texts, int]] = {frozenset(): (texts, 0)}
-    restless: Sequence[Finding] = ()
-    spent, analyzer = phases or Phases(), Analyzer(settings, rulebook, trying=True)
-    examination = examine_with_fixes(texts, errors, analyzer, spent)
-    for _ in range(ROUNDS):
-        with spent.phase("fixing"):
-            made = generator(examination, texts, settings, rulebook)
-            found = offer_fixes(made, analyzer, least, wanted)
-        chosen = list(_chosen(found, least))
-        if not chosen:
-            restless = ()
-            break
-        changes = [change for batch in chosen for change in made.combined(batch)]
-        for each in changes:
-            originals = {**each.sources, **originals}
-        texts = texts.rewritten(changes)
-        before = len(fixed)
-        fixed += [
-            replace(each.finding, fixes=(fix,))
-            for batch in chosen
-            for each in batch
-            if (fix := found.fix(each))
-        ]
-        state = _state(texts, originals)
-        if state in reached:
-            texts, count = reached[state]
-            fixed, restless = fixed[:count], fixed[count:]
-            examination = examine_with_fixes(texts, errors, analyzer, spent)
-            break
-        reached[state] = texts, len(fixed)
-        restless = fixed[before:]
-        examination = examine_with_fixes(texts, errors, analyzer, spent)
-    with spent.phase("fixing"):
-        made = generator(examination, texts, settings, rulebook)
-        left = offer_fixes(made, analyzer, wanted=wanted)
-    if not any(fix.applicability >= least for one in left.report.findings for fix in one.fixes):
-        restless = ()
-    given = set(map(texts.path, sources))
-    pairs = [*zip(sources, texts.given, strict=True)]
-    others = originals.keys() - given
-    pairs += [(originals[path], text) for path, text in texts.changed.items() if path in others]
+    start = Texts(sources, streamed, kept, overlay)
+    spent, circles = phases or Phases(), FixCircles()
+    analyzer = Analyzer(settings, rulebook, trying=True)
+
+    def made(examination: Examination, texts: Texts) -> Generator:
+        return generator(examination, texts, settings, rulebook)
+
+    rounds = Rounds(start, errors, analyzer, made, least, wanted, circles, spent)
+    while not rounds.come_to_rest():
+        rounds = replace(rounds)
+    report = replace(rounds.left.report, fixed=tuple(rounds.fixed))
     return RoundsResult(
-        replace(left.report, fixed=tuple(fixed)),
-        texts.given,
-        [(before, after) for before, after in pairs if before.text != after.text],
-        sorted({one.rule.code for one in restless}),
-        left,
+        report, rounds.texts.given, rounds.changed(), sorted(circles.codes), rounds.left
     )
 
 
-def _state(texts: Texts, originals: Mapping[Path, SourceText]) -> State:
-    return frozenset(
-        (path, source.text)
-        for path, source in texts.changed.items()
-        if path in originals and source.text != originals[path].text
-    )
+@dataclass
+class Rounds:
+    """Rounds of changes, from texts as they are at the *start* until nothing is left to change."""
+
+    start: Texts
+    errors: Sequence[SourceError]
+    analyzer: Analyzer
+    generator: Callable[[Examination, Texts], Generator]
+    least: Applicability
+    wanted: Sieve
+    circles: FixCircles
+    """The fixes that are not to be made, as they undo or feed each other."""
+    phases: Phases
+    texts: Texts = field(init=False)
+    """The texts after the rounds so far."""
+    fixed: list[Finding] = field(init=False)
+    """The findings that were fixed, each with its fix."""
+    left: Offers = field(init=False)
+    """The trial of what is left."""
+
+    def __post_init__(self) -> None:
+        self.texts, self.fixed = self.start, []
+        self._made: list[Round] = []
+        self._originals: dict[Path, SourceText] = {}
+
+    def come_to_rest(self) -> bool:
+        """Make rounds until nothing is left to change; False once *circles* has learned why not."""
+        reached = [self._state()]
+        for _ in range(ROUNDS):
+            if not self._turn():
+                break
+            state = self._state()
+            if state in reached:
+                self.circles.learn_cycle(self._made[reached.index(state) :])
+                return False
+            reached.append(state)
+        self.left = self._offers(Applicability.DISPLAY)
+        fixable = any(one.fix(self.least) for one in self.left.report.findings)
+        if len(self._made) < ROUNDS or not fixable:
+            return True
+        self.circles.learn_growth(self._made)
+        return False
+
+    def _turn(self) -> bool:
+        """Make what may be made at once; tell whether that was anything."""
+        found = self._offers(self.least)
+        chosen = list(_chosen(found, self.least))
+        changes = [change for batch in chosen for change in found.generator.combined(batch)]
+        for each in changes:
+            self._originals = {**each.sources, **self._originals}
+        self.texts = self.texts.rewritten(changes)
+        made = [(each, fix) for batch in chosen for each in batch if (fix := found.fix(each))]
+        self.fixed += [replace(each.finding, fixes=(fix,)) for each, fix in made]
+        self._made += [[each for each, _ in made]] if chosen else []
+        return bool(chosen)
+
+    def _offers(self, least: Applicability) -> Offers:
+        examination = examine_with_fixes(self.texts, self.errors, self.analyzer, self.phases)
+        with self.phases.phase("fixing"):
+            made = self.generator(examination, self.texts)
+            return offer_fixes(made, self.analyzer, least, self.wanted, circles=self.circles)
+
+    def _state(self) -> State:
+        return frozenset(
+            (path, source.text)
+            for path, source in self.texts.changed.items()
+            if path in self._originals and source.text != self._originals[path].text
+        )
+
+    def changed(self) -> Sequence[tuple[SourceText, SourceText]]:
+        """Return the texts that changed, before and after, with such as others include."""
+        given = set(map(self.texts.path, self.start.given))
+        pairs = [*zip(self.start.given, self.texts.given, strict=True)]
+        others = self._originals.keys() - given
+        pairs += [
+            (self._originals[path], text)
+            for path, text in self.texts.changed.items()
+            if path in others
+        ]
+        return [(before, after) for before, after in pairs if before.text != after.text]
 
 
 def _chosen(found: Offers, least: Applicability) -> Iterator[Sequence[Candidate]]:

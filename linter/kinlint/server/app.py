@@ -146,6 +146,12 @@ class KinlintServer(LanguageServer):
         """Write *message* into the log of the client."""
         self.window_log_message(types.LogMessageParams(kind, message))
 
+    def warn(self, message: str) -> None:
+        """Show *message* to the user."""
+        self.window_show_message(
+            types.ShowMessageParams(types.MessageType.Warning, f"kinlint: {message}")
+        )
+
     def _complain(self, problem: str) -> None:
         """Show *problem* to the user, once."""
         if problem not in self._said:

@@ -9,6 +9,7 @@ from lsprotocol import types
 
 from kinlint.edits import NotExpressible
 from kinlint.finding import Finding
+from kinlint.fixes.fix_circles import circle_warning
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
 from kinlint.rule import Applicability
 from kinlint.server.app import KinlintServer
@@ -51,16 +52,21 @@ async def fix_all(server: KinlintServer, action: types.CodeAction) -> types.Code
     """Return *action* with the edit that makes all safe fixes of its file, if there are any."""
     uri = action.data["uri"] if isinstance(action.data, dict) else ""
 
-    def edit(view: RequestContext) -> types.WorkspaceEdit | None:
-        edits = safe_edits(view)
-        return (
-            workspace_edit(edits, view.places, versioned=server.supports_versioned_edits)
-            if edits
-            else None
-        )
-
-    action.edit = await server.consult(uri, edit)
+    found = await server.consult(uri, partial(_safe_edit, server))
+    action.edit, restless = found or (None, ())
+    if restless:
+        server.warn(circle_warning(restless))
     return action
+
+
+def _safe_edit(
+    server: KinlintServer, view: RequestContext
+) -> tuple[types.WorkspaceEdit | None, Sequence[str]]:
+    edits, restless = safe_edits(view)
+    if not edits:
+        return None, restless
+    versioned = server.supports_versioned_edits
+    return workspace_edit(edits, view.places, versioned=versioned), restless
 
 
 def _asked(kind: str, only: Sequence[types.CodeActionKind | str] | None) -> bool:

@@ -44,8 +44,11 @@ def fixes_of(
     return [(each, known[finding_key(each)]) for each in asked if known[finding_key(each)]]
 
 
-def safe_edits(view: RequestContext) -> list[TextEdit]:
-    """The edits that make all safe fixes of what was found in the file of *view*."""
+def safe_edits(view: RequestContext) -> tuple[list[TextEdit], Sequence[str]]:
+    """The edits that make all safe fixes of what was found in the file of *view*.
+
+    With the codes of the rules whose fixes undo or feed each other, and are left out.
+    """
 
     def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
         return [each for each in found if each.location.source.name == view.source.name]
@@ -61,4 +64,5 @@ def safe_edits(view: RequestContext) -> list[TextEdit]:
         wanted=wanted,
         overlay=texts.changed,
     )
-    return [edit for before, after in outcome.changed for edit in difference(before, after.text)]
+    edits = [edit for before, after in outcome.changed for edit in difference(before, after.text)]
+    return edits, outcome.restless
