@@ -1,0 +1,1 @@
+"""Mutates robots and models, and looks for what kinlint does not answer."""

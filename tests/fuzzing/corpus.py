@@ -1,0 +1,31 @@
+"""The texts that mutations start from: the samples, and robots that others made where they are."""
+
+from __future__ import annotations
+
+import os
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SUFFIXES = {
+    "jsonld": (".jsonld", ".json"),
+    "turtle": (".ttl",),
+    "urdf": (".urdf",),
+    "xacro": (".xacro",),
+    "srdf": (".srdf",),
+    "sdf": (".sdf", ".world"),
+}
+"""Suffixes of the files that each format is fuzzed with."""
+LARGEST = 30_000
+"""Maximum size of a file, in bytes: small ones show the same faults sooner."""
+
+
+@cache
+def corpus(form: str) -> tuple[tuple[str, bytes], ...]:
+    """Return the names and contents of the files of the format called *form*, sorted by name."""
+    data = Path(os.environ.get("KINLINT_DATA", ROOT.parent / "shared" / "data"))
+    folders = [ROOT / "samples", data / "robots", data / "defects", data / "comp-rob2b"]
+    paths = (path for folder in folders for path in folder.rglob("*") if path.is_file())
+    wanted = (path for path in paths if path.name.lower().endswith(SUFFIXES[form]))
+    found = ((path, path.read_bytes()) for path in wanted)
+    return tuple(sorted((path.name, data) for path, data in found if 0 < len(data) < LARGEST))

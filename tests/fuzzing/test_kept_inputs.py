@@ -1,0 +1,28 @@
+"""Inputs that once failed."""
+
+from __future__ import annotations
+
+import pytest
+
+from fuzzing.trial import Input, fault
+
+POSE = '<sdf version="1.9"><model name="m"><link name="l"><pose>{}</pose></link></model></sdf>'
+KEPT = {
+    "an array cut off": ("jsonld", b'{"@context": {"x": "https://x.example/"}, "@graph": [null, ['),
+    "null in lists": (
+        "jsonld",
+        (
+            b'{"@context": {"x": {"@id": "https://x.example/", "@container": "@list"}},'
+            b'"@graph": [{"x": [null, [null], {"@list": [null]}]}, null, [null]]}'
+        ),
+    ),
+    "an infinite angle": ("sdf", POSE.format("0 0 0 inf 0 0").encode()),
+    "a huge angle": ("sdf", POSE.format("0 0 0 1e308 -1e308 1e400").encode()),
+    "an angle that is no number": ("sdf", POSE.format("nan 0 0 nan 0 0").encode()),
+}
+
+
+@pytest.mark.parametrize("name", KEPT)
+def test_it_is_answered(name):
+    form, content = KEPT[name]
+    assert fault(Input(form, 0, f"kept.{form}", content)) is None
