@@ -35,6 +35,12 @@ def lint_edited() -> Callable[..., Report]:
     return run
 
 
+def _inline(definition: str) -> Edit:
+    """An edit that adds *definition* to the context of the coordinates."""
+    prefix = f'{{ "arm": "{NAMES}"'
+    return ("coordinates", prefix, f"{prefix}, {definition}")
+
+
 CASCADES: dict[str, tuple[Edit, str]] = {
     "prefix without a definition": (("skeleton", '"arm": "', '"am": "'), "LD015"),
     "prefix without a definition, of what relations ask for": (
@@ -62,6 +68,31 @@ CASCADES: dict[str, tuple[Edit, str]] = {
         "LD006",
     ),
     "misspelt unit key": (("coordinates", '"unit": "M"', '"unti": "M"'), "LD001"),
+    "prefix without its #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}"'), "LD015"),
+    "prefix with / for #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}/"'), "LD031"),
+    "prefix of another robot": (("coordinates", f'"{NAMES}"', f'"{NAMES[:-2]}#"'), "LD031"),
+    "context that is not loaded": (
+        ("coordinates", f'"{BASE}/geometry/coordinates.json",', ""),
+        "LD030",
+    ),
+    "context of entities that is not loaded": (
+        ("skeleton", f'"{BASE}/geometry/structural-entities.json",', ""),
+        "LD030",
+    ),
+    "context of one key that is not loaded": (("coordinates", f'"{BASE}/qudt.json",', ""), "LD030"),
+    "term without its coercion": (_inline('"unit": "http://qudt.org/schema/qudt/unit"'), "LD032"),
+    "term with relative values": (
+        _inline('"unit": {"@id": "http://qudt.org/schema/qudt/unit", "@type": "@id"}'),
+        "LD032",
+    ),
+    "prefix called as a term": (_inline('"unit": "http://qudt.org/vocab/unit/"'), "LD016"),
+    "namespace of units": (
+        _inline(
+            '"unit": {"@id": "http://qudt.org/schema/qudt/unit", "@type": "@vocab", '
+            '"@context": {"@vocab": "http://qudt.org/vocab/units/"}}'
+        ),
+        "LD009",
+    ),
 }
 
 

@@ -50,7 +50,7 @@ def losses(read: Document, kind: str | None = None) -> list[tuple[str, str]]:
     return [
         (name, read.source[span])
         for span, name in sorted(found)
-        if name != "ContextUse" and kind in (None, name)
+        if name not in ("ContextUse", "TermDefinition", "ClearedKey") and kind in (None, name)
     ]
 
 

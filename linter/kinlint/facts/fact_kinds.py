@@ -18,9 +18,11 @@ from kinlint.facts.loop_closure import cycles
 from kinlint.facts.mass_distribution import com_outside, proportions
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias
+from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_kinds import resemblances
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.prefix_disagreement import disagreements
 from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import data_cycles, reordered, steps
@@ -235,6 +237,13 @@ KINDS = (
     _alone("entailed_types", entailed_types, {"entailed-type": ()}),
     _alone("contradiction", contradictions, {"excluded-type": (), "contradicted": ()}),
     _alone("misspelt_kinds", resemblances, {"resembles": ()}),
+    _alone(
+        "missing_contexts",
+        missing_contexts,
+        {"missing-context": ()},
+        ("context", "count", "word", *NODES),
+    ),
+    _alone("prefix_disagreement", disagreements, {"common-namespace": ()}),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )
 """All kinds of facts that rules may ask for."""

@@ -144,11 +144,10 @@ def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) 
 
 
 def _agree(row: Mapping[str, Term], result: Result) -> bool:
-    """Tell whether *row* is about *result*: variables that both have are equal."""
+    """Tell whether *row* is about *result*: its other variables equal those of the result."""
     known = {**result.bindings, "value": result.value}
     return all(
-        name in (SUSPECT, THROUGH, THIS) or known.get(name) in (None, term)
-        for name, term in row.items()
+        name in (SUSPECT, THROUGH, THIS) or known.get(name) == term for name, term in row.items()
     )
 
 

@@ -20,7 +20,10 @@ from kinlint.terms import RDF_TYPE
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
 KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
-IDLE = frozenset(f"<{SRC}{name}>" for name in ("Document", "NamedGraph", "ContextUse"))
+IDLE = frozenset(
+    f"<{SRC}{name}>"
+    for name in ("Document", "NamedGraph", "ContextUse", "TermDefinition", "ClearedKey")
+)
 """Classes of the source layer that every file has."""
 
 

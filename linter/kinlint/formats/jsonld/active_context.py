@@ -98,7 +98,10 @@ class ActiveContexts:
         if known is None:
             shared = self.memory.key(active, entry)
             key = shared and (*shared, *about[2:])
-            if shared and (result := self.memory.get(key)) is not None:
+            result = self.memory.get(key) if shared else None
+            problem: ContextProblem | None = None
+            if result is not None:
+                self._define(entry, active, result)
                 return result
             result, problem = self._processed(
                 active, entry, process, options, shared=shared is not None
@@ -109,6 +112,7 @@ class ActiveContexts:
                 self._known[about] = (result, problem, (active, entry))
         else:
             result, problem, _ = known
+        self._define(entry, active, result)
         if problem:
             self.record.problem(problem._replace(span=self._place(entry, problem.span)))
         return result
@@ -133,6 +137,10 @@ class ActiveContexts:
             kind, why = "UnresolvedContext", str(error)
         self.record.problem(ContextProblem(kind, self.local.written(entry), why, site))
         return _blind(active)
+
+    def _define(self, entry: Any, active: Context, result: Context) -> None:
+        if isinstance(entry, Object):
+            self.record.define(entry, active["mappings"], result["mappings"])
 
     def _place(self, entry: Any, otherwise: Span) -> Span:
         return entry.span if isinstance(entry, Text) else otherwise

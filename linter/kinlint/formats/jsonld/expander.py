@@ -248,8 +248,8 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             if keyword != "@json" and (keyword or _LIKE_KEYWORD.match(token)):
                 self.record.reserve(token, origin)
         elif keyword is None:
-            if _LIKE_KEYWORD.match(token):
-                self.record.drop(token, origin, Resolution(None, Reach.NOWHERE))
+            like = _LIKE_KEYWORD.match(token) is not None
+            self.record.clear(token, origin, Resolution(None, Reach.NOWHERE) if like else None)
         elif keyword in _CONTENT:
             origin.content = token
         elif keyword == "@id":

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from kinlint.formats.json_text.json_values import Text
+from kinlint.formats.json_text.json_values import Key, Text
 from kinlint.formats.jsonld.traced_values import Origin, Reach, Resolution
 from kinlint.text import Span
 
@@ -49,6 +49,19 @@ class ShadowedTerm(NamedTuple):
     shadowed_iri: str
 
 
+class TermDefinition(NamedTuple):
+    """A term that a context in the file defines."""
+
+    term: Key
+    """Its name, which knows where its meaning stands."""
+    written: str | None
+    """The meaning, if it is a string."""
+    mapping: Mapping[str, Any] | None
+    """The meaning from there on; None if it has none."""
+    former: Mapping[str, Any] | None
+    """The meaning before that; None if it had none."""
+
+
 @dataclass
 class ExpansionRecord:
     """The notes of one file."""
@@ -59,6 +72,8 @@ class ExpansionRecord:
     shadows: dict[str, ShadowedTerm] = field(default_factory=dict)
     shadow_uses: dict[ShadowedTerm, Text] = field(default_factory=dict)
     prefixes: dict[str, str] = field(default_factory=dict)
+    definitions: dict[int, TermDefinition] = field(default_factory=dict)
+    cleared: dict[int, tuple[Key, Origin]] = field(default_factory=dict)
     strays: dict[Span, StrayValue] = field(default_factory=dict)
     unprefixed: dict[int, Text] = field(default_factory=dict)
 
@@ -87,6 +102,23 @@ class ExpansionRecord:
         """Record the use of a context, if *entry* is an IRI written in the file."""
         if isinstance(entry, Text):
             self.uses[entry.start] = entry
+
+    def define(
+        self, entry: Mapping[str, Any], before: Mapping[str, Any], after: Mapping[str, Any]
+    ) -> None:
+        """Record what the context *entry* makes of terms that meant something *before* or not."""
+        for term, meaning in entry.items():
+            if isinstance(term, Key) and not term.startswith("@"):
+                written = meaning if isinstance(meaning, str) else None
+                now, old = after.get(term), before.get(term)
+                self.definitions[term.start] = TermDefinition(term, written, now, old)
+
+    def clear(self, key: Key, origin: Origin, reserved: Resolution | None) -> None:
+        """Record a *key* of *origin* that a context maps to null, or that JSON-LD *reserved*."""
+        if reserved is not None:
+            self.drop(key, origin, reserved)
+        else:
+            self.cleared.setdefault(key.start, (key, origin))
 
     def problem(self, problem: ContextProblem) -> None:
         """Record that a context cannot be used."""

@@ -4,21 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import islice
 from typing import Any
 
 from kinlint.formats.json_text.json_values import Key, Object, Text
 from kinlint.formats.jsonld.active_context import FAULTS, Context
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
-from kinlint.formats.jsonld.expansion_record import (
-    DroppedKey,
-    ExpansionRecord,
-    ShadowedTerm,
-    StrayValue,
-)
+from kinlint.formats.jsonld.expansion_record import ExpansionRecord, ShadowedTerm, StrayValue
 from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.losses import Detail, Loss, LossObserver, text_details
+from kinlint.formats.jsonld.term_definitions import definitions, mentioned
 from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
@@ -158,7 +153,7 @@ class LossReport:
             blind = drop.resolution.blind
             kind = "UnreadKey" if blind else "DroppedKey"
             node = self._triples.named(drop.origin)
-            details = (*text_details(key=drop.key), *_mentioned(drop))
+            details = (*text_details(key=drop.key), *mentioned(drop))
             loss = Loss(kind, drop.key.span, node, details)
             if not blind:
                 loss = loss.with_details(self._compared.resembles(drop.resolution, drop.key))
@@ -210,7 +205,7 @@ class LossReport:
             if problem.context is not None:
                 details = (*text_details(context=problem.context), *details)
             losses.append(Loss(problem.kind, problem.span, None, details))
-        return losses
+        return [*losses, *definitions(self._record, self._triples)]
 
     def duplicates(self, repeats: Iterable[Object], origins: Mapping[int, Origin]) -> list[Loss]:
         """Return the keys that stand in an object before."""
@@ -264,32 +259,6 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
             losses.append(Loss("DuplicateKey", key.span, node, text_details(key=key)))
         seen.add(key)
     return losses
-
-
-MENTIONED = 100
-"""The number of entities below a lost key that are noted."""
-
-
-def _mentioned(drop: DroppedKey) -> Iterator[Detail]:
-    """Yield the entities that the lost value of a key names, as far as prefixes say which."""
-    terms = drop.resolution.terms
-    for text in islice(_strings(drop.origin.element.get(drop.key)), MENTIONED):
-        prefix, colon, rest = text.partition(":")
-        meaning = terms.get(prefix) if colon else None
-        if meaning and not rest.startswith("//") and _MAPPED.match(text):
-            yield Detail("mentions", iri(f"{meaning['@id']}{rest}"))
-
-
-def _strings(value: Any) -> Iterator[str]:
-    """Yield the strings in the JSON *value*, those of keys apart."""
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, Mapping):
-        for each in value.values():
-            yield from _strings(each)
-    elif isinstance(value, list):
-        for each in value:
-            yield from _strings(each)
 
 
 def _in(stray: StrayValue) -> dict[str, str]:
