@@ -4,6 +4,7 @@
     ├── UsageError          an option, selector, configuration key or path is wrong
     │   └── ConfigError     ... in a configuration file
     ├── SourceError         a file cannot be read as what it claims to be
+    │   └── InternalError   ... because of an error in kinlint
     └── RuleInvalid         a rule or shapes file is not what it must be
 
 A defect of a robot is never an exception: it is a `Finding`.
@@ -42,6 +43,16 @@ class SourceError(KinlintError):
     def __str__(self) -> str:
         place = [str(part) for part in (self.line, self.column) if part is not None]
         return ":".join([self.name, *place]) + f": {self.cause}"
+
+
+class InternalError(SourceError):
+    """A file makes kinlint itself fail, which is never the fault of its author."""
+
+    @classmethod
+    def from_exception(cls, name: str, error: Exception) -> InternalError:
+        """Return what to tell of *error*, which linting the file *name* ended in."""
+        text = " ".join(f"{type(error).__name__}: {error}".split())
+        return cls(name, f"error in kinlint itself: {text}; 'kinlint --report-bug {name}' helps us")
 
 
 class RuleInvalid(KinlintError):

@@ -119,6 +119,7 @@ def _files(made: Parser) -> None:
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
     add("--in-project", **FLAG, help="judge them as parts of all that is below this directory")
     add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")
+    add("--report-bug", metavar="DIR", help="write what makes kinlint fail to DIR, without names")
     add("--watch", "-w", **FLAG, help="lint again whenever something changes, until Ctrl-C")
     add("--jobs", "-j", type=count, metavar="N", default=1, help="processes; 0: one for each CPU")
     add("--show-files", **FLAG, help="show what would be linted, and stop")

@@ -6,6 +6,7 @@ import os
 import sys
 from argparse import Namespace
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinlint.catalogue.rulebook import Rulebook
@@ -50,6 +51,10 @@ class LintRun:
             from kinlint.cli import project_mode  # noqa: PLC0415  few runs leave files aside
 
             wanted = project_mode.exclude_asides(wanted, asides)
+        if options.report_bug:
+            from kinlint.cli.bug_report import write_reproducers  # noqa: PLC0415  kinlint rarely fails
+
+            write_reproducers(*self._read(), self.settings, self.book, Path(options.report_bug))
         if options.add_ignore is not None:
             report = self._silenced(options, wanted)
         elif options.fix or options.fix_only or options.diff:

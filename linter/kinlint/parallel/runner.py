@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 from kinlint.cache.report_cache import ReportCache
-from kinlint.errors import SourceError
+from kinlint.errors import InternalError, SourceError
 from kinlint.parallel import processes, shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_into_shares
@@ -83,7 +83,8 @@ class ParallelRunner:
         left = [number for number in range(len(models)) if number not in found]
         for number, outcome in self._linted([models[n] for n in left], failed):
             found[left[number]] = outcome.report
-            if self.memory is not None:
+            failures = (isinstance(error, InternalError) for error in outcome.report.errors)
+            if self.memory is not None and not any(failures):
                 self.memory.keep(models[left[number]], *outcome, complete=not failed)
         return [found[number] for number in range(len(models))], recalled
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -10,7 +11,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
-from kinlint.errors import SourceError
+from kinlint.errors import InternalError, KinlintError, SourceError
 from kinlint.files.tracked_io import Record, recorded
 from kinlint.finding import Finding
 from kinlint.parallel.partition import Model
@@ -39,15 +40,31 @@ def lint_shard(
     share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None = None
 ) -> list[Outcome]:
     """The outcome for each model of *share*; *errors* that were known before are left out."""
-    with recorded() as record:
-        report, documents = _examined(share, errors, job, phases)
+    try:
+        with recorded() as record:
+            report, documents = _examined(share, errors, job, phases)
+    except (KinlintError, MemoryError):
+        raise
+    except Exception as error:
+        if os.environ.get("KINLINT_TRACEBACK") == "1":
+            raise
+        if len(share) > 1:
+            return _one_by_one(share, errors, job, phases)
+        failed = (InternalError.from_exception(source.name, error) for source in share[0])
+        return [Outcome(Report(errors=tuple(failed)), record)]
     report = replace(report, errors=report.errors[len(errors) :])
     if len(share) == 1:
         return [Outcome(report, record)]
     parts = _parts(share, report, documents, job)
     if parts is None:
-        return [outcome for each in share for outcome in lint_shard([each], errors, job, phases)]
+        return _one_by_one(share, errors, job, phases)
     return [Outcome(part, record) for part in parts]
+
+
+def _one_by_one(
+    share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None
+) -> list[Outcome]:
+    return [outcome for each in share for outcome in lint_shard([each], errors, job, phases)]
 
 
 def _examined(
