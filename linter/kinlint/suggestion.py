@@ -15,14 +15,15 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     common beginning, then to the alphabet.
     """
     wanted = word.casefold()
+    most = max(1, len(wanted) // 3)
     ranked = sorted(
-        (distance(wanted, choice.casefold()), -_shared(wanted, choice.casefold()), choice)
+        (distance(wanted, choice.casefold(), most), -_shared(wanted, choice.casefold()), choice)
         for choice in set(choices)
     )
     if not wanted or not ranked:
         return None
     slips, _, choice = ranked[0]
-    if slips <= max(1, len(wanted) // 3) and slips < len(choice):
+    if slips <= most and slips < len(choice):
         return choice
     part = wanted.lstrip("-")
     if len(part) <= 1:
@@ -49,19 +50,11 @@ def _shared(one: str, other: str) -> int:
     return length
 
 
-def distance(one: str, other: str) -> int:
+def distance(one: str, other: str, most: int | None = None) -> int:
     """Return the edit distance: insertions, deletions, replacements and swaps of neighbours.
 
-    Known as optimal string alignment (Damerau 1964, restricted).
+    Known as optimal string alignment (Damerau 1964, restricted). All above *most* is *most* + 1.
     """
-    before: list[int] = []
-    last = list(range(len(other) + 1))
-    for i, a in enumerate(one, 1):
-        row = [i]
-        for j, b in enumerate(other, 1):
-            cost = min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (a != b))
-            if i > 1 and j > 1 and a == other[j - 2] and one[i - 2] == b:
-                cost = min(cost, before[j - 2] + 1)
-            row.append(cost)
-        before, last = last, row
-    return last[-1]
+    from rapidfuzz.distance import OSA  # noqa: PLC0415  few runs suggest anything
+
+    return OSA.distance(one, other, score_cutoff=most)

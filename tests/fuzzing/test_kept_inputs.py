@@ -16,6 +16,11 @@ KEPT = {
             b'"@graph": [{"x": [null, [null], {"@list": [null]}]}, null, [null]]}'
         ),
     ),
+    "a type of 30 000 letters": (
+        "jsonld",
+        b'{"@context": "https://w3id.org/kinlint/composable.json", "@id": "https://x.example/a",'
+        b'"@type": "Joint' + b"t" * 30_000 + b'"}',
+    ),
     "an infinite angle": ("sdf", POSE.format("0 0 0 inf 0 0").encode()),
     "a huge angle": ("sdf", POSE.format("0 0 0 1e308 -1e308 1e400").encode()),
     "an angle that is no number": ("sdf", POSE.format("nan 0 0 nan 0 0").encode()),

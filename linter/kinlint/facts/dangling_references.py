@@ -66,7 +66,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the one of *known* that *name* is a slip for: not a sibling with another number."""
     digits = DIGITS.findall(name)
     alike = (
-        (distance(name.casefold(), each.casefold()), each)
+        (distance(name.casefold(), each.casefold(), MOST), each)
         for each in known
         if abs(len(each) - len(name)) <= MOST and DIGITS.findall(each) == digits
     )

@@ -122,7 +122,7 @@ def only_near(name: str, known: Iterable[str]) -> str | None:
     """Return the one of *known* that *name* is a slip for, if it is nearer than all others."""
     digits = DIGITS.findall(name)
     alike = sorted(
-        (distance(name.casefold(), each.casefold()), each)
+        (distance(name.casefold(), each.casefold(), MOST), each)
         for each in known
         if abs(len(each) - len(name)) <= MOST and DIGITS.findall(each) == digits
     )

@@ -30,7 +30,7 @@ def resemblances(scan: PredicateIndex) -> Iterator[Triple]:
     for kind in strange:
         plain = _plain(kind)
         alike = {name for each in _shortened(plain) for name in shortened.get(each, ())}
-        near = [names[name] for name in alike if distance(plain, name) <= 1]
+        near = [names[name] for name in alike if distance(plain, name, 1) <= 1]
         if len(near) == 1:
             yield kind, fact("resembles"), near[0]
 
