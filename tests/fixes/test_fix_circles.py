@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 
 import pytest
-from mending import book, outcome, repair
+from mending import OURS, book, outcome, repair
 
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.fixes.fix_circles import circle_warning
@@ -169,6 +169,31 @@ def test_the_editor_makes_nothing_of_a_circle(rules):
     assert codes == ["TST001", "TST002"]
     assert all('effort="2"' in edit.text for edit in edits)
     assert [edit.text.count(LOWER) for edit in edits] == [1, 0]
+
+
+GRIPPER = """<robot name="gripper">
+  <link name="palm"/><link name="left_finger"/><link name="right_finger"/>
+  <joint name="left_finger_joint" type="prismatic">
+    <parent link="palm"/><child link="left_finger"/>
+    <origin xyz="0 0.02 0.1"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.0425" effort="20" velocity="0.1"/>
+  </joint>
+  <joint name="right_finger_joint" type="prismatic">
+    <parent link="palm"/><child link="right_finger"/>
+    <origin xyz="0 -0.02 0.1"/><axis xyz="0 -1 0"/>
+    <limit lower="0" upper="0.0425" effort="20" velocity="0.1"/>
+    <mimic joint="left_finger_joint" multiplier="2"/>
+  </joint>
+</robot>
+"""
+
+
+def test_a_gripper_keeps_its_stroke():
+    """The follower would be widened, the twin made equal, and so on."""
+    made = outcome(OURS, GRIPPER, "gripper.urdf")
+
+    assert made.restless == ["INE007", "LIM011"]
+    assert made.texts[0].text == GRIPPER
 
 
 def test_one_line_names_the_rules():

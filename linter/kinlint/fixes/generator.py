@@ -82,6 +82,8 @@ class Generator(ABC):
 
     remains: ClassVar[str] = "the finding would stay"
     """The reason against a candidate that does not take its finding away."""
+    lasting: ClassVar[bool] = False
+    """True if candidates are the same at any trust, and what is refused once always is."""
 
     @abstractmethod
     def candidates(self, findings: Sequence[Finding], least: Applicability) -> list[Candidate]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
+from typing import TypeAlias
 
 from kinlint.document import Document
 from kinlint.errors import SourceError
@@ -24,6 +26,17 @@ from kinlint.text import SourceText
 
 Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
 """Predicate that selects the findings of a run to fix."""
+
+
+FindingKey: TypeAlias = tuple[str, str, str, str]
+"""The rule, the file, the entity and the message of a finding, wherever it stands."""
+NOTHING_SETTLED: Mapping[FindingKey, Verdict] = MappingProxyType({})
+
+
+def finding_key(candidate: Candidate) -> FindingKey:
+    """Return what the finding of *candidate* is recognised by in a changed text."""
+    finding = candidate.finding
+    return finding.rule.code, finding.location.source.name, finding.iri, finding.message
 
 
 def accept_all(findings: Sequence[Finding]) -> Sequence[Finding]:
@@ -82,22 +95,27 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     wanted: Sieve = accept_all,
     phases: Phases | None = None,
     circles: FixCircles | None = None,
+    settled: Mapping[FindingKey, Verdict] = NOTHING_SETTLED,
 ) -> Offers:
     """Return which candidates of *generator* hold when they are tried by *analyzer*.
 
     That is the one of its examination, whose store then says what the texts tried last say.
     Candidates that the settings trust less than *least* are not tried, nor are those for findings
-    that are not *wanted*, nor those that *circles* bar. The time of trials is added to *phases*.
+    that are not *wanted*, nor those that *circles* bar or that are *settled* by an earlier trial.
+    The time of trials is added to *phases*.
     """
     found = generator.candidates(wanted(generator.examination.report.findings), least)
     barred = dict.fromkeys(each for each in found if circles is not None and circles.bars(each))
     found = [each for each in found if each not in barred]
+    known = {each: settled[key] for each in found if (key := finding_key(each)) in settled}
+    found = [each for each in found if each not in known]
     groups = _groups(found, generator) if found else []
 
-    def again(tried: Texts) -> Examination:
-        return examine_with_fixes(tried, (), analyzer, phases, brief=True)
+    def again(texts: Texts) -> Examination:
+        return examine_with_fixes(texts, (), analyzer, phases, brief=True)
 
-    verdicts = try_candidates(groups, generator, again) if groups else {}
+    tried = try_candidates(groups, generator, again) if groups else {}
+    verdicts = {**tried, **known}
     refused = [*generator.refused, *((each.finding, each.repair, BARRED) for each in barred)]
     refused += [
         (each.finding, each.repair, verdict.why)

@@ -14,9 +14,17 @@ from kinlint.finding import Finding
 from kinlint.fixes.fix_circles import FixCircles, Round
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.generator import Candidate, Generator, MakeGenerator
-from kinlint.fixes.offers import Offers, Sieve, accept_all, examine_with_fixes, offer_fixes
+from kinlint.fixes.offers import (
+    FindingKey,
+    Offers,
+    Sieve,
+    accept_all,
+    examine_with_fixes,
+    finding_key,
+    offer_fixes,
+)
 from kinlint.fixes.texts import Texts
-from kinlint.fixes.trial import Group
+from kinlint.fixes.trial import Group, Verdict
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import NOTHING, Analyzer, Examination
 from kinlint.report import Report
@@ -52,11 +60,23 @@ def lint_texts(
     phases: Phases | None = None,
 ) -> Offers:
     """Return what `kinlint.lint.run` finds in *sources*, with the fixes that prove right."""
-    spent, texts = phases or Phases(), Texts(sources)
     analyzer = Analyzer(settings, rulebook, trying=True)
-    examination = examine_with_fixes(texts, errors, analyzer, spent)
-    with spent.phase("fixing"):
-        return offer_fixes(FixGenerator(examination, texts, settings, rulebook), analyzer)
+    examination = examine_with_fixes(Texts(sources), errors, analyzer, phases)
+    return offers(examination, analyzer, sources, settings, rulebook, phases)
+
+
+def offers(  # noqa: PLR0913, PLR0917
+    examination: Examination,
+    analyzer: Analyzer,
+    sources: Sequence[SourceText],
+    settings: Settings,
+    rulebook: Rulebook,
+    phases: Phases | None = None,
+) -> Offers:
+    """Return the fixes that prove right of what *analyzer* found in *sources*, an *examination*."""
+    with (phases or Phases()).phase("fixing"):
+        generator = FixGenerator(examination, Texts(sources), settings, rulebook)
+        return offer_fixes(generator, analyzer)
 
 
 def fix_in_rounds(  # noqa: PLR0913, PLR0917
@@ -119,6 +139,7 @@ class Rounds:
         self.texts, self.fixed = self.start, []
         self._made: list[Round] = []
         self._originals: dict[Path, SourceText] = {}
+        self._settled: dict[FindingKey, Verdict] = {}
 
     def come_to_rest(self) -> bool:
         """Make rounds until nothing is left to change; False once *circles* has learned why not."""
@@ -131,7 +152,8 @@ class Rounds:
                 self.circles.learn_cycle(self._made[reached.index(state) :])
                 return False
             reached.append(state)
-        self.left = self._offers(Applicability.DISPLAY)
+        if not self.left.generator.lasting:
+            self.left = self._offers(Applicability.DISPLAY)
         fixable = any(one.fix(self.least) for one in self.left.report.findings)
         if len(self._made) < ROUNDS or not fixable:
             return True
@@ -140,7 +162,7 @@ class Rounds:
 
     def _turn(self) -> bool:
         """Make what may be made at once; tell whether that was anything."""
-        found = self._offers(self.least)
+        found = self.left = self._offers(self.least)
         chosen = list(_chosen(found, self.least))
         changes = [change for batch in chosen for change in found.generator.combined(batch)]
         for each in changes:
@@ -155,7 +177,21 @@ class Rounds:
         examination = examine_with_fixes(self.texts, self.errors, self.analyzer, self.phases)
         with self.phases.phase("fixing"):
             made = self.generator(examination, self.texts)
-            return offer_fixes(made, self.analyzer, least, self.wanted, circles=self.circles)
+            found = offer_fixes(
+                made,
+                self.analyzer,
+                least,
+                self.wanted,
+                circles=self.circles,
+                settled=self._settled,
+            )
+        if made.lasting:
+            self._settled |= {
+                finding_key(each): verdict
+                for each, verdict in found.verdicts.items()
+                if verdict.applicability is not Applicability.SAFE
+            }
+        return found
 
     def _state(self) -> State:
         return frozenset(

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from kinlint.formats.jsonld.incremental.divided_reader import Reading
 
 
+LARGE = 100_000
+"""Number of characters from which it is worth taking a text apart before it has changed."""
+
+
 class IncrementalReader:
     """Reads the texts that one file has, one after the other.
 
@@ -43,7 +47,8 @@ class IncrementalReader:
         if last is not None and unchanged and not (last.format.includes or last.pieces):
             return last
         source = with_format(source)
-        divisible = self._dividing and source.format == JSONLD
+        repeated = self._last is not None or len(source.text) >= LARGE
+        divisible = self._dividing and repeated and source.format == JSONLD
         now = self._divided(source, options) if divisible else None
         self._dividing = True
         document = now.document if now is not None else read(source, options)

@@ -48,6 +48,7 @@ class SuppressionGenerator(Generator):
     _nests: dict[Term, Mapping[str, IntervalIndex[Location]]] = field(default_factory=dict)
 
     remains: ClassVar[str] = "it would be found all the same"
+    lasting: ClassVar[bool] = True
 
     def candidates(self, findings: Sequence[Finding], least: Applicability) -> list[Candidate]:
         """Return a suppression for each of *findings* that can be silenced at all."""

@@ -1,4 +1,4 @@
-"""Lifts documents, and again by those queries that look at what changed of them."""
+"""Lifts again by those queries that look at what changed of the documents."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import TypeAlias
 import pyoxigraph as ox
 
 from kinlint.engine.compiler.query_dependencies import Dependencies, dependencies_of
-from kinlint.engine.lifting import Lifting, asked, lift
+from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
@@ -74,8 +74,8 @@ class Unit:
 class TrackedLifting:
     """Asserted statements about elements to lifted ones: a composable model.
 
-    At first all queries store what they make. What a query made of which solution is found out when
-    something changes that it looks at: from the statements as they were before.
+    All that was to be lifted of *store* is there. What a query made of which solution is found out
+    when something changes that it looks at: from the statements as they were before.
     """
 
     def __init__(
@@ -87,7 +87,6 @@ class TrackedLifting:
         self.store = store
         self._wanted = wanted
         self._kept = kept
-        self._lifted = False
         self._counts: Counter[Triple] = Counter()
         self._numbers = count(1)
 
@@ -98,11 +97,7 @@ class TrackedLifting:
         return [Unit.from_lifting(each, self._kept) for each in asked(formats, self._wanted)]
 
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
-        """Lift by those queries that look at what *changes* are about; at first, by all."""
-        if not self._lifted:
-            lift(self.store, self._wanted, self._kept)
-            self._lifted = True
-            return
+        """Lift by those queries that look at what *changes* are about."""
         affected = AffectedNodes(changes)
         for unit in self.units:
             if unit.dependencies.looks_at(changes.properties, changes.classes):

@@ -71,17 +71,18 @@ def _examined(
     share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None
 ) -> tuple[Report, Sequence[Document]]:
     sources, phases = [source for model in share for source in model], phases or Phases()
-    if job.fixing:
-        with phases.phase("imports"):
-            from kinlint.fixes.rounds import lint_texts  # noqa: PLC0415  few outputs show fixes
-
-        offers = lint_texts(sources, errors, job.settings, job.book, phases)
-        return offers.report, offers.generator.examination.documents
     with phases.phase("imports"):
-        from kinlint.lint import examine  # noqa: PLC0415  engines are slow to import
+        from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415  engines are slow to import
 
-    examination = examine(sources, errors, job.settings, job.book, phases)
-    return examination.report, examination.documents
+    analyzer = Analyzer(job.settings, job.book, trying=job.fixing)
+    examination = analyzer.examine(sources, errors, phases, repairing=job.fixing)
+    report, documents = examination.report, examination.documents
+    if not job.fixing or not any(one.rule.repairs for one in report.findings):
+        return report, documents
+    with phases.phase("imports"):
+        from kinlint.fixes.rounds import offers  # noqa: PLC0415  clean models have nothing to fix
+
+    return offers(examination, analyzer, sources, job.settings, job.book, phases).report, documents
 
 
 def _parts(

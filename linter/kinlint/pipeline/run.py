@@ -10,18 +10,19 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import Step
+from kinlint.engine.lifting import lift
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.incremental.change import Changes
 from kinlint.incremental.tracked_checking import TrackedChecking
 from kinlint.incremental.tracked_explanations import Explanations, TrackedStore
 from kinlint.incremental.tracked_facts import TrackedFacts
-from kinlint.incremental.tracked_lifting import TrackedLifting
 from kinlint.incremental.tracked_loading import TrackedLoading
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 
 if TYPE_CHECKING:
     from kinlint.incremental.inference import Inference
+    from kinlint.incremental.tracked_lifting import TrackedLifting
 
 
 class Run:
@@ -40,8 +41,8 @@ class Run:
         self._vocabulary = vocabulary
         self._changes = Changes(self.store)
         self._loading = TrackedLoading(self.store, vocabulary)
+        self._lifted = self._closed = False
         self._lifting: TrackedLifting | None = None
-        self._closed = False
         self._inference: Inference | None = None
         self._facts: TrackedFacts | None = None
         self._checking: TrackedChecking | None = None
@@ -53,7 +54,13 @@ class Run:
 
     def lifting(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:  # noqa: ARG002
         """Lift asserted statements about elements, where they changed."""
+        if not self._lifted:
+            lift(self.store, demand.terms, demand.lifted)
+            self._lifted = True
+            return
         if self._lifting is None:
+            from kinlint.incremental.tracked_lifting import TrackedLifting  # noqa: PLC0415  most runs run once
+
             self._lifting = TrackedLifting(self.store, demand.terms, demand.lifted)
         self._lifting.run(self._changes, ask)
 

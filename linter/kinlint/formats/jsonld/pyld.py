@@ -5,12 +5,15 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-UNUSED = ("asyncio", "lxml.html")
+UNUSED = ("asyncio", "lxml.html", "urllib.request")
 """Modules that PyLD imports and kinlint does not use; they load more slowly than PyLD itself."""
+NAMED = {"urllib.request": "url2pathname"}
+"""The function that PyLD imports by name from one of them."""
 
 
 class Postponed(ModuleType):
@@ -22,10 +25,16 @@ class Postponed(ModuleType):
         return getattr(import_module(self.__name__), name)
 
 
+def _call(module: str, function: str, *given: Any) -> Any:
+    return getattr(import_module(module), function)(*given)
+
+
 @contextmanager
 def _postponed() -> Iterator[None]:
     """Replace `UNUSED` modules by stand-ins, so that importing them takes no time."""
     waiting = {name: Postponed(name) for name in UNUSED if name not in sys.modules}
+    for name in NAMED.keys() & waiting.keys():
+        setattr(waiting[name], NAMED[name], partial(_call, name, NAMED[name]))
     sys.modules.update(waiting)
     try:
         yield
