@@ -60,8 +60,9 @@ def _preferred(derivation: Derivation) -> Iterator[tuple[Read, int]]:
             yield derivation, 1
         case First(parts):
             yield from _preferred(parts[0][1])
-        case Choice(_, then, _):
+        case Choice(_, then, otherwise):
             yield from _preferred(then)
+            yield from _preferred(otherwise)
         case Negation(part):
             yield from ((read, -sign) for read, sign in _preferred(part))
 
