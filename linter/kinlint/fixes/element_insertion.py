@@ -140,7 +140,7 @@ class _Insertion:
         found = []
         for stated, derived in self.provenance.derivations(triple[1]):
             fit = self._fit(derived.lifting, triple[0], stated.made.subject)
-            for read, sign in _preferred(stated.members[0]) if fit >= 0 else ():
+            for read, sign in _preferred(stated.members[0]) if fit > 0 else ():
                 if (way := self._way(derived, read.element)) is not None:
                     found.append((-fit, way, read.properties[0], sign))
         if not found:
