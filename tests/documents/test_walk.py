@@ -26,6 +26,7 @@ ROBOT = """<robot name="arm">
   <joint name="elbow" type="revolute">
     <parent link="base"/>
     <child link="hand"/>
+    <axis xyz="0 0 1"/>
     <limit {} effort="1" velocity="1"/>
   </joint>
 </robot>
