@@ -10,11 +10,11 @@ from functools import cache
 
 from kinlint import resources
 from kinlint.conversion.published import published_terms
+from kinlint.engine.derivation import derivations
 from kinlint.engine.lifting import Lifting, queries
 from kinlint.formats.xml.element_types import ElementType
 from kinlint.formats.xml.schema import schema
-from kinlint.sparql.variables import words
-from kinlint.terms import iri_value
+from kinlint.terms import Term, iri_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
 REASONS = "lifting/left-out.tsv"
@@ -65,7 +65,7 @@ class Coverage:
     def __init__(self, form: str) -> None:
         self.form = form
         self.reasons = [one for one in lifting_reasons() if one.format == form]
-        self._mentions = list(map(_mentions, queries(form)))
+        self._reads = frozenset(pair for query in queries(form) for pair in _reads(query))
 
     def reason(self, path: tuple[str, ...], attribute: str = "") -> Reason | None:
         """Why the element at *path*, or its *attribute*, is not lifted, or not all of it."""
@@ -75,8 +75,7 @@ class Coverage:
         """Tell whether a query reads elements at *path*, whose parents are lifted."""
         if (reason := self.reason(path)) is not None:
             return reason.lifted != "no"
-        near = set(path[-2:])
-        return any(near <= tags for tags, _ in self._mentions)
+        return not self._reads.isdisjoint(((path[-2], path[-1]), ("", path[-1])))
 
     def lifts_attribute(self, path: tuple[str, ...], attribute: str) -> bool:
         """Tell whether a query reads *attribute* of the elements at *path*, which are lifted."""
@@ -84,8 +83,7 @@ class Coverage:
             return reason.lifted != "no"
         if attribute == "name":
             return True
-        near = set(path[-2:])
-        return any(near <= tags and attribute in taken for tags, taken in self._mentions)
+        return (path[-1], f"@{attribute}") in self._reads
 
     def unlifted(self) -> Iterator[tuple[tuple[str, ...], str]]:
         """The path of each element that is not lifted, but its parent is, and such attributes."""
@@ -108,19 +106,28 @@ class Coverage:
             pending += [((*path, tag), each) for tag, each in reversed(type_.children.items())]
 
 
-def _mentions(query: Lifting) -> tuple[frozenset[str], frozenset[str]]:
-    """The tags and attributes that *query* names, if published contexts can say what it makes."""
+def _reads(query: Lifting) -> Iterator[tuple[str, str]]:
+    """Yield the tags that *query* follows, each with that of the element around it, "" for any.
+
+    Attributes have `@` before their names. Nothing for a query that published contexts cannot say
+    what it makes.
+    """
     known = published_terms()
     if not any(iri_value(term) in known for term in query.makes):
-        return frozenset(), frozenset()
-    tags = _local(f"{KINLINT}{query.format}#", query)
-    return tags, frozenset(_COMPONENT.sub("", each) for each in _local(ATTRIBUTE, query))
+        return
+    derived = derivations(query)
+    for pattern in derived.patterns:
+        around = {_local(way) for way in derived.leading_to(pattern.subject)}
+        for way in pattern.path:
+            if way.startswith((f"<{ATTRIBUTE}", f"<{KINLINT}{query.format}#")):
+                sign = "@" if way.startswith(f"<{ATTRIBUTE}") else ""
+                yield from (
+                    (each, sign + _COMPONENT.sub("", _local(way))) for each in around or {""}
+                )
 
 
-def _local(namespace: str, query: Lifting) -> frozenset[str]:
-    """Return the local names of the terms of *namespace* that *query* matches."""
-    start = f"<{namespace}"
-    return frozenset(each[len(start) : -1] for each in words(query.where) if each.startswith(start))
+def _local(term: Term) -> str:
+    return term.rpartition("#")[2][:-1]
 
 
 @cache

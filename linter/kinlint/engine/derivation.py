@@ -114,16 +114,27 @@ class Derivations:
         where = render(trimmed(self._where, used))
         return f"SELECT {' '.join((*sorted(plain), *worked))} WHERE {where}"
 
+    def leading_to(self, variable: str) -> frozenset[Term]:
+        """Return the properties that lead to the elements that *variable* may be."""
+        chosen = (
+            self.leading_to(word)
+            for each in self.assignments
+            if each.variable == variable
+            for word in variables(each.expression)
+        )
+        found = (way for each in self.patterns if each.object == variable for way in each.path)
+        return frozenset(way for way in found if way.startswith(_ELEMENTS)).union(*chosen)
+
     def holder(self, variable: str) -> tuple[str, Term] | None:
         """Return the variable for the element around *variable*, and the property between them.
 
         None for a root. Of the elements that COALESCE chooses from, the first counts.
         """
-        for each in self._binds:
+        for each in self.assignments:
             chosen = self._expression(each.expression) if each.variable == variable else None
             if isinstance(chosen, First) and is_variable(chosen.parts[0][0]):
                 return self.holder(chosen.parts[0][0])
-        for found in self._patterns:
+        for found in self.patterns:
             if found.object == variable and found.path[0].startswith(_ELEMENTS):
                 return found.subject, found.path[0]
         return None
@@ -133,10 +144,12 @@ class Derivations:
 
     def _variable(self, name: str) -> Derivation:
         """Return how the variable *name* is bound."""
-        bound = [self._expression(each.expression) for each in self._binds if each.variable == name]
+        bound = [
+            self._expression(each.expression) for each in self.assignments if each.variable == name
+        ]
         read = [
             Read(each.subject, properties, name)
-            for each in self._patterns
+            for each in self.patterns
             if each.object == name and is_variable(each.subject) and (properties := _valued(each))
         ]
         found = tuple(dict.fromkeys((*bound, *read)))
@@ -196,11 +209,13 @@ class Derivations:
         return _spelled(self.lifting.where, count())
 
     @cached_property
-    def _binds(self) -> Sequence[Bind]:
+    def assignments(self) -> Sequence[Bind]:
+        """The BINDs of the query, those of joined groups included."""
         return [each for each in _joined(self._where) if isinstance(each, Bind)]
 
     @cached_property
-    def _patterns(self) -> Sequence[Pattern]:
+    def patterns(self) -> Sequence[Pattern]:
+        """The triple patterns of the query, filters left out."""
         return [
             pattern
             for each in _joined(self._where)
