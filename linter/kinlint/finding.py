@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import dataclass, field, replace
 
 from kinlint.addresses import is_address, readable
-from kinlint.rule import Applicability, Rule, Severity
+from kinlint.rule import Applicability, Rule, Severity, SeverityFor
 from kinlint.terms import Term, Triple
 from kinlint.text import Location, SourceText
 
@@ -98,6 +98,10 @@ class Finding:
     """The entity concerned: an absolute IRI or a blank node label."""
     focus: Term
     """The focus node (SHACL)."""
+    targets: tuple[str, ...] = ()
+    """Consumers that its constraint is about; it is dropped unless a run names one of them."""
+    severity_for: tuple[SeverityFor, ...] = ()
+    """Severities of its constraint for certain consumers or formats."""
     path: Term | None = None
     """The property, where the rule names one."""
     value: Term | None = None

@@ -176,6 +176,8 @@ class Rule:
     """Its repairs, the preferred first."""
     also: tuple[Severity, ...] = ()
     """Severities of single constraints that differ from `severity`."""
+    also_for: tuple[SeverityFor, ...] = ()
+    """Severities of single constraints for certain consumers or formats."""
     facts: tuple[tuple[str, str], ...] = ()
     """Names of the facts that it asks for, each with the module that computes it."""
 
@@ -194,7 +196,8 @@ class Rule:
 
     def concerns(self, targets: Collection[str]) -> bool:
         """Tell whether the rule is about one of *targets* in particular."""
-        said = {*self.targets, *(target for each in self.severity_for for target in each.targets)}
+        every = (*self.severity_for, *self.also_for)
+        said = {*self.targets, *(target for each in every for target in each.targets)}
         return not said.isdisjoint(targets)
 
     @property

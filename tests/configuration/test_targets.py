@@ -3,8 +3,10 @@
 import json
 
 import pytest
+from support.linting import findings
 
 from kinlint.catalogue.rule_file import read_rules
+from kinlint.catalogue.rulebook import load
 from kinlint.configuration.selection import Policies, combine_policy
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.settings import Choice, FileSettings, Settings
@@ -96,4 +98,68 @@ def test_rule_files_say_it(tmp_path):
         "severity": "error",
         "targets": ["gazebo", "isaac"],
         "formats": [],
+    }
+
+
+CONSTRAINTS = """
+@prefix kl: <https://w3id.org/kinlint/ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix sh: <http://www.w3.org/ns/shacl#> .
+@prefix urdf: <https://w3id.org/kinlint/urdf#> .
+<https://w3id.org/kinlint/rules/axes> a kl:Rule, sh:NodeShape ; kl:code "ZZZ001" ;
+    kl:format "urdf" ; sh:severity sh:Warning ; sh:targetObjectsOf urdf:link ;
+    sh:sparql
+        [ sh:message "Worse for some." ;
+          kl:severityFor [ kl:target "mujoco" ; sh:severity sh:Violation ] ;
+          sh:select "SELECT $this WHERE { ?robot <https://w3id.org/kinlint/urdf#link> $this }" ] ,
+        [ sh:message "For some alone." ; kl:target "drake" ; sh:severity sh:Info ;
+          sh:select "SELECT $this WHERE { ?robot <https://w3id.org/kinlint/urdf#link> $this }" ] .
+"""
+WORSE, ALONE = "Worse for some.", "For some alone."
+
+
+@pytest.mark.parametrize(
+    ("targets", "expected"),
+    [
+        ((), {WORSE: WARNING}),
+        (("mujoco",), {WORSE: ERROR}),
+        (("drake",), {WORSE: WARNING, ALONE: INFO}),
+        (("drake", "mujoco"), {WORSE: ERROR, ALONE: INFO}),
+    ],
+)
+def test_single_constraints_have_consumers(tmp_path, targets, expected):
+    """A constraint may count as worse for a consumer, or speak for one alone."""
+    (tmp_path / "axes.ttl").write_text(CONSTRAINTS, "utf-8")
+    found = findings(
+        '<robot name="arm"><link name="base"/></robot>',
+        rules=load((tmp_path,)),
+        default=FileSettings(targets=targets),
+    )
+    assert {each.message: each.severity for each in found if each.rule.code == "ZZZ001"} == expected
+
+
+def test_the_user_overrules_constraints(tmp_path):
+    """A severity by configuration holds for all findings of a rule."""
+    (tmp_path / "axes.ttl").write_text(CONSTRAINTS, "utf-8")
+    choice = Choice(severity=(("ZZZ001", INFO),))
+    found = findings(
+        '<robot name="arm"><link name="base"/></robot>',
+        rules=load((tmp_path,)),
+        default=FileSettings((choice,), targets=("mujoco",)),
+    )
+    assert {each.severity for each in found if each.rule.code == "ZZZ001"} == {INFO}
+
+
+def test_pages_tell_the_consumers_of_constraints(tmp_path):
+    """The page of a rule has them, as text and as an object."""
+    (tmp_path / "axes.ttl").write_text(CONSTRAINTS, "utf-8")
+    (read,) = read_rules(tmp_path / "axes.ttl")
+    said = (
+        "info for some findings with --target drake; error for some findings with --target mujoco"
+    )
+    assert said in rule_page.markdown(read)
+    assert rule_page.rule_object(read)["constraint_severity_for"][0] == {
+        "severity": "info",
+        "targets": ("drake",),
+        "formats": (),
     }

@@ -24,6 +24,7 @@ Json: TypeAlias = Any
 CLASSES = {
     **dict.fromkeys(("Finding", "Fix", "Premise", "Related", "TextEdit"), "kinlint.finding"),
     "Location": "kinlint.text",
+    "SeverityFor": "kinlint.rule",
     **dict.fromkeys(
         ("Coupling", "Frame", "Joint", "Link", "Origin", "Structure"), "kinlint.structure"
     ),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -61,16 +61,21 @@ def rule_from_json(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
             for each in values["examples"]
         ),
         "severity": Severity(values["severity"]),
-        "severity_for": tuple(
-            SeverityFor(Severity(each["severity"]), tuple(each["targets"]), tuple(each["formats"]))
-            for each in values["severity_for"]
-        ),
+        "severity_for": _severities(values["severity_for"]),
+        "also_for": _severities(values["also_for"]),
         "also": tuple(map(Severity, values["also"])),
         "facts": tuple(map(tuple, values["facts"])),
         "repairs": tuple(map(_repair, values["repairs"])),
         "path": homes.get(values["name"], ""),
     }
     return Rule(**{**values, **plural, **changed})
+
+
+def _severities(values: Iterable[Mapping[str, Any]]) -> tuple[SeverityFor, ...]:
+    return tuple(
+        SeverityFor(Severity(each["severity"]), tuple(each["targets"]), tuple(each["formats"]))
+        for each in values
+    )
 
 
 def _repair(values: dict[str, Any]) -> Repair:

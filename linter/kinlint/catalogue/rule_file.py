@@ -85,11 +85,12 @@ class _RuleReader:
             path=str(self.file),
             whole_model=self.value(kl("wholeModel")) in TRUE,
             targets=self.values(kl("target")),
-            severity_for=tuple(sorted(self.severity_for(), key=astuple)),
+            severity_for=tuple(sorted(self.severity_for(self.subject), key=astuple)),
             group_by=self.values(kl("groupBy")),
             explains=read_explanations(self.graph, self.subject),
             optional=self.value(kl("optional")) in TRUE,
             also=tuple(sorted(self.also(), reverse=True)),
+            also_for=tuple(sorted(set(self.also_for()), key=astuple)),
             repairs=read_repairs(self.graph, self.subject),
             facts=modules(self.graph.files[0], prefixes()),
         )
@@ -107,9 +108,17 @@ class _RuleReader:
             for said in self.values(sh("severity"), each)
         }
 
-    def severity_for(self) -> Iterator[SeverityFor]:
-        """Yield what the rule counts as where `kl:severityFor` says that it is something else."""
-        for each in self.graph.values(self.subject, kl("severityFor")):
+    def also_for(self) -> Iterator[SeverityFor]:
+        """Yield the severities of single constraints for certain consumers or formats."""
+        for each in self.graph.values(self.subject, sh("sparql")):
+            yield from self.severity_for(each)
+            if targets := self.values(kl("target"), each):
+                own = next(iter(self.values(sh("severity"), each)), self.value(sh("severity")))
+                yield SeverityFor(self.severity(own), targets)
+
+    def severity_for(self, node: Term) -> Iterator[SeverityFor]:
+        """Yield the severities of *node*, a rule or constraint, by `kl:severityFor`."""
+        for each in self.graph.values(node, kl("severityFor")):
             targets, formats = self.values(kl("target"), each), self.values(kl("format"), each)
             said = next(iter(self.values(sh("severity"), each)), "nothing")
             yield SeverityFor(self.severity(said), targets, formats)

@@ -21,17 +21,35 @@ class Policy:
     """Severities by code; None for a silent rule."""
     imposed: frozenset[str] = frozenset()
     """Codes whose severity a target or the configuration set."""
+    configured: frozenset[str] = frozenset()
+    """Codes whose severity the configuration set."""
+    targets: Collection[str] = ()
+    """Consumers that the file is meant for."""
+    form: str = ""
+    """Format of the file."""
 
     def severity(self, rule: Rule) -> Severity | None:
         """Return the severity of *rule* here; None if it is off. Unknown rules are on."""
         return self.severities.get(rule.code, rule.severity)
 
     def severity_of(self, finding: Finding) -> Severity | None:
-        """Return the severity of *finding* here: the configured one, or that of its constraint."""
+        """Return the severity of *finding* here; None if it is not for the consumers named.
+
+        That of the configuration comes first, then that of the constraint for a consumer, that of
+        the rule for a consumer, that of the constraint, and that of the rule.
+        """
         rule = finding.rule
-        own = finding.severity is not rule.severity and rule.code not in self.imposed
         severity = self.severity(rule)
-        return finding.severity if own and severity is not None else severity
+        missed = finding.targets and set(finding.targets).isdisjoint(self.targets)
+        if severity is None or missed or rule.code in self.configured:
+            return None if missed else severity
+        special = [
+            each.severity for each in finding.severity_for if each.applies(self.targets, self.form)
+        ]
+        if special:
+            return max(special)
+        own = finding.severity is not rule.severity and rule.code not in self.imposed
+        return finding.severity if own else severity
 
 
 @dataclass(frozen=True)
@@ -123,6 +141,7 @@ def combine_policy(
         for rule in catalogue.rules
         if any(each.targets and each.applies(targets, form) for each in rule.severity_for)
     }
+    configured: set[str] = set()
     for choice in choices:
         wanted = (*choice.extend_select, *(choice.select or ()))
         below = chosen if choice.select is None else frozenset[str]()
@@ -130,7 +149,9 @@ def combine_policy(
         ranked = [(catalogue.find_from(choice.origin, sel), sev) for sel, sev in choice.severity]
         for (_, codes), severity in sorted(ranked, key=lambda entry: entry[0][0]):
             severities.update(dict.fromkeys(codes, severity))
-            imposed |= codes
+            configured |= codes
     speaking = {code for code, severity in meant.items() if severity is not None} & chosen
     spoken = {code: severities[code] if code in speaking else None for code in severities}
-    return Policy(spoken, frozenset(imposed))
+    return Policy(
+        spoken, frozenset(imposed | configured), frozenset(configured), tuple(targets), form
+    )

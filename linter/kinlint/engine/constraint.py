@@ -61,6 +61,10 @@ class Constraint:
 
     A constraint that speaks of the text of a format spares what another says of the model.
     """
+    consumers: tuple[str, ...] = ()
+    """The consumers that it is about, by its `kl:target`; none for all."""
+    severity_for: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = ()
+    """Severities by its `kl:severityFor`: the IRI of each, its consumers and its formats."""
     needs: tuple[Term, ...] | None = None
     """The properties and classes that the query looks at, None for any."""
     sweeps: str = ""
@@ -82,6 +86,11 @@ class Constraint:
                 **values,
                 "messages": tuple(values.get("messages", ())),
                 "formats": tuple(values.get("formats", ())),
+                "consumers": tuple(values.get("consumers", ())),
+                "severity_for": tuple(
+                    (severity, tuple(consumers), tuple(formats))
+                    for severity, consumers, formats in values.get("severity_for", ())
+                ),
                 "premises": tuple((s, p, o) for s, p, o in values.get("premises", ())),
                 "needs": tuple(values["needs"]) if "needs" in values else None,
                 "targets": tuple((s, p, o) for s, p, o in values.get("targets", ())),

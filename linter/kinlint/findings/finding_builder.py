@@ -24,7 +24,7 @@ from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
 from kinlint.findings.wording import Wording
 from kinlint.message_template import counted, filled
-from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity
+from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity, SeverityFor
 from kinlint.term_format import TermFormatter
 from kinlint.terms import (
     RDF_TYPE,
@@ -165,6 +165,12 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         location=location,
         iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
         focus=result.focus,
+        targets=result.constraint.consumers,
+        severity_for=tuple(
+            SeverityFor(SEVERITY_BY_IRI[severity], consumers, formats)
+            for severity, consumers, formats in result.constraint.severity_for
+            if severity in SEVERITY_BY_IRI
+        ),
         path=result.path,
         value=result.value,
         template=template,

@@ -133,6 +133,10 @@ def rule_object(rule: Rule) -> dict[str, Any]:
             {"severity": each.severity.label, "targets": each.targets, "formats": each.formats}
             for each in rule.severity_for
         ],
+        "constraint_severity_for": [
+            {"severity": each.severity.label, "targets": each.targets, "formats": each.formats}
+            for each in rule.also_for
+        ],
         "targets": list(rule.targets),
         "antipatterns": list(rule.antipatterns),
         "symptoms": list(rule.symptoms),
@@ -154,10 +158,11 @@ def rule_object(rule: Rule) -> dict[str, Any]:
 def _severity(rule: Rule) -> str:
     """Return the severity of the rule, with those for certain targets and formats."""
     parts = [rule.severity.label, *(f"{each.label} for some findings" for each in rule.also)]
-    for each in rule.severity_for:
+    for each in (*rule.severity_for, *rule.also_for):
+        some = " for some findings" if each in rule.also_for else ""
         where = f" in {' and '.join(each.formats)}" if each.formats else ""
         whom = f" with --target {' or '.join(each.targets)}" if each.targets else ""
-        parts.append(each.severity.label + where + whom)
+        parts.append(each.severity.label + some + where + whom)
     return "; ".join(parts)
 
 

@@ -221,7 +221,8 @@ def _alone(
     own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
-    strict = replace(STRICT, targets=rule.targets)
+    consumers = {*rule.targets, *(name for each in own for name in each.consumers)}
+    strict = replace(STRICT, targets=tuple(sorted(consumers)))
     return only, Settings(engine=engine, default=strict)
 
 

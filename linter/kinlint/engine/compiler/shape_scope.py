@@ -80,6 +80,10 @@ class Violation:
     """The formats that it is for, where not all that the rule is for."""
     severity: str = ""
     """Its own severity, where that is not the severity of the shape."""
+    consumers: tuple[str, ...] = ()
+    """The consumers that it is about, where not all."""
+    severity_for: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = ()
+    """Severities for certain consumers or formats: the IRI of each, consumers and formats."""
     without_focus: bool = False
     """The groups find the same with no focus node bound, for all nodes at once."""
 

@@ -88,6 +88,8 @@ class _Walk:
             path=shape.path.predicate or None if shape.path else None,
             deferred=reason,
             formats=violation.formats,
+            consumers=violation.consumers,
+            severity_for=violation.severity_for,
         )
         if reason is not None:
             return common

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from kinlint.terms import Term
 
 FORMAT = f"<{KL}format>"
+TARGET = f"<{KL}target>"
+SEVERITY_FOR = f"<{KL}severityFor>"
 TARGET_NODE = sh("targetNode")
 VALUE = "?k_value"
 
@@ -49,6 +51,8 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
             premises=query.premises,
             formats=formats(shape.graph, node),
             severity=severity(shape.graph, node),
+            consumers=consumers(shape.graph, node),
+            severity_for=severity_for(shape.graph, node),
             without_focus=runs_without_focus(query.select),
         )
 
@@ -56,6 +60,23 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
 def formats(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
     """Return the formats that a constraint is limited to by `kl:format`."""
     return tuple(sorted(map(literal_value, graph.values(node, FORMAT))))
+
+
+def consumers(graph: ShapesGraph, node: Term) -> tuple[str, ...]:
+    """Return the consumers that a constraint is about by `kl:target`."""
+    return tuple(sorted(map(literal_value, graph.values(node, TARGET))))
+
+
+def severity_for(
+    graph: ShapesGraph, node: Term
+) -> tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...]:
+    """Return the severities of `kl:severityFor`: the IRI, the consumers and the formats of each."""
+    return tuple(
+        sorted(
+            (severity(graph, each), consumers(graph, each), formats(graph, each))
+            for each in graph.values(node, SEVERITY_FOR)
+        )
+    )
 
 
 def severity(graph: ShapesGraph, node: Term) -> str:

@@ -13,7 +13,12 @@ from kinlint.document import Document
 from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
-from kinlint.engine.compiler.sparql_constraints import formats, severity
+from kinlint.engine.compiler.sparql_constraints import (
+    consumers,
+    formats,
+    severity,
+    severity_for,
+)
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.ontology_index import Schema
 from kinlint.engine.reference.owl import owlrl_closure
@@ -141,6 +146,8 @@ def _constraint(shapes: ShapesGraph, record: Record) -> Constraint:
         messages=said or shape.messages,
         path=path if path is not None and is_iri(path) else None,
         formats=formats(shapes, source) if source is not None else (),
+        consumers=consumers(shapes, source) if source is not None else (),
+        severity_for=severity_for(shapes, source) if source is not None else (),
     )
 
 
