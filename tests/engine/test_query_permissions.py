@@ -218,6 +218,7 @@ def test_nothing_is_imported(
         ("<http://www.w3.org/2001/XMLSchema#integer>('4') > 1", 1),
         ("<http://www.w3.org/2005/xpath-functions/math#sqrt>(4) > 1", 2),
         ("<https://example.org/#f>()", 0),
+        ("1 < (1 + 1)", 1),
     ],
 )
 def test_casts_and_functions_of_the_file_may_be_called(

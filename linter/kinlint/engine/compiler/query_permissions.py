@@ -108,5 +108,5 @@ def _called(query: Query) -> Iterator[str]:
 
 def _calls(expression: Sequence[str | Group]) -> Iterator[str]:
     for token, following in pairwise(expression):
-        if isinstance(token, str) and token.startswith("<") and following == "(":
+        if isinstance(token, str) and token[:1] + token[-1:] == "<>" and following == "(":
             yield token
