@@ -25,6 +25,8 @@ HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]+")
 INFINITE = {"inf": "INF", "+inf": "INF", "-inf": "-INF"}
 TRUTHS = {"true": "true", "false": "false", "1": "1", "0": "0"}
 SPACE = " \t\r\n"
+PART = re.compile(r"[^ \t\r\n\f\v]+")
+"""A part of a vector; other space of Unicode separates nothing for any parser."""
 
 MOST_KEPT = 100_000
 LONGEST_KEPT = 200
@@ -66,7 +68,7 @@ class NumberReader(ValueReader):
 
     def read(self, written: str) -> Value:
         """Return the numbers in *written*, spelled as there."""
-        parts = written.split()
+        parts = PART.findall(written)
         if (len(parts) not in self.counts) if self.counts else not parts:
             return None
         tokens = tuple(token for part in parts if (token := self._number(part)) is not None)
@@ -76,7 +78,7 @@ class NumberReader(ValueReader):
 
     def reason(self, written: str) -> str:
         """Return the first part of *written* that is no number, or how many there are."""
-        parts = written.split()
+        parts = PART.findall(written)
         wrong = next((part for part in parts if self._number(part) is None), None)
         if not parts:
             return "empty"
