@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
 from kinlint.files.environment import listing
-from kinlint.files.packages import DEPTH, DIRECTORIES, SKIPPED, Packages
+from kinlint.files.packages import DEPTH, DIRECTORIES, SKIPPED, Packages, package_name
 from kinlint.files.pathglob import absolute
 from kinlint.suggestion import nearest
 
@@ -80,7 +80,24 @@ class References:
         target = self.packages.resolve(prefix + written[packaged.end() :], near)
         if root is None or target is None:
             return UnknownPackage(name)
-        return self._missing(prefix, root, target)
+        fault = self._missing(prefix, root, target)
+        if isinstance(fault, Missing) and (own := self._in_own_package(target, root, near)):
+            return Missing(own)
+        return fault
+
+    def _in_own_package(self, target: Path, root: Path, near: Path) -> str | None:
+        """Return the URI of the file in the package of *near* that lies there as *target* in *root*.
+
+        None if there is none. A description that was copied keeps the paths below its package.
+        """
+        for above in (near, *near.parents):
+            name = package_name(above)
+            if name is not None:
+                inner = Path(os.path.relpath(target, root))
+                there = above / inner
+                known = inner.parts[0] != ".." and inner.name in self._listing(there.parent)
+                return f"package://{name}/{inner.as_posix()}" if known and above != root else None
+        return None
 
     def _missing(self, prefix: str, root: Path, target: Path) -> Fault | None:
         """Return the fault of *target*, a file expected in or near *root*."""
@@ -102,6 +119,8 @@ class References:
             if alike := _of_kind(files, target.suffix):
                 similar = nearest(target.name, alike)
                 return Missing(similar and _written(prefix, root, at / similar))
+            if not prefix and at == root:
+                return Missing()
         return AbsentDirectory(_written(prefix, root, at if absent == target else absent))
 
     def _entry(self, directory: Path, name: str) -> str | None:
