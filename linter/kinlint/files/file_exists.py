@@ -86,7 +86,7 @@ class References:
         return fault
 
     def _in_own_package(self, target: Path, root: Path, near: Path) -> str | None:
-        """Return the URI of the file in the package of *near* that lies there as *target* in *root*.
+        """Return the URI of the file in the package of *near* at the path of *target* in *root*.
 
         None if there is none. A description that was copied keeps the paths below its package.
         """
