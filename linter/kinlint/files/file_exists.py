@@ -119,8 +119,6 @@ class References:
             if alike := _of_kind(files, target.suffix):
                 similar = nearest(target.name, alike)
                 return Missing(similar and _written(prefix, root, at / similar))
-            if not prefix and at == root:
-                return Missing()
         return AbsentDirectory(_written(prefix, root, at if absent == target else absent))
 
     def _entry(self, directory: Path, name: str) -> str | None:
