@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
 
-from support.linting import book
+from support.linting import book, document
 
+from kinlint.document import Document
 from kinlint.file_format import Format
+from kinlint.formats.dependencies.companions import join_companions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.element_types import ElementType, Reference, Schema
 from kinlint.formats.xml.schema import TEXT, schema
@@ -44,6 +46,18 @@ def examples(form: Format, *, good: bool = True) -> tuple[tuple[Rule, str], ...]
         if each.format == name and not each.companions and not each.beside
         if (text := each.good if good else each.bad)
     )
+
+
+def models(form: Format) -> Iterator[tuple[Document, ...]]:
+    """Yield the examples of rules that are files of *form*, read with the files that come along."""
+    for rule in book().rules:
+        for each in rule.examples:
+            for text in (each.bad, each.good) if each.format == form.name else ():
+                if text is not None:
+                    companions = enumerate(each.companions)
+                    beside = [(t, f"other{n}.{name}", name) for n, (name, t) in companions]
+                    files = [(unmarked(text)[0], f"arm{form.suffixes[0]}", form.name), *beside]
+                    yield tuple(join_companions([document(*file) for file in files]))
 
 
 @dataclass(frozen=True)

@@ -6,29 +6,36 @@ A new format is held to all of this by its record, its schema and the examples o
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from specimens import GOAL, KINDS, NOWHERE, ReferenceKind, examples
+from specimens import GOAL, KINDS, NOWHERE, ReferenceKind, examples, models
 from support.linting import book, codes, document, source
 
 from kinlint import lint as pipeline
+from kinlint import resources
+from kinlint.addresses import document_of
 from kinlint.cli.main import main
 from kinlint.configuration.settings import Settings
 from kinlint.conversion.coverage import format_coverage
+from kinlint.document import Document
 from kinlint.engine.lifting import lift
-from kinlint.engine.provenance import Provenance
+from kinlint.engine.provenance import WORKED_OUT, Provenance, Trace, Written
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.file_format import Format
+from kinlint.findings.locator import Locator
 from kinlint.formats.recognition import recognise
 from kinlint.formats.records import FORMATS, LIFTED
 from kinlint.navigation.navigator import Navigator
-from kinlint.terms import literal_value
-from kinlint.vocabulary import SRC
+from kinlint.terms import NUMERIC, Triple, is_blank, literal_datatype, literal_value
 
 WRITTEN = [each for each in FORMATS if each.editor is not None]
 formats = pytest.mark.parametrize("form", FORMATS, ids=lambda each: each.name)
+robots = pytest.mark.parametrize(
+    "form", [each for each in LIFTED if each.describes_robots], ids=lambda each: each.name
+)
 lifted = pytest.mark.parametrize("form", LIFTED, ids=lambda each: each.name)
 written = pytest.mark.parametrize("form", WRITTEN, ids=lambda each: each.name)
 references = pytest.mark.parametrize("kind", KINDS, ids=str)
@@ -80,34 +87,89 @@ def test_each_reason_is_needed(form: Format) -> None:
     assert [one for one in known.reasons if one.lifted == "no" and one not in used] == []
 
 
-@pytest.mark.parametrize("form", [each for each in LIFTED if each.describes_robots], ids=str)
+@lifted
 def test_a_lifted_number_is_at_its_place(form: Format) -> None:
     """Read there, it is that number, or its negative."""
     seen = 0
-    for _, text in examples(form):
-        model = document(text, f"arm{form.suffixes[0]}")
-        store = Store()
-        store.load([model])
-        lift(store)
-        provenance = Provenance(store)
-        for triple in _numbers(store):
-            trace = provenance.trace(triple)
-            if trace.sign == 0 or len(trace.written) != 1:
-                continue
-            ((home, origin),) = trace.written
-            span = home.map.triples[origin]
-            there = home.source.text[span.start : span.end]
-            assert float(there) * trace.sign == float(literal_value(triple[2])), (text, triple)
+    for triple, trace in _traces(form):
+        if trace.sign and len(trace.written) == 1:
+            (value,) = map(_number_there, trace.written)
+            assert value * trace.sign == float(literal_value(triple[2])), triple
             seen += 1
     assert seen
 
 
-def _numbers(store: Store) -> list[tuple[str, str, str]]:
-    """Return the triples with numbers that were lifted."""
+@robots
+def test_a_computed_number_leads_to_all_that_it_was_computed_from(form: Format) -> None:
+    """Each source is a number or words that the file says there, and none comes twice."""
+    worked_out = (resources.data("shapes") / WORKED_OUT).read_text("utf-8")
+    sources = several = 0
+    for triple, trace in _traces(form):
+        sources += len(trace.written)
+        for written in trace.written:
+            assert _says(written), (triple, written.triple)
+        assert len({written.triple for written in trace.written}) == len(trace.written)
+        several += len(trace.written) > 1
+    assert sources
+    assert several or f"\n{form.name}\t" not in worked_out
+
+
+@lifted
+def test_what_is_made_of_an_element_is_where_that_is(form: Format) -> None:
+    """Also a number that is written nowhere, since the element leaves it out."""
+    seen = 0
+    for model in models(form):
+        store = _lifted(model)
+        locator = Locator(model, store)
+        for subject, _, _ in _numbers(store, form):
+            assert is_blank(subject) or locator.node(subject) is not None, subject
+            seen += 1
+    assert seen
+
+
+def _lifted(model: Sequence[Document]) -> Store:
+    store = Store()
+    store.load(model)
+    lift(store)
+    return store
+
+
+def _traces(form: Format) -> Iterator[tuple[Triple, Trace]]:
+    """Yield the numbers that are lifted of the examples of *form*, and what they were made of."""
+    for model in models(form):
+        store = _lifted(model)
+        provenance = Provenance(store)
+        for triple in _numbers(store, form):
+            yield triple, provenance.trace(triple)
+
+
+def _numbers(store: Store, form: Format) -> list[Triple]:
+    """Return the triples with numbers that were lifted of files of *form*."""
     query = "SELECT ?s ?p ?o WHERE { ?s ?p ?o FILTER (isNumeric(?o)) }"
-    said = {triple for each in store.documents.values() for triple in each.statements}
+    own = {graph for graph, each in store.documents.items() if each.format.lifted_as == form.name}
     rows = ((row["s"], row["p"], row["o"]) for row in store.rows(query))
-    return [row for row in rows if row not in said and not row[1].startswith(f"<{SRC}")]
+    return [
+        row
+        for row in rows
+        if store.is_lifted(row) and (is_blank(row[0]) or document_of(row[0]) in own)
+    ]
+
+
+def _text_there(written: Written) -> str:
+    location = written.document.location(written.document.map.triples[written.triple])
+    return location.source[location.span]
+
+
+def _number_there(written: Written) -> float:
+    return float(_text_there(written))
+
+
+def _says(written: Written) -> bool:
+    """Tell whether the text at the place of a triple is the value of that triple."""
+    text, value = _text_there(written), written.triple[2]
+    if literal_datatype(value) in NUMERIC:
+        return float(text) == float(literal_value(value))
+    return text.strip("\"' \n") == literal_value(value).strip()
 
 
 @references
