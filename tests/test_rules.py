@@ -93,7 +93,8 @@ def written(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("path", "follows"), [("kc:a", False), ("kc:a*", True), ("kc:a/kc:b?", True)]
+    ("path", "follows"),
+    [("kc:a", False), ("kc:a*", True), ("kc:a/kc:b+", True), ("kc:a/kc:b?", False)],
 )
 def test_a_query_that_repeats_a_path_is_known(path, follows):
     """What an example shows of it, deleting a part does not tell."""

@@ -26,13 +26,13 @@ ONE_FILE = ((f"<{SRC}document>",), (f"<{SRC}describedIn>",))
 
 
 def repeats(query: Select) -> bool:
-    """Return whether *query* follows a path any number of times, by `*`, `+` or `?`.
+    """Return whether *query* follows a path any number of times, by `*` or `+`.
 
     An example would have to tell each number of steps from the others.
     """
     blocks = (part.tokens for part in walk(query) if isinstance(part, Triples))
     found = (pattern.path for block in blocks for pattern in patterns(block, count()))
-    return any({"*", "+", "?"}.intersection(path) for path in found)
+    return any({"*", "+"}.intersection(path) for path in found)
 
 
 def mutants(query: Select) -> Iterator[tuple[str, Select]]:
