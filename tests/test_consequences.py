@@ -48,14 +48,13 @@ CASCADES: dict[str, tuple[Edit, str]] = {
         "LD015",
     ),
     "context that cannot be read": (
-        ("coordinates", "geometry/coordinates.json", "geometry/coordinate.json"),
+        ("coordinates", "geometry/coordinates.json", "geometry/numbers.json"),
         "LD014",
     ),
     "context that cannot be read, of entities": (
-        ("skeleton", "structural-entities.json", "structural-entites.json"),
+        ("skeleton", "structural-entities.json", "skeletons.json"),
         "LD014",
     ),
-    "context with http": (("chain", "https://comp-rob2b", "http://comp-rob2b"), "LD014"),
     "misspelt type whose keys are dropped": (
         ("coordinates", '"PoseCoordinate", "VectorXYZ"', '"PoseCoordinate", "VectorXY"'),
         "LD003",
@@ -94,6 +93,26 @@ CASCADES: dict[str, tuple[Edit, str]] = {
         "LD009",
     ),
 }
+
+
+SLIPS: dict[str, Edit] = {
+    "letter": ("coordinates", "geometry/coordinates.json", "geometry/coordinate.json"),
+    "two letters": ("skeleton", "structural-entities.json", "strctural-entites.json"),
+    "scheme": ("chain", "https://comp-rob2b", "http://comp-rob2b"),
+    "end": ("chain", "structural-entities.json", "structural-entities"),
+}
+"""Contexts that cannot be read, but are known by nearly the same name."""
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_context_is_read_as_the_one_that_was_meant(
+    slip: str, lint_edited: Callable[..., Report]
+) -> None:
+    """Nothing follows then, and the rest of the file is judged."""
+    name, old, new = SLIPS[slip]
+    (found,) = lint_edited((name, old, new)).findings
+    assert (found.rule.code, found.consequences) == ("LD014", ())
+    assert old.removeprefix("https://") in found.message
 
 
 @pytest.mark.parametrize("name", CASCADES)

@@ -50,6 +50,21 @@ def _shared(one: str, other: str) -> int:
     return length
 
 
+def slips(one: str, other: str, most: int = 2) -> int | None:
+    """Return the number of edits between two words that may be one, at most *most*; else None.
+
+    Words that differ in their digits are different names.
+    """
+    if abs(len(one) - len(other)) > most or _digits(one) != _digits(other):
+        return None
+    found = distance(one, other, most)
+    return found if found <= most else None
+
+
+def _digits(text: str) -> str:
+    return "".join(each for each in text if each.isdigit())
+
+
 def distance(one: str, other: str, most: int | None = None) -> int:
     """Return the edit distance: insertions, deletions, replacements and swaps of neighbours.
 

@@ -172,6 +172,7 @@ def test_a_context_that_nobody_knows() -> None:
     read = document(model({"@id": "ex:a", "@type": "Arm", "p": 1, "q": 2}, context=context))
     assert losses(read) == [
         ("UnresolvedContext", '"file:///home/robot.json"'),
+        ("RelativeType", '"Arm"'),
         ("UnreadKey", '"q"'),
     ]
     said = details(read, '"file:///home/robot.json"')

@@ -6,6 +6,7 @@ Nothing is ever fetched. A context that is not here is unknown, and that is for 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,7 +17,7 @@ from typing import Any, TypeAlias
 from kinlint.contexts.context_dsl import expand_context
 from kinlint.errors import ConfigError, UsageError
 from kinlint.resources import data
-from kinlint.suggestion import did_you_mean
+from kinlint.suggestion import did_you_mean, slips
 from kinlint.vocabulary import KINLINT
 
 RELEASE_DATES: Mapping[str, str] = MappingProxyType(
@@ -88,6 +89,19 @@ class Contexts:
             self._known[iri] = self._further.get(iri) or self._bundled(iri)
         return self._known[iri]
 
+    def resembling(self, iri: str) -> str | None:
+        """Return the IRI of the only document that the unknown *iri* can be a slip for.
+
+        They differ in the scheme, in the end of the name, or in at most two letters.
+        """
+        wanted = _plain(iri)
+        if "://" not in iri or self.document(iri) is not None:
+            return None
+        names = {each: _plain(each) for each in self.iris}
+        same = [each for each, name in names.items() if name == wanted]
+        near = same or [each for each, name in names.items() if slips(wanted, name) is not None]
+        return near[0] if len(near) == 1 else None
+
     def _bundled(self, iri: str) -> Document | None:
         if iri == COMPOSABLE:
             return {"@context": list(self._composed())}
@@ -108,12 +122,32 @@ class Contexts:
             yield from (_local(name, path) for path in paths)
 
 
+def _plain(iri: str) -> str:
+    """Return *iri* without what is often left out or written otherwise."""
+    return re.sub(r"^https?://(www\.)?|(\.json|\.jsonld|\.ttl)?[#/]*$", "", iri).casefold()
+
+
 @cache
 def bundled_source(name: str) -> Document:
     """Load the source of the release *name*, or of kinlint's own contexts, from shapes/contexts."""
     path = data("shapes") / "contexts" / f"{name}.json"
     source: Document = json.loads(path.read_text(encoding="utf-8"))
     return source
+
+
+@cache
+def known_terms() -> tuple[frozenset[str], frozenset[str]]:
+    """Return the names of all classes and of all properties in the newest bundled contexts."""
+    classes: set[str] = set()
+    properties: set[str] = set()
+    for name in (NEWEST, "kinlint"):
+        for document in bundled_source(name)["documents"].values():
+            said = document.get("classes", "")
+            groups = {said: {}} if isinstance(said, str) else said
+            classes.update(each for group in groups for each in group.split())
+            for lines in (document.get("properties", {}), *groups.values()):
+                properties.update(each for group in lines for each in group.split())
+    return frozenset(classes), frozenset(properties)
 
 
 @cache

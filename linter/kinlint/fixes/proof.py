@@ -8,13 +8,15 @@ from collections.abc import Iterable
 from kinlint.document import Document
 from kinlint.edits import Delta
 from kinlint.engine.literal_spelling import normal
-from kinlint.terms import RDF_TYPE, Term, Triple, is_blank, is_literal
+from kinlint.terms import RDF_TYPE, Term, Triple, iri, is_blank, is_literal
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
 FAR = 64
 """The radius of the neighbourhood that tells blank nodes apart, in steps."""
 
 OF_THE_TEXT = f"<{SRC}"
+LOST_OF = iri(f"{SRC}node")
+"""Property from what is lost to the node that it is lost of."""
 
 
 def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
@@ -30,6 +32,9 @@ def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
         return bool(changed(before, delta) == tree(after))
     removed = set(delta.removed)
     mending = any(_of_the_text(triple) for triple in (*delta.removed, *delta.added))
+    # A type may give keys a meaning that its node has lost.
+    lossy = {node for _, _, node in before.saying(LOST_OF)}
+    mending = mending or any(s in lossy and p == RDF_TYPE for s, p, _ in delta.added)
     old = {
         triple
         for triple in before.statements

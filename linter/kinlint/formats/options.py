@@ -27,6 +27,10 @@ class ContextLibrary(Protocol):
         """Return the document at *iri*, `{"@context": ...}`, or None if it is unknown."""
         ...
 
+    def resembling(self, iri: str) -> str | None:
+        """Return the IRI of the only document that the unknown *iri* can be a slip for."""
+        ...
+
     def at_release(self, release: str) -> ContextLibrary:
         """Return the same library serving another release."""
         ...

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
-from kinlint.contexts.context_library import NEWEST, bundled_source
+from kinlint.contexts.context_library import known_terms
 from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.pathglob import absolute
 from kinlint.text import SourceText
@@ -127,19 +127,10 @@ def _speaks_of_robots(said: Any) -> bool:
 @cache
 def _terms() -> tuple[frozenset[str], frozenset[str]]:
     """Return the terms that nobody else uses, in several words, and the other classes."""
-    special: set[str] = set()
-    common: set[str] = set()
-    for name in (NEWEST, "kinlint"):
-        for document in bundled_source(name)["documents"].values():
-            classes = document.get("classes", "")
-            groups = {classes: {}} if isinstance(classes, str) else classes
-            names = {each for group in groups for each in group.split()}
-            special |= {each for each in names if len(_WORDS.findall(each)) > 1}
-            common |= names
-            for lines in (document.get("properties", {}), *groups.values()):
-                keys = {key for group in lines for key in group.split()}
-                special |= {key for key in keys if "-" in key}
-    return frozenset(special), frozenset(common - special)
+    classes, properties = known_terms()
+    several = {each for each in classes if len(_WORDS.findall(each)) > 1}
+    special = several | {each for each in properties if "-" in each}
+    return frozenset(special), classes - special
 
 
 def _strings(value: Any) -> list[str]:

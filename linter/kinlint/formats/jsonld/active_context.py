@@ -23,6 +23,11 @@ FAULTS = (JsonLdError, LookupError, TypeError, ValueError, AttributeError, Recur
 
 _SALVAGED_TERMS = 200
 
+UNREAD = "_unread"
+"""Key of an active context for the name of a context that could not be read."""
+INLINE = "the context of this file"
+"""Stands for the name of a context that is written where it is used."""
+
 
 class _Lenient(dict[str, Any]):
     """An active context in which a setting can be withdrawn that was never made."""
@@ -35,7 +40,7 @@ class ActiveContexts:
     """The part of a processor that combines contexts.
 
     A context that is unknown or invalid is recorded at its place, and what is left of it takes
-    its place, marked `_blind`; with *strict* it raises as the specification demands. `site` is
+    its place, marked `UNREAD`; with *strict* it raises as the specification demands. `site` is
     the place of the `@context` at work.
     """
 
@@ -56,8 +61,8 @@ class ActiveContexts:
 
     def _clone_active_context(self, active_ctx: Context) -> Context:
         clone = _Lenient(super()._clone_active_context(active_ctx))  # type: ignore[misc]
-        if "_blind" in active_ctx:
-            clone["_blind"] = True
+        if UNREAD in active_ctx:
+            clone[UNREAD] = active_ctx[UNREAD]
         return clone
 
     def _process_context(
@@ -136,7 +141,7 @@ class ActiveContexts:
         except Unreadable as error:
             kind, why = "UnresolvedContext", str(error)
         self.record.problem(ContextProblem(kind, self.local.written(entry), why, site))
-        return _blind(active)
+        return uncertain(active, self.local.written(entry))
 
     def _define(self, entry: Any, active: Context, result: Context) -> None:
         if isinstance(entry, Object):
@@ -166,7 +171,10 @@ class ActiveContexts:
         if isinstance(entry, Object):
             self._datatypes(entry, result)
         if missing:
-            return _blind(result), ContextProblem("UnresolvedContext", iri, missing, span)
+            problem = ContextProblem("UnresolvedContext", iri, missing, span)
+            return uncertain(result, iri or INLINE), problem
+        if meant := next((context.meant for context in found if context.meant), None):
+            return result, ContextProblem("MisnamedContext", iri, "", span, meant)
         return result, None
 
     def _datatypes(self, entry: Object, result: Context) -> None:
@@ -187,7 +195,7 @@ class ActiveContexts:
         try:
             found: list[Resolved] = self.resolver.resolve(active, entry, "")
         except FAULTS:
-            return _blind(active), problem
+            return uncertain(active, problem.context or INLINE), problem
         for context in found:
             document = context.document
             if not isinstance(document, Mapping) or len(document) > _SALVAGED_TERMS:
@@ -209,7 +217,7 @@ class ActiveContexts:
             bad = next(iter(waiting), None)
             if isinstance(bad, Key):
                 problem = problem._replace(span=bad.value_span)
-        return _blind(active), problem
+        return uncertain(active, problem.context or INLINE), problem
 
     def _compare(
         self, before: Context, after: Context, entry: Text, options: Any, owners: dict[str, str]
@@ -245,8 +253,9 @@ def _frozen(context: Context) -> Context:
     return context if "_uuid" in context else frozendict({**context, "_uuid": ""})
 
 
-def _blind(context: Context) -> Context:
-    return frozendict({**context, "_blind": True})
+def uncertain(context: Context, name: str) -> Context:
+    """Return *context*, in which the context called *name* could not be read."""
+    return frozendict({**context, UNREAD: context.get(UNREAD, name)})
 
 
 def _reason(fault: BaseException) -> str:

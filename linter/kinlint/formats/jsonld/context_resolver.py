@@ -14,11 +14,15 @@ _NULL = object()
 
 
 class Resolved:
-    """A context that takes part; `missing` says why it is not the requested one."""
+    """A context that takes part; `missing` says why it is not the requested one.
 
-    def __init__(self, document: Any, missing: str | None = None) -> None:
+    `meant` is the IRI of the one that it is instead, since that must have been meant.
+    """
+
+    def __init__(self, document: Any, missing: str | None = None, meant: str | None = None) -> None:
         self.document = document
         self.missing = missing
+        self.meant = meant
 
     def get_processed(self, _active: Any) -> None:
         """Return None: PyLD's cache is keyed by an identifier that every scoped context renews."""
@@ -65,7 +69,7 @@ class Resolver:
         imported = context.get("@import")
         if not isinstance(imported, str) or active.get("processingMode") == "json-ld-1.0":
             return Resolved(context)
-        iri = _absolute(str(imported), base)
+        iri = absolute_iri(str(imported), base)
         found = self._fetched(iri, str(imported))
         if found is None:
             return self._unknown(iri, context)
@@ -80,7 +84,7 @@ class Resolver:
     def _document(
         self, active: Mapping[str, Any], written: str, base: str, chain: tuple[str, ...]
     ) -> list[Resolved]:
-        iri = _absolute(written, base)
+        iri = absolute_iri(written, base)
         if iri in chain:
             old = active.get("processingMode") == "json-ld-1.0"
             code = "recursive context inclusion" if old else "context overflow"
@@ -88,10 +92,20 @@ class Resolver:
         if iri not in self._remote:
             context = self._fetched(iri, written)
             if context is None:
-                return [self._unknown(iri, {})]
+                return self._misnamed(active, iri, chain) or [self._unknown(iri, {})]
             found = None if context is _NULL else context
             self._remote[iri] = self.resolve(active, found, iri, (*chain, iri))
         return self._remote[iri]
+
+    def _misnamed(
+        self, active: Mapping[str, Any], iri: str, chain: tuple[str, ...]
+    ) -> list[Resolved]:
+        """Return the contexts of the document that *iri* must have been meant to name."""
+        meant = None if self._strict else self._library.resembling(iri)
+        if meant is None or meant in chain:
+            return []
+        found = self._document(active, meant, meant, (*chain, iri))
+        return [Resolved(each.document, each.missing, meant) for each in found]
 
     def _fetched(self, iri: str, written: str) -> Any:
         """Return the context in the document at *iri*, its references made absolute.
@@ -114,7 +128,7 @@ class Resolver:
     def _unknown(self, iri: str, context: Any) -> Resolved:
         if self._strict:
             raise _error(f"unknown context {iri}", "loading remote context failed", iri)
-        why = "it is neither bundled nor configured, and nothing is fetched"
+        why = "it is unknown, and contexts are not fetched"
         return Resolved(_without_import(context), why)
 
 
@@ -126,7 +140,8 @@ def _without_import(context: Mapping[str, Any]) -> dict[str, Any]:
     return {term: value for term, value in context.items() if term != "@import"}
 
 
-def _absolute(iri: str, base: str) -> str:
+def absolute_iri(iri: str, base: str) -> str:
+    """Return *iri* against *base*; as it is where it cannot be resolved."""
     try:
         return cast("str", resolve_iri(iri, base))
     except ValueError:
@@ -139,7 +154,7 @@ def _located(context: Any, iri: str) -> Any:
     Relative ones are relative to *iri*.
     """
     if isinstance(context, str):
-        return _absolute(context, iri)
+        return absolute_iri(context, iri)
     if isinstance(context, list):
         return [_located(entry, iri) for entry in context]
     if not isinstance(context, Mapping):
@@ -149,7 +164,7 @@ def _located(context: Any, iri: str) -> Any:
 
 def _located_definition(term: str, value: Any, iri: str) -> Any:
     if term == "@import" and isinstance(value, str):
-        return _absolute(value, iri)
+        return absolute_iri(value, iri)
     if isinstance(value, Mapping) and "@context" in value:
         return {**value, "@context": _located(value["@context"], iri)}
     return value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import Any, TypeAlias
+from typing import Any
 
 from kinlint.formats.json_text.json_values import (
     Array,
@@ -15,10 +15,12 @@ from kinlint.formats.json_text.json_values import (
     Real,
     Text,
 )
-from kinlint.formats.jsonld.active_context import ActiveContexts, Context
+from kinlint.formats.jsonld.active_context import UNREAD, ActiveContexts, Context, uncertain
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord
+from kinlint.formats.jsonld.iri_reach import reach_of
 from kinlint.formats.jsonld.local_contexts import LocalContexts
+from kinlint.formats.jsonld.missing_context import CONTEXT, lacks_context, misnamed_context
 from kinlint.formats.jsonld.pyld import KEYWORD_PATTERN, KEYWORDS, JsonLdProcessor, frozendict
 from kinlint.formats.jsonld.traced_values import (
     RELATIVE,
@@ -32,12 +34,9 @@ from kinlint.formats.jsonld.traced_values import (
 )
 from kinlint.text import Span
 
-_Bases: TypeAlias = tuple[Any, str]
-"""The base that relative IRIs are resolved against, if any, and the base of the document."""
 _KEYWORDS = frozenset(KEYWORDS)
 _CONTENT = frozenset({"@value", "@list", "@set"})
 _LIKE_KEYWORD = re.compile(KEYWORD_PATTERN)
-_ABSOLUTE = re.compile(r"([A-Za-z][A-Za-z0-9+-.]*|_):[^\s]*$")
 
 
 class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
@@ -73,6 +72,10 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         }
         self._meanings: dict[tuple[int, bool, str | None], dict[str, Resolution]] = {}
         self._kept: list[Context] = []
+        self.contextless = False
+        """True if no object of the text has a context."""
+        self.misnamed: Key | None = None
+        """The outermost key that is read as `@context`, if it must have been meant."""
         memory.begin(self._get_initial_context(self.options))
 
     def expand_document(self, parsed: ParsedJson, context: Any = None) -> list[Any]:
@@ -83,6 +86,10 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         active = self._get_initial_context(self.options)
         if context is not None:
             active = self._process_context(active, context, self.options)
+        elif not self.strict and lacks_context(parsed):
+            self.contextless = True
+            self.misnamed = misnamed_context(parsed.value)
+            active = uncertain(active, CONTEXT)
         expanded = self._expand(active, None, parsed.value, self.options)
         if isinstance(expanded, dict) and expanded.keys() == {"@graph"}:
             expanded = expanded["@graph"]
@@ -107,7 +114,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
 
     def _on_dropped(self, expanded: str | None) -> None:
         # A term that a context maps to null is dropped on purpose and arrives as None.
-        if isinstance(expanded, Iri):
+        if isinstance(expanded, Iri) and expanded.token is not self.misnamed:
             self.record.drop(expanded.token, self.trail[-1], expanded.resolution)
 
     # The flags are spelled out: Python 3.12 counts a call with ** against a limit of its own.
@@ -199,12 +206,16 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         return value_span(active_property) or self.trail[-1].element.span
 
     def _prepare_nested_context(self, active_ctx: Context, element: Any, options: Any) -> Any:
-        if "@context" not in element:
+        token = element.key(CONTEXT) if isinstance(element, Object) else None
+        if self.misnamed is not None and len(self.trail) == 1:
+            token = self.misnamed
+            element = {**element, CONTEXT: element[token]}
+            active_ctx = self._get_initial_context(self.options)
+        if CONTEXT not in element:
             return super()._prepare_nested_context(active_ctx, element, options)
-        token = element.key("@context") if isinstance(element, Object) else None
         self.site = token.value_span if token else None
-        if not self.strict and isinstance(element["@context"], Mapping):
-            element = {**element, "@context": [element["@context"]]}
+        if not self.strict and isinstance(element[CONTEXT], Mapping):
+            element = {**element, CONTEXT: [element[CONTEXT]]}
         prepared = super()._prepare_nested_context(active_ctx, element, options)
         if len(self.trail) == 1:
             self.record.declare(prepared[0]["mappings"])
@@ -225,10 +236,10 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             plain = str(value)
             iri = super()._expand_iri(active_ctx, plain, base, vocab)
             bases = (base, self.options["base"])
-            reach = _reach(active_ctx, plain, iri, bases, vocab=bool(vocab))
+            reach = reach_of(active_ctx, plain, iri, bases, vocab=bool(vocab))
             meant = active_ctx["mappings"] if vocab and reach in RELATIVE else {}
-            blind = bool(active_ctx.get("_blind"))
-            meaning = meanings[plain] = Resolution(iri, reach, blind, meant)
+            unread = active_ctx.get(UNREAD, "")
+            meaning = meanings[plain] = Resolution(iri, reach, unread, meant)
         if meaning.iri is None or meaning.iri in _KEYWORDS:
             if self.trail:
                 self._reserved(value, meaning.iri, self.trail[-1])
@@ -258,42 +269,3 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
 
 def _element_span(array: list[Any], index: int) -> Any:
     return array.element_span(index) if isinstance(array, Array) else None
-
-
-def _reach(context: Context, value: str, iri: Any, bases: _Bases, *, vocab: bool) -> Reach:
-    """Return the step of IRI expansion (JSON-LD 1.1 API, 5.2) that gave *iri*."""
-    if vocab and value in context["mappings"]:
-        return Reach.TERM
-    return _reach_of_compact(context, value) or _reach_of_relative(
-        context, iri == value, bases, vocab=vocab
-    )
-
-
-def _reach_of_compact(context: Context, value: str) -> Reach | None:
-    prefix, colon, suffix = value.partition(":")
-    if not prefix or not colon:
-        return None
-    if prefix == "_":
-        return Reach.BLANK
-    if suffix.startswith("//"):
-        return Reach.ABSOLUTE
-    mapping = context["mappings"].get(prefix)
-    if mapping and mapping["_prefix"]:
-        return Reach.PREFIX
-    return Reach.SCHEME if _ABSOLUTE.match(value) else None
-
-
-def _reach_of_relative(
-    context: Context,
-    unchanged: bool,  # noqa: FBT001
-    bases: _Bases,
-    *,
-    vocab: bool,
-) -> Reach:
-    author, (base, document) = context.get("@base"), bases
-    if vocab and "@vocab" in context:
-        fell = document and str(context["@vocab"]).startswith(document)
-        return Reach.DOCUMENT_BASE if fell else Reach.VOCAB
-    if base is None or unchanged or ("@base" in context and author is None):
-        return Reach.NOWHERE
-    return Reach.AUTHORS_BASE if author and _ABSOLUTE.match(author) else Reach.DOCUMENT_BASE

@@ -37,6 +37,8 @@ class ContextProblem(NamedTuple):
     context: str | None
     reason: str
     span: Span
+    meant: str | None = None
+    """IRI of the context that is read in its place."""
 
 
 class ShadowedTerm(NamedTuple):

@@ -19,7 +19,7 @@ from kinlint.files.pathname import real, shown
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
-from kinlint.formats.jsonld.context_resolver import Resolved, Resolver
+from kinlint.formats.jsonld.context_resolver import Resolved, Resolver, absolute_iri
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
@@ -78,7 +78,8 @@ class LocalContexts:
     def _located(self, reference: str, near: Path) -> str | None:
         if reference.startswith(_FILE):
             return reference
-        if self.options.contexts.document(reference) is not None:
+        names = (reference, absolute_iri(reference, self.options.base))
+        if any(self.options.contexts.document(each) is not None for each in names):
             return None
         try:
             parts = urlsplit(reference)

@@ -2,114 +2,25 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from kinlint.formats.json_text.json_values import Key, Object, Text
-from kinlint.formats.jsonld.active_context import FAULTS, Context
-from kinlint.formats.jsonld.context_cache import ContextCache
-from kinlint.formats.jsonld.expander import Processor
-from kinlint.formats.jsonld.expansion_record import ExpansionRecord, ShadowedTerm, StrayValue
-from kinlint.formats.jsonld.local_contexts import LocalContexts
-from kinlint.formats.jsonld.losses import Detail, Loss, LossObserver, text_details
-from kinlint.formats.jsonld.term_definitions import definitions, mentioned
-from kinlint.formats.jsonld.traced_values import Iri, Origin, Resolution
+from kinlint.formats.jsonld.expansion_record import (
+    DroppedKey,
+    ExpansionRecord,
+    ShadowedTerm,
+    StrayValue,
+)
+from kinlint.formats.jsonld.losses import Detail, Loss, LossObserver, text_details, unless
+from kinlint.formats.jsonld.release_comparison import OtherRelease, ReleaseComparison
+from kinlint.formats.jsonld.resemblance import nearest_property
+from kinlint.formats.jsonld.term_definitions import definitions, mentioned, strings
+from kinlint.formats.jsonld.traced_values import Iri, Origin
 from kinlint.formats.jsonld.triples import Triples
-from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.terms import Term, iri, literal, literal_value
+from kinlint.terms import Term, iri, literal
 from kinlint.text import Span
 from kinlint.vocabulary import METAMODELS
-
-_MAPPED = re.compile(r"([A-Za-z][A-Za-z0-9+-.]*|_):[^\s]*$|@[a-z]+$")
-
-
-class OtherRelease:
-    """The contexts in force at the objects of a file, had it been read under *release*."""
-
-    def __init__(self, release: str, options: ReadOptions, local: LocalContexts) -> None:
-        self.release = release
-        memory = ContextCache.from_options(options, release)
-        self._processor = Processor(memory, options.base, local)
-        self._at: dict[Origin, tuple[Context, Context]] = {}
-
-    def maps_key(self, key: Text, origin: Origin) -> bool:
-        """Tell whether the release maps *key* on the node of *origin*."""
-        return self._means(self._contexts(origin)[0], key, None)
-
-    def maps_type(self, name: Text, origin: Origin) -> bool:
-        """Tell whether *name* is a type in the release."""
-        return self._means(self._contexts(origin)[1], name, None)
-
-    def _means(self, context: Context, name: str, base: str | None) -> bool:
-        found = self._processor._expand_iri(context, str(name), base, vocab=True)  # noqa: SLF001
-        return isinstance(found, str) and _MAPPED.match(found) is not None
-
-    def _contexts(self, origin: Origin) -> tuple[Context, Context]:
-        """Return the active context for the keys of *origin*, and the one for its types."""
-        if origin not in self._at:
-            processor = self._processor
-            if origin.parent is None:
-                outer = processor._get_initial_context(processor.options)  # noqa: SLF001
-            else:
-                outer = self._contexts(origin.parent)[0]
-            self._at[origin] = self._inner(outer, origin)
-        return self._at[origin]
-
-    def _inner(self, outer: Context, origin: Origin) -> tuple[Context, Context]:
-        """Return the contexts after those of an object.
-
-        Steps 3 and 7 to 11 of the expansion algorithm.
-        """
-        processor: Any = self._processor
-        try:
-            outer = processor.entering(outer, origin.prop)
-            processor.trail.append(origin)
-            keys, _, types = processor._prepare_nested_context(  # noqa: SLF001
-                outer, origin.element, processor.options
-            )
-            processor.trail.pop()
-        except FAULTS:
-            return outer, outer
-        return keys, types
-
-
-LOOKED_UP = 1_000
-"""Number of lost words that are compared with the terms of their contexts."""
-
-
-class ReleaseComparison:
-    """Comparison of lost words with the terms of their contexts, and of other releases."""
-
-    def __init__(self, options: ReadOptions, local: LocalContexts) -> None:
-        self._options = options
-        self._local = local
-        self._releases: list[OtherRelease] | None = None
-        self._near: dict[tuple[int, str], str | None] = {}
-
-    @property
-    def looked_up(self) -> int:
-        """Return the number of words compared so far."""
-        return len(self._near)
-
-    def others(self, *, named: bool) -> list[OtherRelease]:
-        """Return the other releases, if a context is *named* that they might have."""
-        if self._releases is None:
-            current = self._options.contexts.release
-            names = self._options.releases if named else ()
-            self._releases = [
-                OtherRelease(each, self._options, self._local) for each in names if each != current
-            ]
-        return self._releases
-
-    def resembles(self, resolution: Resolution, written: str) -> Iterator[Detail]:
-        """Yield the term that *written* resembles, as long as few words have been looked up."""
-        key = id(resolution.terms), str(written)
-        if key not in self._near and len(self._near) < LOOKED_UP:
-            self._near[key] = resolution.nearest(written)
-        if near := self._near.get(key):
-            yield Detail("resembles", literal(near))
 
 
 class LossReport:
@@ -149,26 +60,59 @@ class LossReport:
     def dropped(self) -> list[Loss]:
         """Return the keys without a meaning."""
         losses = []
+        beside: dict[int, list[Text]] = {}
         for drop in self._record.drops.values():
-            blind = drop.resolution.blind
-            kind = "UnreadKey" if blind else "DroppedKey"
+            beside.setdefault(id(drop.origin.element), []).append(drop.key)
+        for drop in self._record.drops.values():
+            kind = "UnreadKey" if drop.resolution.unless else "DroppedKey"
             node = self._triples.named(drop.origin)
-            details = (*text_details(key=drop.key), *mentioned(drop))
-            loss = Loss(kind, drop.key.span, node, details)
-            if not blind:
-                loss = loss.with_details(self._compared.resembles(drop.resolution, drop.key))
-                loss = loss.with_details(
-                    Detail("mappedInRelease", literal(other.release))
-                    for other in self._others()
-                    if other.maps_key(drop.key, drop.origin)
-                )
-            losses.append(loss)
+            lost = beside[id(drop.origin.element)]
+            details = (
+                *text_details(key=drop.key),
+                *unless(drop.resolution),
+                *mentioned(drop),
+                *self._explained(drop, lost),
+            )
+            losses.append(Loss(kind, drop.key.span, node, details))
         return losses
 
+    def _explained(self, drop: DroppedKey, lost: Sequence[Text]) -> Iterator[Detail]:
+        """Yield what the key may have been: elsewhere, on other nodes, or in another spelling.
+
+        *lost* are all keys that its object loses.
+        """
+        key, origin = drop.key, drop.origin
+        elsewhere = {
+            other.release: found
+            for other in self._others()
+            if (found := other.key_iri(key, origin)) is not None
+        }
+        for release in elsewhere:
+            yield Detail("mappedInRelease", literal(release))
+        terms, meant = drop.resolution.terms, frozenset(elsewhere.values())
+        has = [each for name in ("@type", "type") for each in strings(origin.element.get(name))]
+        types = self._compared.scopes.types(key, terms, lost, meant, has)
+        for each in types:
+            yield Detail("knownOn", iri(each))
+        if types or elsewhere:
+            return
+        near = self._compared.nearest_property(drop)
+        if near is not None and not any(
+            near == nearest_property(each, terms, ()) for each in lost if each is not key
+        ):
+            yield Detail("resembles", literal(near))
+
     def _resembled_type(self, written: Iri) -> Iterator[Detail]:
-        for term in self._compared.resembles(written.resolution, written.token):
-            meaning = written.resolution.terms[literal_value(term.value)]
-            yield Detail("resembles", iri(meaning["@id"]))
+        if (near := self._compared.nearest_class(written)) is not None:
+            yield Detail("resembles", iri(written.resolution.terms[near]["@id"]))
+
+    def missing_context(self, whole: Span, misnamed: Key | None) -> list[Loss]:
+        """Return that the text has no context, if it needs one; *misnamed* is read as one."""
+        if misnamed is not None:
+            return [Loss("MissingContext", misnamed.span, None, text_details(key=misnamed))]
+        if not self._record.drops and not self._watch.types:
+            return []
+        return [Loss("MissingContext", Span(whole.start, whole.start + 1))]
 
     def strays(self) -> list[Loss]:
         """Return the values without effect, and the datatypes without a prefix."""
@@ -201,9 +145,10 @@ class LossReport:
         """Return the contexts that are missing or broken."""
         losses = []
         for problem in self._record.problems.values():
-            details = text_details(reason=problem.reason)
-            if problem.context is not None:
-                details = (*text_details(context=problem.context), *details)
+            said = {
+                "context": problem.context, "reason": problem.reason, "resembles": problem.meant
+            }  # fmt: skip
+            details = text_details(**{name: text for name, text in said.items() if text})
             losses.append(Loss(problem.kind, problem.span, None, details))
         return [*losses, *definitions(self._record, self._triples)]
 

@@ -52,6 +52,11 @@ def text_details(**texts: str) -> tuple[Detail, ...]:
     return tuple(Detail(name, literal(text)) for name, text in texts.items())
 
 
+def unless(resolution: Resolution) -> tuple[Detail, ...]:
+    """Return the name of the context that may give a meaning to what has none, if there is one."""
+    return text_details(unless=resolution.unless) if resolution.unless else ()
+
+
 @dataclass(frozen=True)
 class LostType:
     """A loss of a type, with what another release is asked about it."""
@@ -73,7 +78,7 @@ class Nested(NamedTuple):
 class LossObserver:
     """Notices IRIs that are not what their author meant, on their way into the graph.
 
-    Nothing is said of names that a context would explain which could not be read.
+    What a context would explain that could not be read is uncertain, and told with its name.
     """
 
     def __init__(self) -> None:
@@ -87,7 +92,7 @@ class LossObserver:
 
     def seen(self, written: Iri, role: str, node: Term | None, slot: Slot | None = None) -> None:
         """Check *written*, which stands for a node, a property, a datatype or a value."""
-        if written.resolution.reach in _FALLEN and not written.resolution.blind:
+        if written.resolution.reach in _FALLEN:
             self._reference(written, role, node, slot)
         elif role == "property" and written.startswith("_:"):
             details = text_details(key=written.token)
@@ -125,10 +130,9 @@ class LossObserver:
     def type(self, written: Iri, node: Term | None, origin: Origin | None) -> None:
         """Check *written*, which stands for the type of a node."""
         if written.resolution.reach in RELATIVE:
-            if not written.resolution.blind:
-                details = (*text_details(written=written.token), *_target(written))
-                loss = Loss("RelativeType", written.span, node, details)
-                self.types.append(LostType(loss, written, origin))
+            details = (*text_details(written=written.token), *_target(written))
+            loss = Loss("RelativeType", written.span, node, (*details, *unless(written.resolution)))
+            self.types.append(LostType(loss, written, origin))
         else:
             self._absolute(written, node)
 
@@ -140,9 +144,9 @@ class LossObserver:
         defined_by_it = resolution.reach is Reach.TERM and scheme != "_"
         taken = resolution.reach is Reach.SCHEME or (defined_by_it and not rest.startswith("//"))
         if taken and scheme.lower() not in REGISTERED:
-            if not resolution.blind:
-                details = text_details(prefix=scheme, written=written.token)
-                self.losses.append(Loss("UndefinedPrefix", written.span, node, details))
+            details = text_details(prefix=scheme, written=written.token)
+            details = (*details, *unless(resolution))
+            self.losses.append(Loss("UndefinedPrefix", written.span, node, details))
         elif malformed(written):
             details = (*text_details(written=written.token), *(_where(slot) if slot else ()))
             self.losses.append(Loss("MalformedIri", written.span, node, details))
@@ -174,6 +178,7 @@ class LossObserver:
             *text_details(written=written.token),
             *_target(written),
             *text_details(role=role),
+            *unless(written.resolution),
         )
         if role == "value" and slot is not None and slot.prop is not None:
             details = (*details, Detail("property", slot.prop))

@@ -21,12 +21,12 @@ from kinlint.formats.jsonld.format import JSONLD
 from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.loss_report import (
     LossReport,
-    ReleaseComparison,
     state_losses,
     state_uses,
 )
 from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.pyld import JsonLdError
+from kinlint.formats.jsonld.release_comparison import ReleaseComparison
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, terms
@@ -67,7 +67,10 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
     report = LossReport(record, watch, triples, ReleaseComparison(options, local))
-    state_losses(layer, report.losses(parsed.repeats, processor.repeated))
+    losses = report.losses(parsed.repeats, processor.repeated)
+    if processor.contextless:
+        losses = [*report.missing_context(parsed.span, processor.misnamed), *losses]
+    state_losses(layer, losses)
 
     spans = triples.spans
     for triple, span in layer.triples.items():

@@ -37,20 +37,20 @@ def definitions(record: ExpansionRecord, triples: Triples) -> Iterator[Loss]:
 def mentioned(drop: DroppedKey) -> Iterator[Detail]:
     """Yield the entities that the lost value of a key names, as far as prefixes say which."""
     terms = drop.resolution.terms
-    for text in islice(_strings(drop.origin.element.get(drop.key)), MENTIONED):
+    for text in islice(strings(drop.origin.element.get(drop.key)), MENTIONED):
         prefix, colon, rest = text.partition(":")
         meaning = terms.get(prefix) if colon else None
         if meaning and not rest.startswith("//") and ABSOLUTE.match(text):
             yield Detail("mentions", iri(f"{meaning['@id']}{rest}"))
 
 
-def _strings(value: Any) -> Iterator[str]:
+def strings(value: Any) -> Iterator[str]:
     """Yield the strings in the JSON *value*, those of keys apart."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, Mapping):
         for each in value.values():
-            yield from _strings(each)
+            yield from strings(each)
     elif isinstance(value, list):
         for each in value:
-            yield from _strings(each)
+            yield from strings(each)

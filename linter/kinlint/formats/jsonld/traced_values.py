@@ -7,7 +7,6 @@ from enum import Enum, auto
 from typing import Any, NamedTuple
 
 from kinlint.formats.json_text.json_values import Key, Object, Text
-from kinlint.suggestion import nearest
 from kinlint.text import Span
 
 
@@ -43,14 +42,10 @@ class Resolution(NamedTuple):
     """IRI that it expands to."""
     reach: Reach
     """Kind of the expansion."""
-    blind: bool = False
-    """True if a context in force could not be read, so that the meaning is unknown."""
+    unless: str = ""
+    """Name of a context in force that could not be read, so that the meaning is uncertain."""
     terms: Mapping[str, Any] = {}
     """Terms of the context, where the string should have been one of them."""
-
-    def nearest(self, written: str) -> str | None:
-        """Return the term that *written* was perhaps meant to be."""
-        return nearest(written, (term for term, meaning in self.terms.items() if meaning))
 
 
 class Iri(str):

@@ -82,7 +82,7 @@ class EditPlan(TargetGraph):
                 continue
             before = self.compaction.meaning(old, key, value)
             after = self.compaction.meaning(new, key, value)
-            if before == after or (self.defines_names and not before):
+            if before == after or not before:
                 continue
             stated = [
                 t for t in self.places.by_subject.get(node or "", ()) if t[1] == f"<{meaning}>"

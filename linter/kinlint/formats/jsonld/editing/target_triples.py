@@ -6,7 +6,6 @@ from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import Term, Triple
-from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
 LINKS = frozenset({FIRST, REST})
 """The properties that hold lists together."""
@@ -17,8 +16,7 @@ class TargetGraph:
 
     `removed` and `added` are what is to be done; `settled` and `said` are what some change does
     that neither cuts the old value nor is found by looking at it. `renamed` maps the new name of
-    a node to the one in the text. `defines_names` tells that names without a meaning get one, by
-    which more may be found than the delta says.
+    a node to the one in the text.
     """
 
     def __init__(self, places: TriplePlaces, delta: Delta) -> None:
@@ -28,9 +26,6 @@ class TargetGraph:
         self.settled: set[Triple] = set()
         self.stated: set[Triple] = set()
         self.renamed: dict[Term, Term] = {}
-        self.defines_names = any(triple[1].startswith(f"<{SRC}") for triple in delta.added) or any(
-            value.startswith(f"<{DOCUMENT_BASE}") for _, _, value in delta.removed
-        )
         self._new: dict[Term, list[Triple]] = {}
         self._old: dict[Term, list[Triple]] = {}
         for index, triples in ((self._new, delta.added), (self._old, delta.removed)):

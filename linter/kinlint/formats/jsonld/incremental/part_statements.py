@@ -13,8 +13,10 @@ from kinlint.formats.jsonld.expansion_record import ExpansionRecord
 from kinlint.formats.jsonld.incremental.part import NOTHING, DeferredBlankNodes, Part, PartNotes
 from kinlint.formats.jsonld.incremental.part_expander import DividedProcessor, Indivisible
 from kinlint.formats.jsonld.local_contexts import LocalContexts
-from kinlint.formats.jsonld.loss_report import LOOKED_UP, LossReport, ReleaseComparison
+from kinlint.formats.jsonld.loss_report import LossReport
 from kinlint.formats.jsonld.losses import LossObserver
+from kinlint.formats.jsonld.missing_context import lacks_context
+from kinlint.formats.jsonld.release_comparison import LOOKED_UP, ReleaseComparison
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
@@ -113,6 +115,8 @@ class PartStatements:
         Raises Indivisible if that is not all of it, and what expansion raises.
         """
         if not isinstance(parsed.value, Object) or parsed.value.overwritten is not None:
+            raise Indivisible
+        if lacks_context(parsed):
             raise Indivisible
         self._whole = parsed.span
         order = ((each.start, number, each) for number, each in enumerate(parsed.repeats))
