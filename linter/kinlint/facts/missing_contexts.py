@@ -73,10 +73,12 @@ def _best(
 def _lost_words(scan: PredicateIndex) -> dict[Term, dict[str, list[Term]]]:
     """Return the losses of each document by the lost word."""
     found: dict[Term, dict[str, list[Term]]] = {}
-    documents = scan.table(src("document"))
+    documents, unread = scan.table(src("document")), scan.table(src("unless"))
     for kind, way in LOST:
         written = scan.table(way)
         for loss in sorted(scan.instances(kind)):
+            if unread.values(loss):  # The unread context may have the word.
+                continue
             for word in map(literal_value, written.values(loss)):
                 for document in documents.values(loss):
                     found.setdefault(document, {}).setdefault(word, []).append(loss)
