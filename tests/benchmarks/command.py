@@ -15,6 +15,7 @@ from benchmarks import editing
 from benchmarks.fleet import Fleet
 from benchmarks.keystrokes import Keystrokes
 from benchmarks.processes import Workplace
+from benchmarks.proving import Proving
 from benchmarks.stages import stages
 from benchmarks.table import Row, markdown
 from kinlint.catalogue import rulebook
@@ -35,7 +36,7 @@ def main(arguments: Sequence[str]) -> int:
     joints = 70 if options.quick else 700
     shares = (
         []
-        if options.fleet or options.keystrokes
+        if options.fleet or options.keystrokes or options.proofs
         else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
     )
     lines = [*markdown(rows), "", *shares, _made(arguments, catalogue)]
@@ -61,6 +62,14 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--keystrokes", action="store_true", help="only typing, alone and through the server"
     )
+    parser.add_argument(
+        "--proofs",
+        nargs="?",
+        type=Path,
+        const=Path(),
+        metavar="DIR",
+        help="only what proofs of fixes cost, of the robots below DIR too",
+    )
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
@@ -76,10 +85,18 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
             yield from Keystrokes(place).rows(4 * options.runs)
             yield from editing.rows(place, options.runs)
         return
+    if options.proofs:
+        fleet = None if options.proofs == Path() else options.proofs.absolute()
+        with tempfile.TemporaryDirectory() as directory:
+            place = Workplace(Path(directory))
+            place.warm()
+            yield from Proving(place, fleet).rows(options.runs, quick=options.quick)
+        return
     with tempfile.TemporaryDirectory() as directory:
         place = Workplace(Path(directory))
         place.warm()
         yield from place.rows(options.runs, quick=options.quick)
+        yield from Proving(place).rows(options.runs, quick=options.quick)
         yield from Keystrokes(place).rows(4 * options.runs)
         yield from editing.rows(place, options.runs)
     from benchmarks.checking import compared  # noqa: PLC0415  rdflib weighs on what is timed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable, Sequence
 from statistics import median
@@ -10,8 +11,12 @@ PATIENCE = 90.0
 """Seconds after which what has run at least once is not run again."""
 
 
-def interleaved(actions: Sequence[Callable[[], object]], runs: int) -> tuple[float, ...]:
-    """The median seconds of each of *actions*, which take turns in *runs* rounds.
+def interleaved(
+    actions: Sequence[Callable[[], object]],
+    runs: int,
+    clock: Callable[[], float] = time.perf_counter,
+) -> tuple[float, ...]:
+    """The median seconds, by *clock*, of each of *actions*, which take turns in *runs* rounds.
 
     One that has taken longer than `PATIENCE` in all sits out the rounds that remain.
     """
@@ -19,12 +24,17 @@ def interleaved(actions: Sequence[Callable[[], object]], runs: int) -> tuple[flo
     for _ in range(runs):
         for action, seconds in zip(actions, taken, strict=True):
             if sum(seconds) < PATIENCE:
-                seconds.append(timed(action))
+                seconds.append(timed(action, clock))
     return tuple(median(seconds) for seconds in taken)
 
 
-def timed(action: Callable[[], object]) -> float:
-    """The seconds that *action* takes."""
-    started = time.perf_counter()
+def timed(action: Callable[[], object], clock: Callable[[], float] = time.perf_counter) -> float:
+    """The seconds, by *clock*, that *action* takes."""
+    started = clock()
     action()
-    return time.perf_counter() - started
+    return clock() - started
+
+
+def processor_time() -> float:
+    """The seconds that processors have worked for this process and those that it waited for."""
+    return sum(os.times()[:4])
