@@ -107,7 +107,8 @@ def test_a_solid_has_to_be_where_the_inertia_is():
     assert solid(shape, inertia_at=HERE, shape_at=HERE)["ixx"] == 0.2
     assert solid(shape, inertia_at=HERE) == {}
     assert solid(shape, shape_at='<origin rpy="0 0.2 0"/>') == {}
-    assert solid(shape, shape_at='<origin quat_xyzw="0 0 0 1"/>') == {}
+    assert solid(shape, shape_at='<origin quat_xyzw="0 0 1 0"/>') == {}
+    assert solid(shape, shape_at='<origin quat_xyzw="0 0 0 1"/>')["ixx"] == 0.2
     assert solid(shape, mass=0.0) == {}
     assert solid('mesh filename="hand.stl"') == {}
 

@@ -27,7 +27,7 @@ LOOKING = {
     ),
     *("today", "now", "is_symlink", "lexists", "getmtime", "access"),
 }
-LINTING = ("facts", "findings", "fixes", "formats", "kinematics", "suppression", "engine/*.py")
+LINTING = ("facts", "findings", "fixes", "formats", "suppression", "engine/*.py")
 OWN_DATA = {"engine/lifting_compiler.py", "engine/provenance.py", "contexts/context_library.py"}
 """Modules that read files of kinlint itself, or files whose content is part of a cache key."""
 INPUTS = {"formats/dependencies/companions.py"}

@@ -14,6 +14,7 @@ from kinlint.document import Document
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.fact_statements import fact, fact_node, numbers
 from kinlint.facts.frame_placement import Placements
+from kinlint.facts.joint_numbers import JointNumbers
 from kinlint.facts.linear_algebra import Vector, length, subtract
 from kinlint.facts.metamodel_terms import attribute, chain, kin, sdf, urdf
 from kinlint.facts.predicate_index import PredicateIndex
@@ -52,9 +53,14 @@ class DescriptionDrifts:
     """Robots of a run that are described more than once."""
 
     def __init__(
-        self, scan: PredicateIndex, assemblies: Assemblies, placements: Placements
+        self,
+        scan: PredicateIndex,
+        assemblies: Assemblies,
+        placements: Placements,
+        joints: JointNumbers,
     ) -> None:
         self.scan = scan
+        self.joints = joints
         self.assemblies = assemblies
         self.placements = placements
 
@@ -125,8 +131,8 @@ class DescriptionDrifts:
             yield from self._weights(one.bodies[name], other.bodies[name])
         for name in sorted(one.joints.keys() & other.joints.keys()):
             at, there = one.joints[name], other.joints[name]
-            for what, table in self._bounds.items():
-                mine, yours = table.get(at), table.get(there)
+            ranges = (self.joints.limits.get(each, (None, None)) for each in (at, there))
+            for what, mine, yours in zip(("lower limit", "upper limit"), *ranges, strict=True):
                 if mine is not None and yours is not None and _apart(mine, yours):
                     yield at, there, what, mine, yours
             yield from _moved(at, there, "axis", self.placements.axes)
@@ -151,20 +157,6 @@ class DescriptionDrifts:
     def _carriers(self) -> Mapping[Term, Term]:
         """Body that carries each joint."""
         return self.scan.single(kin("parent-body"))
-
-    @cached_property
-    def _bounds(self) -> Mapping[str, Mapping[Term, float]]:
-        """Position limits of each joint, by the name of the bound."""
-        ranges = self.scan.instances(kin("JointPositionLimit"))
-        joint_of = self.scan.single(kin("of-joint"))
-        return {
-            f"{end} limit": {
-                joint_of[limit]: value
-                for limit, value in self.scan.numbers(kin(end)).items()
-                if limit in ranges and limit in joint_of
-            }
-            for end in ("lower", "upper")
-        }
 
 
 def _moved(at: Term, there: Term, what: str, known: Mapping[Term, Vector]) -> Iterator[Difference]:

@@ -14,6 +14,7 @@ from kinlint.facts.frame_placement import Placements
 from kinlint.facts.identifier_slips import IdentifierSlips
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.inertia_repair import InertiaRepairs
+from kinlint.facts.joint_numbers import JointNumbers
 from kinlint.facts.link_trees import LinkTrees
 from kinlint.facts.mechanism import Mechanism
 from kinlint.facts.mirror_symmetry import MirrorTwins
@@ -92,8 +93,13 @@ class FactContext:
         lambda own, scan: Assemblies(scan, own.inertias, own.trees), ("inertias", "trees")
     )
     """Bodies that are fixed to each other."""
-    placements = Part(lambda _, scan: Placements(scan))
+    placements = Part(lambda own, scan: Placements(scan, own.relations), ("relations",))
     """Poses of frames on their bodies."""
+    joints = Part(
+        lambda own, scan: JointNumbers(scan, own.angles, own.mechanism, own.placements),
+        ("angles", "mechanism", "placements"),
+    )
+    """Poses, axes, limits and couplings of joints."""
     geometries = Part(
         lambda own, scan: BodyShapes(scan, own.units, own.placements), ("units", "placements")
     )
@@ -108,8 +114,8 @@ class FactContext:
     twins = Part(lambda own, scan: MirrorTwins(scan, own.assemblies), ("assemblies",))
     """Parts that mirror each other."""
     drifts = Part(
-        lambda own, scan: DescriptionDrifts(scan, own.assemblies, own.placements),
-        ("assemblies", "placements"),
+        lambda own, scan: DescriptionDrifts(scan, own.assemblies, own.placements, own.joints),
+        ("assemblies", "placements", "joints"),
     )
     """Files that describe one robot differently."""
     planning = Part(lambda own, scan: PlanningGroups(scan, own.trees), ("trees",))

@@ -1,108 +1,113 @@
-"""Poses of frames on their bodies and directions of joint axes, as the lifted model states them."""
+"""Placements of frames on bodies, in SI units, and directions of joint axes.
+
+A frame is where a pose, or a position and an orientation, says that it is. However they are written
+(other units, Euler angles, quaternions, direction cosines), rules and pictures see one point in m
+and one rotation matrix: SPARQL has neither sine nor cosine, so this is computed here, once for all.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from kinlint.document import FROM
-from kinlint.facts.linear_algebra import ZERO, Vector, length, scale
-from kinlint.facts.metamodel_terms import OF, WITH_RESPECT_TO, body, coord, geom, kin
+from kinlint.facts.linear_algebra import IDENTITY, ZERO, Matrix, Vector, length, scale
+from kinlint.facts.metamodel_terms import body, coord, geom, kin
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.spatial_relations import (
+    RelativeOrientation,
+    RelativePosition,
+    SpatialRelations,
+)
 from kinlint.terms import Term
 
-OF_POSE = coord("of-pose")
 XYZ = (coord("x"), coord("y"), coord("z"))
-ANGLES = (kin("alpha"), kin("beta"), kin("gamma"))
-QUATERNION = (kin("qx"), kin("qy"), kin("qz"))
-PARENT_ATTACHMENT = kin("parent-attachment")
+PARENT_ATTACHMENT, PARENT_BODY = kin("parent-attachment"), kin("parent-body")
 DIRECTIONS = (kin("positive-direction"), kin("first-axis"))
 ABOUT, OF_BODY, ORIGIN = body("about"), body("of-body"), geom("origin")
 ATTACHED_TO = kin("attached-to")
 NEEDED = (
-    *(OF, WITH_RESPECT_TO, OF_POSE, *XYZ, *ANGLES, *QUATERNION, PARENT_ATTACHMENT, *DIRECTIONS),
-    *(ABOUT, OF_BODY, ORIGIN, ATTACHED_TO, geom("simplices"), geom("Frame")),
+    *(PARENT_ATTACHMENT, PARENT_BODY, *DIRECTIONS, ABOUT, OF_BODY, ORIGIN, ATTACHED_TO),
+    *(kin("of-body"), geom("simplices"), geom("Frame")),
 )
-"""The properties and classes that placements are read from."""
+"""Properties and classes that placements are read from, besides spatial relations."""
+
+Relation = TypeVar("Relation", RelativePosition, RelativeOrientation)
 
 
 class Placement(NamedTuple):
-    """Pose of a frame, as another one sees it."""
+    """Pose of a frame, as a body sees it."""
 
-    base: Term
-    """The frame that sees it."""
     point: Vector | None
     """Its origin in m; None where none is stated, or a malformed one."""
-    turn: tuple[float, ...] | None
-    """Its angles as they stand, or the x, y, z of its quaternion; None where neither is stated."""
-    by_angles: bool
-    """True if `turn` holds angles."""
+    turn: Matrix | None
+    """Rotation from its components to those of the body; None where no rotation is stated."""
+    turn_from: Term | None = None
+    """Coordinates that state the rotation."""
+
+    def is_at(self, other: Placement | None) -> bool:
+        """Tell whether both are known to be the same pose."""
+        known = other is not None and self.point is not None and self.turn is not None
+        return known and other is not None and self[:2] == other[:2]
+
+
+OWN = Placement(ZERO, IDENTITY)
+"""Placement of the frame that a body is described in."""
 
 
 class Placements:
-    """The placements of lifted frames, by joint, body or shape; those of other models are none.
+    """Placements of a closed model; those by joint, body or shape are of lifted ones.
 
-    Of a frame with several, the first counts. A quaternion counts less than angles.
+    Of a frame with several relations to frames of one body, the first counts.
     """
 
-    def __init__(self, scan: PredicateIndex) -> None:
+    def __init__(self, scan: PredicateIndex, relations: SpatialRelations) -> None:
         self.scan = scan
+        self.relations = relations
 
     @cached_property
-    def _poses(self) -> Mapping[Term, Term]:
-        """The pose of each lifted frame."""
-        lifted = self.scan.table(FROM)
-        poses = sorted(self.scan.single(OF).items(), reverse=True)
-        return {frame: pose for pose, frame in poses if pose in lifted}
+    def _shifts(self) -> Mapping[Term, list[RelativePosition]]:
+        return _by_end(self.relations.shifts)
 
     @cached_property
-    def _points(self) -> Mapping[Term, Vector]:
-        return {pose: (x, y, z) for pose, (x, y, z) in self._stated(XYZ)}
+    def _turns(self) -> Mapping[Term, list[RelativeOrientation]]:
+        return _by_end(self.relations.turns)
 
-    @cached_property
-    def _angles(self) -> Mapping[Term, Sequence[float]]:
-        return dict(self._stated(ANGLES))
-
-    @cached_property
-    def _quaternions(self) -> Mapping[Term, Sequence[float]]:
-        return dict(self._stated(QUATERNION))
-
-    def _stated(self, names: Sequence[Term]) -> Iterator[tuple[Term, Sequence[float]]]:
-        """Yield the numbers that coordinates of each pose have for three components."""
-        pose_of = self.scan.single(OF_POSE)
-        first, *others = (self.scan.numbers(each) for each in names)
-        for node, number in first.items():
-            if node in pose_of and all(node in each for each in others):
-                yield pose_of[node], (number, *(each[node] for each in others))
-
-    def placement(self, frame: Term) -> Placement | None:
-        """Return where *frame* is; None if that is not stated."""
-        pose = self._poses.get(frame)
-        base = self.scan.single(WITH_RESPECT_TO).get(pose) if pose is not None else None
-        if pose is None or base is None:
-            return None
-        by_angles = pose in self._angles
-        turn = self._angles.get(pose) or self._quaternions.get(pose)
-        return Placement(base, self._points.get(pose), tuple(turn) if turn else None, by_angles)
+    def placement(self, frame: Term, sees: Callable[[Term], bool]) -> Placement | None:
+        """Return where *frame* is for what *sees* a base and a frame on it; None if unstated."""
+        base = self.relations.base
+        shifts = self._shifts.get(self.relations.point(frame), ())
+        turns = self._turns.get(self.relations.axes(frame), ())
+        points = (
+            each.vector for each in shifts if sees(base[each.relation]) and sees(each.seen_by)
+        )
+        point = next(points, None)
+        turn = next((each for each in turns if sees(each.base)), None)
+        if turn is not None:
+            return Placement(point, turn.matrix, turn.source)
+        return Placement(point, None) if point is not None else None
 
     def is_own(self, frame: Term, owner: Term) -> bool:
-        """Tell whether *frame* is the one that the body *owner* is described in."""
+        """Tell whether *frame* is the one that the lifted body *owner* is described in."""
         sources = self.scan.table(FROM)
         return bool(sources.values(frame)) and sources.values(frame) == sources.values(owner)
 
     def placement_on(self, frame: Term, owner: Term) -> Placement | None:
-        """Return where *frame* is as the body *owner* sees it; None if something else sees it."""
+        """Return where *frame* is as the lifted body *owner* sees it; None if that is unstated."""
         if self.is_own(frame, owner):
-            return Placement(frame, ZERO, ZERO, by_angles=True)
-        found = self.placement(frame)
-        return found if found is not None and self.is_own(found.base, owner) else None
+            return OWN
+        return self.placement(frame, lambda base: self.is_own(base, owner))
 
     @cached_property
     def origins(self) -> Mapping[Term, Vector]:
         """The place of each joint in m, as the link that carries it sees it."""
-        near = self.scan.single(PARENT_ATTACHMENT).items()
-        placed = ((joint, self.placement(frame)) for joint, frame in near)
+        carriers = self.scan.single(PARENT_BODY)
+        placed = (
+            (joint, self.placement_on(frame, carriers[joint]))
+            for joint, frame in self.scan.single(PARENT_ATTACHMENT).items()
+            if joint in carriers
+        )
         return {joint: at.point for joint, at in placed if at is not None and at.point is not None}
 
     @cached_property
@@ -119,13 +124,13 @@ class Placements:
 
     @cached_property
     def _inertial(self) -> Mapping[Term, Placement]:
-        """Pose of the frame whose origin is the centre of mass, by body."""
+        """Placement of the frame whose origin is the centre of mass, by body."""
         frames = {point: frame for frame, point in self.scan.single(ORIGIN).items()}
         centres = self.scan.single(ABOUT)
         found: dict[Term, Placement] = {}
         for inertia, owner in self.scan.single(OF_BODY).items():
             frame = frames.get(centres.get(inertia, ""))
-            at = self.placement(frame) if frame is not None else None
+            at = self.placement_on(frame, owner) if frame is not None else None
             if at is not None:
                 found[owner] = at
         return found
@@ -142,10 +147,17 @@ class Placements:
     @cached_property
     def turned(self) -> frozenset[Term]:
         """The bodies whose inertia is seen along other axes than theirs, or may be."""
-        placed = self._inertial.items()
-        return frozenset(owner for owner, at in placed if at.turn is None or any(at.turn))
+        return frozenset(owner for owner, at in self._inertial.items() if at.turn != IDENTITY)
 
     def shape_placement(self, node: Term) -> Placement | None:
         """Return where the shape *node* is, as its body sees it; None if that is not stated."""
         frame, owner = (self.scan.single(each).get(node) for each in (ATTACHED_TO, kin("of-body")))
         return self.placement_on(frame, owner) if frame is not None and owner is not None else None
+
+
+def _by_end(relations: tuple[Relation, ...]) -> Mapping[Term, list[Relation]]:
+    """Return the relations of each point, or of the axes of each frame."""
+    found: dict[Term, list[Relation]] = {}
+    for each in relations:
+        found.setdefault(each.of, []).append(each)
+    return found

@@ -10,7 +10,7 @@ from itertools import count
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.body_shapes import BOX, CYLINDER, SPHERE, BodyShapes, Shape
 from kinlint.facts.fact_statements import double, fact, fact_node
-from kinlint.facts.frame_placement import Placement, Placements
+from kinlint.facts.frame_placement import OWN, Placements
 from kinlint.facts.inertia import MOMENTS, PRODUCTS, Inertias, about_origin
 from kinlint.facts.linear_algebra import Matrix, eigenvalues
 from kinlint.facts.metamodel_terms import body, kin
@@ -29,8 +29,6 @@ sought: less is an inequality that rounding or measurement may have broken.
 """
 WATER = 1000.0
 """The density of water in kg/m³."""
-ORIGIN = (0.0,) * 6
-"""Pose of a shape in the frame of its link, xyz and rpy."""
 DIGITS = 6
 """Significant digits that a computed number is written with, as URDF exporters do."""
 
@@ -104,9 +102,9 @@ class InertiaRepairs:
             if weighed is None or shape is None:
                 continue
             owner, mass = weighed
-            here = self._place(self.placements.inertial(owner))
-            there = self._place(self.placements.shape_placement(shape.node))
-            if here is not None and here == there:
+            here = self.placements.inertial(owner)
+            there = self.placements.shape_placement(shape.node)
+            if here is not None and here.is_at(there):
                 tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
                 yield from _amended(node, "solid", entries, changed, numbers)
@@ -120,9 +118,8 @@ class InertiaRepairs:
         weighed = {owner for node, owner in bodies.items() if node in known}
         for owner, nodes in sorted(self.geometries.references.items()):
             shape = self.geometries.uniform(owner) if owner not in weighed else None
-            if shape is None or any(
-                self._place(self.placements.shape_placement(each)) != ORIGIN for each in nodes
-            ):
+            places = map(self.placements.shape_placement, nodes)
+            if shape is None or not all(map(OWN.is_at, places)):
                 continue
             mass = WATER * shape.volume
             moments = _solid(shape, mass)
@@ -160,15 +157,6 @@ class InertiaRepairs:
             entries = {name: self.scan.numbers(name).get(node, 0.0) for name in names}
             if all(map(math.isfinite, entries.values())):
                 yield node, entries
-
-    def _place(self, placed: Placement | None) -> tuple[float, ...] | None:
-        """Return the pose of something on its body, xyz and rpy.
-
-        None where it is not given by angles.
-        """
-        if placed is None or placed.point is None or placed.turn is None or not placed.by_angles:
-            return None
-        return (*placed.point, *placed.turn)
 
 
 def _amended(

@@ -46,7 +46,6 @@ SHAPES = (
     *map(kin, ("of-body", "size", "radius", "length", "mesh")),
     *UNITS,
 )
-PLACED = frame_placement.NEEDED
 COSINES = tuple(coord(f"direction-cosine-{axis}") for axis in "xyz")
 QUATERNION = tuple(kin(f"q{part}") for part in "xyzw")
 ANGLES = (*map(kin, ("alpha", "beta", "gamma")), *UNITS)
@@ -64,6 +63,7 @@ RELATIONS = (
     *map(geom, ("origin", "rotation-frame")),
 )
 
+PLACED = (*RELATIONS, *frame_placement.NEEDED)
 SIZES = (*INERTIAS, *SHAPES, *PLACED)
 BASES = (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end"))
 DATA = (kin("reads"), kin("writes"))

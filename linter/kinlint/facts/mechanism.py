@@ -5,7 +5,7 @@ The bodies that each joint joins, and what is on each body.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kinlint.addresses import lifted_at, split, steps
@@ -91,6 +91,10 @@ class Mechanism:
         """All bodies, those that only joints name behind those that are described."""
         ends = (end for each in self.edges for end in each.ends)
         return tuple(dict.fromkeys((*self.described, *ends)))
+
+    def on(self, body: Term) -> Callable[[Term], bool]:
+        """Return the test whether *body* carries a frame or a point."""
+        return lambda node: self.carrier.get(node) == body
 
     def near(self, joint: Term, body: Term | None) -> Term | None:
         """Return the attachment of *joint* on *body*."""

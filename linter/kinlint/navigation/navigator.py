@@ -8,9 +8,9 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
+from kinlint.facts.robot_structures import structures
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
-from kinlint.kinematics.extraction import structures
 from kinlint.navigation.entity_hover import EntityPages
 from kinlint.navigation.file_links import Link, links
 from kinlint.navigation.graph_model import GraphModel
@@ -70,7 +70,7 @@ class Navigator:
 
     def outline(self, name: str) -> Sequence[Symbol]:
         """Return the symbols of the text called *name*, as the robots in it hang together."""
-        found = structures(self._model.store, self._documents)
+        found = structures(self._model.store, self._locator)
         descriptions = Descriptions(self._model, TermFormatter(kinds=self._locator.kinds))
         return outline(
             name,

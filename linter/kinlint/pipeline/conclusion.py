@@ -13,6 +13,7 @@ from kinlint.finding import Finding
 from kinlint.findings.consequences import folded, with_consequences_told
 from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.findings.grouping import grouped
+from kinlint.findings.locator import Locator
 from kinlint.report import Report
 from kinlint.structure import Structure
 from kinlint.suppression import suppress
@@ -64,10 +65,10 @@ def robot_structures(
     store: Store, documents: Sequence[Document], report: Report
 ) -> tuple[Structure, ...]:
     """Return the robots in *store*, with what *report* has found in each."""
-    from kinlint.kinematics.extraction import structures  # noqa: PLC0415  few outputs draw
+    from kinlint.facts.robot_structures import structures  # noqa: PLC0415  few outputs draw
 
     told = sorted((*report.findings, *report.suppressed), key=lambda each: each.sort_key)
-    return structures(store, documents, told)
+    return structures(store, Locator(documents, store), told)
 
 
 def _meant(

@@ -69,7 +69,7 @@ class Demand:
         axioms = selection.rulebook.axioms
         terms = demand(constraints, selection.repairs)
         if terms is not None and settings.drawn:
-            from kinlint.kinematics.structure_terms import ASKED  # noqa: PLC0415  few outputs draw
+            from kinlint.facts.robot_structures import ASKED  # noqa: PLC0415  few outputs draw
 
             terms |= ASKED
         return cls(

@@ -10,7 +10,8 @@ from typing import Any
 from lsprotocol import types
 
 from kinlint import __version__
-from kinlint.kinematics.extraction import structures
+from kinlint.facts.robot_structures import structures
+from kinlint.findings.locator import Locator
 from kinlint.reporters.picture.finding_badges import marks
 from kinlint.reporters.picture.mermaid import lines
 from kinlint.server.app import KinlintServer
@@ -60,7 +61,7 @@ def _uri(arguments: tuple[Any, ...]) -> str:
 def _graph(view: RequestContext) -> str | None:
     examination = view.examination
     found = examination.report.findings
-    drawn = structures(examination.store, examination.documents, found)
+    drawn = structures(examination.store, Locator(examination.documents, examination.store), found)
     own = [one for one in drawn if view.source.name in one.files] or drawn
     text = "\n\n".join("\n".join(lines(one, marks(one, found))) for one in own)
     return text or None

@@ -1,53 +1,59 @@
-"""Extraction of the structures of robots from a store."""
+"""Robots as links, joints and couplings in trees, which pictures and outlines show."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kinlint.addresses import element_of, is_address, last_tag
-from kinlint.document import Document
 from kinlint.engine.store import Store
+from kinlint.facts import inputs
+from kinlint.facts.fact_context import FactContext
+from kinlint.facts.finding_owners import FindingOwners
+from kinlint.facts.joint_numbers import NEEDED
 from kinlint.facts.joint_trees import Edge, arrange_joints
-from kinlint.facts.mechanism import Mechanism, model_of, named
-from kinlint.facts.metamodel_terms import attribute
+from kinlint.facts.mechanism import FRAME, KINDS, ON_BODY, model_of, named
+from kinlint.facts.metamodel_terms import attribute, chain, geom, kin
+from kinlint.facts.part_names import PartNames, PartPlaces, element_name
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.robot_groups import RobotGroups
 from kinlint.finding import Finding
-from kinlint.findings.locator import Locator
-from kinlint.kinematics.couplings import Couplings
-from kinlint.kinematics.finding_owners import FindingOwners
-from kinlint.kinematics.joint_numbers import JointNumbers
-from kinlint.kinematics.part_names import PartNames, element_name
-from kinlint.kinematics.robot_groups import RobotGroups
-from kinlint.structure import Frame, Joint, Link, Structure
+from kinlint.structure import Coupling, Frame, Joint, Link, Structure
 from kinlint.terms import Term, literal_value
+
+ASKED = frozenset(
+    {
+        *(*inputs.TREES, *inputs.PLACED, *inputs.RANGES, *NEEDED, FRAME, ON_BODY),
+        *(geom("simplices"), kin("JointCoupling"), kin("TwoAxisJoint")),
+        *(chain("between-attachments"), chain("joints"), *(kind for kind, _ in KINDS)),
+    }
+)
+"""Properties and classes that a store has to have for these structures."""
 
 
 def structures(
-    store: Store, documents: Sequence[Document], findings: Iterable[Finding] = ()
+    store: Store, places: PartPlaces, findings: Iterable[Finding] = ()
 ) -> tuple[Structure, ...]:
-    """Return the robots that *documents*, loaded into *store* and closed, describe, in text order.
+    """Return the robots that the documents of *store*, which is closed, describe, in text order.
 
     Each knows which of its parts *findings* are about. Takes time linear in joints.
     """
-    return Extraction(store, documents, findings).structures()
+    return Extraction(store, places, findings).structures()
 
 
 class Extraction:
     """Parts of all robots in one store."""
 
-    def __init__(
-        self, store: Store, documents: Sequence[Document], findings: Iterable[Finding]
-    ) -> None:
+    def __init__(self, store: Store, places: PartPlaces, findings: Iterable[Finding]) -> None:
         self.store = store
         self.findings = findings
         self.scan = PredicateIndex(store)
-        self.locator = Locator(documents, store)
-        self.mechanism = Mechanism(self.scan)
-        self.numbers = JointNumbers(self.scan, self.mechanism)
-        self.names = PartNames(self.locator)
-        self.couplings = Couplings(self.scan, self.locator, self.numbers)
+        context = FactContext(self.scan)
+        self.mechanism = context.mechanism
+        self.numbers = context.joints
+        self.locator = places
+        self.names = PartNames(places)
         self.trees = arrange_joints(self.mechanism.bodies, self.mechanism.edges)
         self.roots = frozenset(self.trees.roots)
 
@@ -55,9 +61,9 @@ class Extraction:
         """Return all robots; each knows its parts that findings are about."""
         robots = RobotGroups(self.scan, self.mechanism, self.trees.edges)
         chains: dict[Term, list[Term]] = {}
-        for chain, joints in robots.chains.items():
+        for whole, joints in robots.chains.items():
             for joint in joints:
-                chains.setdefault(joint, []).append(chain)
+                chains.setdefault(joint, []).append(whole)
         return tuple(self._structure(bodies, edges, chains) for bodies, edges in robots.groups())
 
     def _structure(
@@ -80,7 +86,7 @@ class Extraction:
             name=self._title(whole, names),
             links=links,
             joints=made,
-            couplings=tuple(each for joint in joints for each in self.couplings.couplings(joint)),
+            couplings=tuple(each for joint in joints for each in self._couplings(joint)),
             roots=tuple(map(named, roots)),
             files=tuple(dict.fromkeys(place.source.name for place in places if place is not None)),
             location=self.locator.node(whole),
@@ -141,7 +147,7 @@ class Extraction:
 
     def _joint(self, edge: Edge, name: str) -> Joint:
         joint = edge.joint
-        lower, upper = self.numbers.limits(joint)
+        lower, upper = self.numbers.limits.get(joint, (None, None))
         return Joint(
             iri=named(joint),
             name=name,
@@ -157,3 +163,16 @@ class Extraction:
             location=self.locator.node(joint),
             whole=self.locator.whole(joint),
         )
+
+    def _couplings(self, joint: Term) -> Iterator[Coupling]:
+        for each in self.numbers.gearings.get(joint, ()):
+            yield Coupling(
+                iri=named(each.node),
+                name=named(each.node).rpartition("#")[2],
+                leader=named(each.leader),
+                follower=named(joint),
+                multiplier=each.multiplier,
+                offset=each.offset,
+                location=self.locator.node(each.node),
+                whole=self.locator.whole(each.node),
+            )

@@ -3,21 +3,44 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from typing import Protocol
 from urllib.parse import unquote
 
 from kinlint.addresses import is_address, split, steps, unordered
-from kinlint.findings.locator import Locator
+from kinlint.document import Document
 from kinlint.term_format import TermFormatter
 from kinlint.terms import Term, iri_value, is_blank
+from kinlint.text import Location
 
 WORLD, MODEL = "world", "model"
 NAMELESS = "(anonymous)"
 
 
+class PartPlaces(Protocol):
+    """Places of parts in texts; a locator of findings knows them."""
+
+    @property
+    def documents(self) -> Sequence[Document]:
+        """Documents of the run."""
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """Tags of elements that are spoken of by name alone."""
+
+    def node(self, node: Term) -> Location | None:
+        """Return the place where *node* is described."""
+
+    def whole(self, node: Term) -> Location | None:
+        """Return all of the description of *node*."""
+
+    def display(self, location: Location) -> TermFormatter:
+        """Return the formatter of terms with the prefixes of the file of *location*."""
+
+
 class PartNames:
     """Names of nodes, as the file that describes each abbreviates them."""
 
-    def __init__(self, locator: Locator) -> None:
+    def __init__(self, locator: PartPlaces) -> None:
         self.locator = locator
 
     def names(self, nodes: Sequence[Term]) -> Mapping[Term, str]:

@@ -1,1 +1,0 @@
-"""Kinematic structure of robots, as the store of an analysis has it."""
