@@ -100,8 +100,8 @@ def test_extrinsic_is_intrinsic_in_reverse(a: float, b: float, c: float) -> None
         {"axes-sequence": "xyw"},
         {"axes-sequence": "xxy"},
         {"axes-sequence": "xy"},
-        {"@type": ["OrientationCoordinate", "EulerAngles"]},
-        {"@type": ["OrientationCoordinate", "EulerAngles", "Intrinsic", "Extrinsic"]},
+        {"@type": ["OrientationCoordinate", "Quaternion", "EulerAngles"]},
+        {"@type": ["OrientationCoordinate", "Quaternion", "EulerAngles", "Intrinsic", "Extrinsic"]},
         {"unit": "UNITLESS"},
         {"gamma": "INF"},
     ],
@@ -110,16 +110,18 @@ def test_what_leaves_a_choice_is_no_rotation(said: Node) -> None:
     """Angles need three axes, one convention and a unit."""
     whole = {
         "@id": "ex:c",
-        "@type": ["OrientationCoordinate", "EulerAngles", "Extrinsic"],
+        "@type": ["OrientationCoordinate", "Quaternion", "EulerAngles", "Extrinsic"],
         "axes-sequence": "xyz",
         "unit": "DEG",
         "alpha": 90,
         "beta": 0,
         "gamma": 0,
+        **dict.fromkeys(("qx", "qw"), math.sqrt(0.5)),
+        **dict.fromkeys(("qy", "qz"), 0),
     }
 
-    assert computed(whole).value("ex:c", "determinant") == pytest.approx(1.0)
-    assert computed(whole | said).values("ex:c", "determinant") == []
+    assert computed(whole).value("ex:c", "spread") == pytest.approx(0.0, abs=1e-9)
+    assert computed(whole | said).values("ex:c", "spread") == []
 
 
 @given(st.sampled_from("xyz"), angles)

@@ -63,7 +63,11 @@ RELATIONS = (
     *map(geom, ("origin", "rotation-frame")),
 )
 
-PLACED = (*RELATIONS, *frame_placement.NEEDED)
+PLACED = (
+    *(*ANGLES, *QUATERNION, *map(coord, "xyz"), *map(kin, ("axes-sequence", "Extrinsic"))),
+    *(rel("Pose"), OF, WITH_RESPECT_TO, COORDINATE_OF, AS_SEEN_BY, *frame_placement.NEEDED),
+)
+"""Vocabulary of lifted poses; other models may have numbers on relations, and positions alone."""
 SIZES = (*INERTIAS, *SHAPES, *PLACED)
 BASES = (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end"))
 DATA = (kin("reads"), kin("writes"))

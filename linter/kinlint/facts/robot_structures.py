@@ -24,7 +24,15 @@ from kinlint.terms import Term, literal_value
 
 ASKED = frozenset(
     {
-        *(*inputs.TREES, *inputs.PLACED, *inputs.RANGES, *NEEDED, FRAME, ON_BODY),
+        *(
+            *inputs.TREES,
+            *inputs.RELATIONS,
+            *inputs.PLACED,
+            *inputs.RANGES,
+            *NEEDED,
+            FRAME,
+            ON_BODY,
+        ),
         *(geom("simplices"), kin("JointCoupling"), kin("TwoAxisJoint")),
         *(chain("between-attachments"), chain("joints"), *(kind for kind, _ in KINDS)),
     }

@@ -9,6 +9,7 @@ from itertools import combinations
 
 from kinlint.facts.fact_statements import numbers
 from kinlint.facts.linear_algebra import (
+    IDENTITY,
     Matrix,
     Vector,
     angle,
@@ -70,6 +71,8 @@ def from_euler(sequence: str, angles: Sequence[float], *, intrinsic: bool) -> Ma
 
     The rpy of URDF and SDF is extrinsic xyz, as REP-103 prefers.
     """
+    if not any(angles):
+        return IDENTITY
     one, two, three = (from_axis(axis, by) for axis, by in zip(sequence, angles, strict=True))
     if intrinsic:
         return product(product(one, two), three)
@@ -134,12 +137,20 @@ class Rotations:
     @cached_property
     def stated(self) -> Mapping[Term, Matrix]:
         """Matrix of each coordinates node; of several representations on one node, the first."""
-        return {**self._by_euler, **self._by_quaternion, **self._by_cosines}
+        return {**self._by_euler, **self._by_entries}
+
+    @cached_property
+    def _by_entries(self) -> Mapping[Term, Matrix]:
+        """Matrices that may be no rotations; those of Euler angles are, whatever the angles."""
+        return {**self._by_quaternion, **self._by_cosines}
 
     @cached_property
     def proper(self) -> Mapping[Term, Matrix]:
         """Proper rotations, freed of rounding; no matrix that shears, scales or reflects."""
-        return _rigid(self.stated)
+        return {
+            **{node: each for node, each in self._by_euler.items() if node not in self._by_entries},
+            **_rigid(self._by_entries),
+        }
 
     @cached_property
     def spread(self) -> Mapping[Term, float]:
@@ -157,7 +168,7 @@ class Rotations:
         return {
             "cosines": _rigid(self._by_cosines),
             "quaternion": _rigid(self._by_quaternion),
-            "euler": _rigid(self._by_euler),
+            "euler": self._by_euler,
         }
 
     @cached_property
@@ -202,8 +213,8 @@ class Rotations:
         }
 
     def facts(self) -> Iterator[Triple]:
-        """Yield how far each matrix is from a rotation."""
-        for node, matrix in self.stated.items():
+        """Yield how far each matrix is from a rotation, if it may be none."""
+        for node, matrix in self._by_entries.items():
             yield from residuals(node, matrix)
         for node, quaternion in self._quaternions.items():
             yield from numbers(node, [("norm", math.hypot(*quaternion))])
