@@ -101,7 +101,7 @@ class JointNumbers:
 
     @cached_property
     def gearings(self) -> Mapping[Term, Sequence[Gearing]]:
-        """What makes each joint move with others: mimics, gears and other couplings."""
+        """Mimics, gears and other couplings, by the joint that follows."""
         multipliers, offsets = self.scan.numbers(MULTIPLIER), self.scan.numbers(OFFSET)
         found: dict[Term, list[Gearing]] = {}
         for node, joints in sorted(self.scan.table(FOLLOWER).items()):
