@@ -153,7 +153,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     display = wording.display
     template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
     terms = dict(_terms(result))
-    if rule.group_by:
+    if rule.group_by and COUNT not in terms:
         terms[COUNT] = literal("1", f"{XSD}integer")
     words = wording.words(template, terms)
     count = 0 if COUNT in words else _number(terms.get(COUNT))

@@ -12,6 +12,9 @@ from kinlint.message_template import VARIABLE, counted, filled
 COUNT = "count"
 """The placeholder in the message of such a rule that says how many places there are."""
 
+WHOLE_FILE = ("file",)
+"""What a rule groups by that makes one finding of all in a file, whatever each says."""
+
 
 def grouped(
     findings: Iterable[Finding],
@@ -44,8 +47,11 @@ def _brief(finding: Finding) -> Finding:
 
 def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
     silence = finding.suppressed, finding.severity
-    if finding.rule.group_by:
-        return finding.rule.code, finding.group, finding.suppressed, _model(finding)
+    if by := finding.rule.group_by:
+        # A constraint that lacks some of these variables groups by what it says instead.
+        shared = by == WHOLE_FILE or len(finding.group) == len(by)
+        said = "" if shared else finding.template
+        return finding.rule.code, said, finding.group, finding.suppressed, _model(finding)
     text = finding.location.source.name
     if text not in reused:
         return (id(finding),)

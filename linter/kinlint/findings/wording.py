@@ -7,9 +7,10 @@ and never by the address that only the graph has.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 from typing import TypeGuard
 
 from kinlint.addresses import document_of, is_element, local_name, unordered, way_out
@@ -48,7 +49,11 @@ TOLD = frozenset({"visual", "collision", "axis2"})
 """Elements without a name that tell apart what is within them."""
 
 DIGITS = 6
-"""Significant digits of a number with too many to read."""
+"""Significant digits of a number, unless more are needed to tell it from another."""
+MOST_DIGITS = 17
+"""Significant digits of any double."""
+SMALLEST = 1e-4
+"""Smaller numbers are written with an exponent."""
 
 
 @dataclass(frozen=True)
@@ -79,14 +84,25 @@ class Wording:
             kind, _, rest = first[name].partition(" '")
             if rest and before[name] and kind.endswith(SYNONYMS.get(before[name], before[name])):
                 words[name] = f"'{rest}"
-            elif term and any(first[name] == first[each] and term != found[each] for each in words):
-                words[name] = self._exact(term)
+            elif term and (
+                same := [
+                    found[each]
+                    for each in words
+                    if first[name] == first[each] and term != found[each]
+                ]
+            ):
+                words[name] = self._exact(term, same)
         return words
 
-    def _exact(self, term: Term) -> str:
-        """*term* so that no other one reads the same: all digits, the whole IRI."""
-        if is_number(term):
-            return self.display.term(term)
+    def _exact(self, term: Term, others: Sequence[Term | None]) -> str:
+        """Return *term* so that none of *others* reads the same: more digits, the whole IRI."""
+        if self._is_numeric(term):
+            texts = [self._digits(each) for each in (term, *others) if self._is_numeric(each)]
+            for digits in range(DIGITS, MOST_DIGITS):
+                short = brief(texts[0], digits)
+                if all(short != brief(each, digits) for each in texts[1:]):
+                    return short
+            return texts[0]
         if is_iri(term) and self._element(term) is None:
             return f"'{iri_value(term)}'"
         return self.word(term)
@@ -96,10 +112,8 @@ class Wording:
 
         `'rob:elbow'`, `2.5`, `<limit> of joint 'elbow'`.
         """
-        if is_number(term):
-            return brief(self.display.term(term))
-        if self.in_xml and is_literal(term) and NUMERIC.fullmatch(literal_value(term)):
-            return literal_value(term)
+        if self._is_numeric(term):
+            return brief(self._digits(term))
         element = self._element(term)
         if element is None:
             return f"'{self._written_as(self.focus, term) or self.display.term(term)}'"
@@ -107,6 +121,19 @@ class Wording:
         if document.graph == self._home:
             return phrase
         return f"{phrase} in '{document.source.name.replace(chr(92), '/').rpartition('/')[2]}'"
+
+    def _is_numeric(self, term: Term | None) -> bool:
+        """Tell whether *term* is a number, which in XML is a text to begin with."""
+        if is_number(term):
+            return True
+        text = term is not None and self.in_xml and is_literal(term)
+        return text and NUMERIC.fullmatch(literal_value(term or "")) is not None
+
+    def _digits(self, term: Term | None) -> str:
+        """Return all digits of a numeric *term*."""
+        if is_number(term):
+            return self.display.term(term)
+        return literal_value(term or "")
 
     def statement(self, triple: Triple) -> str:
         """Return *triple* in the words of its file: `<limit> of joint 'elbow': upper 1.5`.
@@ -202,14 +229,27 @@ def is_number(term: Term | None) -> TypeGuard[Term]:
     return term is not None and is_literal(term) and literal_datatype(term) in NUMBERS
 
 
-def brief(number: str) -> str:
-    """Return *number* to a few digits; to all of them where they are few."""
+def brief(number: str, digits: int = DIGITS) -> str:
+    """Return *number* to at most so many significant *digits*.
+
+    More are kept where it would otherwise read as a round number that it is not.
+    """
     try:
         value = float(number)
     except ValueError:
         return number
-    digits = sum(char.isdigit() for char in number.lower().partition("e")[0].lstrip("-0."))
-    return number if digits <= DIGITS + 3 else f"{value:.{DIGITS}g}"
+    written = number.lower().partition("e")[0].lstrip("+-0.").replace(".", "").rstrip("0")
+    if len(written) <= digits or not isfinite(value):
+        return number
+    while (short := f"{value:.{digits}g}") and _is_round(short) and digits < MOST_DIGITS:
+        digits += 1
+    small = abs(value) < SMALLEST
+    return short if small or "e" not in short else f"{float(short):.0f}"
+
+
+def _is_round(number: str) -> bool:
+    """Tell whether *number* has so few digits that it looks chosen: 1, 0.5, but not 0.333333."""
+    return len(number.partition("e")[0].strip("-0.").replace(".", "")) <= 1
 
 
 def _phrases(document: Document, node: Term) -> Iterator[str]:

@@ -201,7 +201,8 @@ def results(
 ) -> set[tuple[Span, str | None]]:
     """Return the places where an engine finds *rule* broken in an example, each with its path."""
     every = _lint(rule, rulebook, texts, engine)
-    return {(finding.location.span, finding.path) for finding in every}
+    apart = (each for finding in every for each in finding.members or (finding,))
+    return {(finding.location.span, finding.path) for finding in apart}
 
 
 def _lint(
