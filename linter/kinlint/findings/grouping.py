@@ -13,7 +13,7 @@ COUNT = "count"
 """The placeholder in the message of such a rule that says how many places there are."""
 
 WHOLE_FILE = ("file",)
-"""What a rule groups by that makes one finding of all in a file, whatever each says."""
+"""Groups that make one finding of all in a file, whatever each says."""
 
 
 def grouped(
