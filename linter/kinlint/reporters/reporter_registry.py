@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
 from typing import NamedTuple, TextIO, cast
 
 from kinlint.errors import UsageError
 from kinlint.report import Report
+from kinlint.reporters import log_commands
 from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.reporter import Reporter
 from kinlint.reporters.summary import summary
@@ -18,13 +19,16 @@ class Format(NamedTuple):
     """An output format: the module of its `render`, its reader, and its content.
 
     A machine format has its stream for itself: the summary belongs on standard error. A format
-    without `fixes` needs none computed; one that is `drawn` shows the structure of robots.
+    without `fixes` needs none computed; one that is `drawn` shows the structure of robots. What
+    would drive a terminal or a CI system is written by `escape`; a format may be `commands` itself.
     """
 
     module: str
     machine: bool = True
     fixes: bool = True
     drawn: bool = False
+    escape: str = log_commands.UNICODE
+    commands: bool = False
 
 
 FORMATS: Mapping[str, Format] = {
@@ -34,16 +38,16 @@ FORMATS: Mapping[str, Format] = {
     "json": Format("json_array"),
     "json-lines": Format("json_lines"),
     "sarif": Format("sarif.sarif_log"),
-    "github": Format("github", fixes=False),
+    "github": Format("github", fixes=False, commands=True),
     "gitlab": Format("gitlab", fixes=False),
-    "azure": Format("azure", fixes=False),
-    "junit": Format("junit", fixes=False),
-    "checkstyle": Format("checkstyle", fixes=False),
+    "azure": Format("azure", fixes=False, commands=True),
+    "junit": Format("junit", fixes=False, escape=log_commands.ENTITY),
+    "checkstyle": Format("checkstyle", fixes=False, escape=log_commands.ENTITY),
     "rdjson": Format("reviewdog.diagnostic_result"),
     "rdjsonl": Format("reviewdog.lines"),
     "turtle": Format("validation_report"),
-    "markdown": Format("markdown", fixes=False),
-    "html": Format("html.page", drawn=True),
+    "markdown": Format("markdown", fixes=False, escape=log_commands.ENTITY),
+    "html": Format("html.page", drawn=True, escape=log_commands.ENTITY),
 }
 STATISTICS = Format("statistics", machine=False)
 
@@ -70,8 +74,12 @@ def write(  # noqa: PLR0913
     *summarise* is false.
     """
     style = style or detect_style(stream)
-    put(reporter(name)(report, style), stream)
-    if summarise and not FORMATS[name].machine:
+    format_ = FORMATS[name]
+    pieces = reporter(name)(report, style)
+    if format_.machine:
+        pieces = (log_commands.without_controls(piece, format_.escape) for piece in pieces)
+    put(pieces, stream, None if format_.commands else format_.escape)
+    if summarise and not format_.machine:
         write_summary(report, stream, style, verbose=verbose)
 
 
@@ -104,14 +112,31 @@ def write_statistics(report: Report, stream: TextIO, style: Style | None = None)
     put(_render(STATISTICS)(report, style), stream)
 
 
-def put(pieces: Iterator[str], stream: TextIO) -> None:
-    """Write *pieces*, with what the stream cannot encode as escapes."""
+def put(pieces: Iterable[str], stream: TextIO, escape: str | None = log_commands.UNICODE) -> None:
+    """Write *pieces*, with what the stream cannot encode as escapes.
+
+    What would be a command to a CI system is written by *escape*, if there is one.
+    """
     encoding = getattr(stream, "encoding", None) or "utf-8"
-    for piece in pieces:
+    for piece in pieces if escape is None else _lines(pieces):
         text = replace_surrogates(piece)
+        if escape is not None and ("::" in text or "##" in text):
+            text = log_commands.without_commands(text, escape)
         if not text.isascii():
             text = text.encode(encoding, "backslashreplace").decode(encoding)
         stream.write(text)
+
+
+def _lines(pieces: Iterable[str]) -> Iterator[str]:
+    """Yield *pieces* put together so that each ends with a line."""
+    waiting = ""
+    for piece in pieces:
+        if piece.endswith("\n"):
+            yield waiting + piece
+            waiting = ""
+        else:
+            waiting += piece
+    yield waiting
 
 
 def _render(format_: Format) -> Reporter:
