@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, field, replace
+from typing import TypeAlias
 
 from kinlint.addresses import is_address, readable
 from kinlint.rule import Applicability, Rule, Severity, SeverityFor
 from kinlint.terms import Term, Triple
-from kinlint.text import Location, SourceText
+from kinlint.text import Location, SourceText, Span
+
+FindingKey: TypeAlias = tuple[str, str, Span, str]
+"""The rule, the file, the place and the message of a finding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,6 +159,11 @@ class Finding:
         alone = self.iri, self.path or "", *(self.meant or self.arguments)
         what = [self.rule.code, *(self.group if self.rule.group_by else alone)]
         return hashlib.sha256("\x1f".join(what).encode("utf-8", "surrogatepass")).hexdigest()[:32]
+
+    @property
+    def key(self) -> FindingKey:
+        """Return what equal findings of two analyses of the same texts share."""
+        return self.rule.code, self.location.source.name, self.location.span, self.message
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:

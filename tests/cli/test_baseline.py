@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+from kinlint.fixes.fix_generator import FixGenerator
+
 LIMIT = '<limit lower="{}" upper="-2.6" effort="10" velocity="1"/>'
 ARM = """\
 <robot name="{name}">
@@ -274,3 +276,35 @@ def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, wr
     (here / "two.jsonld").unlink()
     code, out, _ = kinlint("--baseline", "kinlint-baseline.json", *options)
     assert (code, "no longer found" in out) == (1, True)
+
+
+def test_fixes_are_proven_of_what_is_new(kinlint, known, write, monkeypatch):
+    """Of the robot that has something new; and nothing is tried where nothing is."""
+    tried = []
+
+    def noted(self, findings, least):
+        tried.extend(each.location.source.name for each in findings)
+        return candidates(self, findings, least)
+
+    candidates = FixGenerator.candidates
+    monkeypatch.setattr(FixGenerator, "candidates", noted)
+    full = (
+        "--select",
+        "LIM001",
+        "--baseline",
+        "kinlint-baseline.json",
+        "--jobs",
+        "1",
+        "--no-cache",
+    )
+    assert kinlint(*full)[0] == 0
+    assert tried == []
+
+    second = LIMIT.format("3.1").join(('<joint name="wrist" type="revolute">', "</joint>"))
+    second = second.replace("<limit", '<parent link="hand"/><child link="tip"/><limit')
+    write("b.urdf", arm("b").replace("</robot>", f'<link name="tip"/>{second}</robot>'))
+    code, out, _ = kinlint(*full)
+
+    assert (code, tried) == (1, ["b.urdf"])
+    assert "Swap the two limits" in out
+    assert "1 fixable" in out

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,6 +23,7 @@ from kinlint.text import SourceText
 
 if TYPE_CHECKING:
     from kinlint.fixes.offers import Sieve
+    from kinlint.parallel.runner import ParallelRunner
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,8 @@ class LintRun:
             report = self._mended(options, wanted)
         else:
             fixing = outputs.tells_fixes
-            report = self.linted(options.jobs or os.cpu_count() or 1, fixing=fixing)
+            jobs = options.jobs or os.cpu_count() or 1
+            report = self.linted(jobs, fixing=fixing, wanted=wanted)
         if asides:
             report = project_mode.without_asides(report, asides, new)
         return replace(
@@ -126,24 +129,45 @@ class LintRun:
             self.phases,
         )  # fmt: skip
 
-    def linted(self, jobs: int, *, fixing: bool) -> Report:
-        """The report of *jobs* processes; if *fixing*, with the fixes that are offered."""
+    def linted(self, jobs: int, *, fixing: bool, wanted: Sieve | None = None) -> Report:
+        """The report of *jobs* processes; if *fixing*, with the fixes that are offered.
+
+        Where some findings are not *wanted*, fixes are proven of the others only, and afterwards.
+        """
         with self.phases.phase("imports"):
             from kinlint.cache.report_cache import ReportCache  # noqa: PLC0415
             from kinlint.parallel.runner import ParallelRunner  # noqa: PLC0415
             from kinlint.parallel.shard import Job  # noqa: PLC0415  loads the readers
 
-        job = Job(self.settings, self.book, fixing)
+        first = fixing and wanted is None
+        job = Job(self.settings, self.book, first)
         kept = not any(one.path is None for one in self.found.inputs)
-        memory = (
-            ReportCache.from_settings(self.settings, self.book, fixing=fixing) if kept else None
-        )
+        memory = ReportCache.from_settings(self.settings, self.book, fixing=first) if kept else None
         with ProgressBar(len(self.found.inputs), wanted=self.watched) as bar:
             sources, failed = self._read(bar)
             survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance)
             report = survey.report(sources, failed)
+        if fixing and wanted is not None:
+            keys = frozenset(each.key for each in wanted(report.findings) if each.rule.repairs)
+            runner = ParallelRunner(Job(self.settings, self.book, True, keys), jobs)  # noqa: FBT003
+            report = _with_fixes(report, sources, runner)
         if report.files:
             return report
         # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.
         asked = Policies(self.settings, self.book.rules).enabled([""])
         return replace(report, rules=tuple(rule for rule in self.book.rules if rule.code in asked))
+
+
+def _with_fixes(report: Report, sources: Sequence[SourceText], runner: ParallelRunner) -> Report:
+    """Return *report* with the fixes that *runner* proves of what it wants, in these models."""
+    from kinlint.parallel.partition import partition  # noqa: PLC0415  loads the readers
+
+    names = {name for _, name, _, _ in runner.job.wanted or ()}
+    models = partition(sources, runner.job.settings) if names else ()
+    concerned = [model for model in models if any(each.name in names for each in model)]
+    if not concerned:
+        return report
+    proven = runner.report([source for model in concerned for source in model], ())
+    fixes = {each.key: each.fixes for each in proven.findings if each.fixes}
+    findings = (replace(each, fixes=fixes.get(each.key, ())) for each in report.findings)
+    return replace(report, findings=tuple(findings), unfixed=proven.unfixed)

@@ -28,12 +28,12 @@ Sieve = Callable[[Sequence[Finding]], Sequence[Finding]]
 """Predicate that selects the findings of a run to fix."""
 
 
-FindingKey: TypeAlias = tuple[str, str, str, str]
+LastingKey: TypeAlias = tuple[str, str, str, str]
 """The rule, the file, the entity and the message of a finding, wherever it stands."""
-NOTHING_SETTLED: Mapping[FindingKey, Verdict] = MappingProxyType({})
+NOTHING_SETTLED: Mapping[LastingKey, Verdict] = MappingProxyType({})
 
 
-def finding_key(candidate: Candidate) -> FindingKey:
+def lasting_key(candidate: Candidate) -> LastingKey:
     """Return what the finding of *candidate* is recognised by in a changed text."""
     finding = candidate.finding
     return finding.rule.code, finding.location.source.name, finding.iri, finding.message
@@ -95,7 +95,7 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     wanted: Sieve = accept_all,
     phases: Phases | None = None,
     circles: FixCircles | None = None,
-    settled: Mapping[FindingKey, Verdict] = NOTHING_SETTLED,
+    settled: Mapping[LastingKey, Verdict] = NOTHING_SETTLED,
 ) -> Offers:
     """Return which candidates of *generator* hold when they are tried by *analyzer*.
 
@@ -107,7 +107,7 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     found = generator.candidates(wanted(generator.examination.report.findings), least)
     barred = dict.fromkeys(each for each in found if circles is not None and circles.bars(each))
     found = [each for each in found if each not in barred]
-    known = {each: settled[key] for each in found if (key := finding_key(each)) in settled}
+    known = {each: settled[key] for each in found if (key := lasting_key(each)) in settled}
     found = [each for each in found if each not in known]
     groups = _groups(found, generator) if found else []
 

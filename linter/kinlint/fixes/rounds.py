@@ -15,12 +15,12 @@ from kinlint.fixes.fix_circles import FixCircles, Round
 from kinlint.fixes.fix_generator import FixGenerator
 from kinlint.fixes.generator import Candidate, Generator, MakeGenerator
 from kinlint.fixes.offers import (
-    FindingKey,
+    LastingKey,
     Offers,
     Sieve,
     accept_all,
     examine_with_fixes,
-    finding_key,
+    lasting_key,
     offer_fixes,
 )
 from kinlint.fixes.texts import Texts
@@ -72,11 +72,15 @@ def offers(  # noqa: PLR0913, PLR0917
     settings: Settings,
     rulebook: Rulebook,
     phases: Phases | None = None,
+    wanted: Sieve = accept_all,
 ) -> Offers:
-    """Return the fixes that prove right of what *analyzer* found in *sources*, an *examination*."""
+    """Return the fixes that prove right of what *analyzer* found in *sources*, an *examination*.
+
+    Only of findings that are *wanted*.
+    """
     with (phases or Phases()).phase("fixing"):
         generator = FixGenerator(examination, Texts(sources), settings, rulebook)
-        return offer_fixes(generator, analyzer)
+        return offer_fixes(generator, analyzer, wanted=wanted)
 
 
 def fix_in_rounds(  # noqa: PLR0913, PLR0917
@@ -139,7 +143,7 @@ class Rounds:
         self.texts, self.fixed = self.start, []
         self._made: list[Round] = []
         self._originals: dict[Path, SourceText] = {}
-        self._settled: dict[FindingKey, Verdict] = {}
+        self._settled: dict[LastingKey, Verdict] = {}
 
     def come_to_rest(self) -> bool:
         """Make rounds until nothing is left to change; False once *circles* has learned why not."""
@@ -187,7 +191,7 @@ class Rounds:
             )
         if made.lasting:
             self._settled |= {
-                finding_key(each): verdict
+                lasting_key(each): verdict
                 for each, verdict in found.verdicts.items()
                 if verdict.applicability is not Applicability.SAFE
             }

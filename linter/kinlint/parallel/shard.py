@@ -13,7 +13,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import InternalError, KinlintError, SourceError
 from kinlint.files.tracked_io import Record, recorded
-from kinlint.finding import Finding
+from kinlint.finding import Finding, FindingKey
 from kinlint.parallel.partition import Model
 from kinlint.phases import Phases
 from kinlint.report import Report
@@ -27,6 +27,12 @@ class Job:
     settings: Settings
     book: Rulebook
     fixing: bool = False
+    wanted: frozenset[FindingKey] | None = None
+    """The findings that fixes are proven of; None for all."""
+
+    def select(self, findings: Sequence[Finding]) -> Sequence[Finding]:
+        """Return those of *findings* that fixes are proven of."""
+        return [one for one in findings if self.wanted is None or one.key in self.wanted]
 
 
 class Outcome(NamedTuple):
@@ -77,12 +83,13 @@ def _examined(
     analyzer = Analyzer(job.settings, job.book, trying=job.fixing)
     examination = analyzer.examine(sources, errors, phases, repairing=job.fixing)
     report, documents = examination.report, examination.documents
-    if not job.fixing or not any(one.rule.repairs for one in report.findings):
+    if not job.fixing or not any(one.rule.repairs for one in job.select(report.findings)):
         return report, documents
     with phases.phase("imports"):
         from kinlint.fixes.rounds import offers  # noqa: PLC0415  clean models have nothing to fix
 
-    return offers(examination, analyzer, sources, job.settings, job.book, phases).report, documents
+    proven = offers(examination, analyzer, sources, job.settings, job.book, phases, job.select)
+    return proven.report, documents
 
 
 def _parts(

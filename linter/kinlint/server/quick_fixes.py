@@ -11,7 +11,6 @@ from kinlint.fixes.rounds import fix_in_rounds
 from kinlint.rule import Applicability
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.request_context import RequestContext
-from kinlint.server.session import finding_key
 from kinlint.server.workspace_edit import difference
 
 MOST = 100
@@ -24,12 +23,12 @@ def fixes_of(
     """The fixes that are offered for *findings* of *view*, as `kinlint` offers them."""
     asked = [each for each in findings if each.rule.repairs][:MOST]
     known = view.session.fixes
-    missing = {finding_key(each) for each in asked} - known.keys()
+    missing = {each.key for each in asked} - known.keys()
     if missing:
         phases = CancellablePhases(view.cancelled)
 
         def wanted(found: Sequence[Finding]) -> Sequence[Finding]:
-            return [each for each in found if finding_key(each) in missing]
+            return [each for each in found if each.key in missing]
 
         examination, analyzer = view.session.repairing(phases)
         made = offer_fixes(
@@ -40,8 +39,8 @@ def fixes_of(
             phases=phases,
         )
         known.update(dict.fromkeys(missing, ()))
-        known.update({finding_key(each): each.fixes for each in wanted(made.report.findings)})
-    return [(each, known[finding_key(each)]) for each in asked if known[finding_key(each)]]
+        known.update({each.key: each.fixes for each in wanted(made.report.findings)})
+    return [(each, known[each.key]) for each in asked if known[each.key]]
 
 
 def safe_edits(view: RequestContext) -> tuple[list[TextEdit], Sequence[str]]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TypeAlias
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
 from kinlint.files.pathname import real
-from kinlint.finding import Finding, Fix
+from kinlint.finding import FindingKey, Fix
 from kinlint.fixes.texts import Texts
 from kinlint.lint import examine
 from kinlint.phases import Phases
@@ -19,11 +18,10 @@ from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.document_store import DocumentStore, Stamp, stamp
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.workspace_folder import Model
-from kinlint.text import SourceText, Span
+from kinlint.text import SourceText
 
 LARGE, MUCH = 1_000_000, 4
 """A model of so many characters is previewed where not more than a fourth of them is open."""
-Named: TypeAlias = tuple[str, str, Span, str]
 
 
 @dataclass
@@ -38,7 +36,7 @@ class Session:
     """The latest analysis; None while it is out of date, or if it failed."""
     outside: dict[Path, Stamp] = field(default_factory=dict)
     """Included files that are no sources of their own, with their stamps."""
-    fixes: dict[Named, tuple[Fix, ...]] = field(default_factory=dict)
+    fixes: dict[FindingKey, tuple[Fix, ...]] = field(default_factory=dict)
     """Fixes already proven, by finding."""
     _incremental: Analyzer | None = None
     _mending: Analyzer | None = None
@@ -178,9 +176,3 @@ class Session:
     def texts(self) -> Texts:
         """The texts that were examined, for those who change them."""
         return Texts([*self.model.sources, *self.model.beside], changed=self._overlay)
-
-
-def finding_key(finding: Finding) -> Named:
-    """Return the key that equal findings of two analyses share."""
-    place = finding.location
-    return finding.rule.code, place.source.name, place.span, finding.message
