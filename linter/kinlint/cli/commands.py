@@ -12,6 +12,7 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
     "check": ("kinlint.cli.check_command", "lint robot models (the default)"),
     "clean": ("kinlint.cli.clean_command", "remove what earlier runs kept"),
     "config": ("kinlint.cli.config_command", "tell what may stand in a configuration"),
+    "contexts": ("kinlint.cli.contexts_command", "list the known contexts, or add one"),
     "convert": ("kinlint.cli.convert_command", "write a URDF, xacro or SDF as composable JSON-LD"),
     "format-rules": ("kinlint.cli.format_rules_command", "format rule files"),
     "generate-shell-completion": (

@@ -261,6 +261,15 @@ def _in(directory: Path, restrict: Callable[[Config], Config]) -> Config | None:
     return None
 
 
+def file_above(directory: Path) -> Path | None:
+    """Return the configuration file that is nearest at or above *directory*."""
+    for each in (directory, *directory.parents):
+        for name in NAMES:
+            if (path := each / name).is_file() and read(path) is not None:
+                return path
+    return None
+
+
 def load_config(path: Path) -> Config:
     """The configuration in the file at *path*, which must have one."""
     said = read(path)
