@@ -25,6 +25,22 @@ class Position(NamedTuple):
     column: int
 
 
+@dataclass(frozen=True, slots=True)
+class Pairing:
+    """The description of a robot by which a text is judged that only speaks of the robot."""
+
+    partner: str
+    """The name of its file; empty if it was not found."""
+    reason: str
+    """A clause that says why it is that one."""
+    others: tuple[str, ...] = ()
+    """Names of the files of other robots that have the same name."""
+    elsewhere: tuple[str, ...] = ()
+    """Parts that the text names and only those others have."""
+    certain: bool = True
+    """False if each of the others may be meant as well."""
+
+
 @dataclass(frozen=True, slots=False)
 class SourceText:
     """The text of one file.
@@ -36,6 +52,8 @@ class SourceText:
     it, such as the URDF of an SRDF; nothing is reported of it. `encoding` turns the text into the
     bytes it was read from; there is none if nothing does, but `original` has the bytes then.
     `format` is what the text was recognised as; None before that, and if it is nothing known.
+    `named` tells that the user named this file, or gave this text, rather than a directory that it
+    was found in. `pairing` tells by what an SRDF is judged, once that is known.
     """
 
     name: str
@@ -43,6 +61,8 @@ class SourceText:
     bom: bool = False
     misread: tuple[tuple[Span, str], ...] = field(default=(), repr=False)
     companion: bool = False
+    named: bool = True
+    pairing: Pairing | None = field(default=None, repr=False)
     encoding: str = "utf-8"
     original: bytes = field(default=b"", repr=False)
     format: Format | None = field(default=None, repr=False, compare=False)

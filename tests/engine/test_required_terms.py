@@ -22,7 +22,7 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.required_terms import behind, relevant, terms
 from kinlint.engine.store import Store
 from kinlint.facts.computation import facts
-from kinlint.formats.dependencies.companions import join_companions
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read

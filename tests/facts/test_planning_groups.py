@@ -6,7 +6,7 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.store import Store
 from kinlint.facts.computation import facts
 from kinlint.facts.dangling_references import nearest
-from kinlint.formats.dependencies.companions import join_companions
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.text import SourceText

@@ -94,13 +94,13 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
-    report = LintRun(settings, found, book, phases, outputs.watched).report(
-        options, outputs, wanted
-    )
+    run = LintRun(settings, found, book, phases, outputs.watched)
+    report = run.report(options, outputs, wanted)
     report = report if knowledge is None else knowledge.apply_to(report)
     if options.verbose:
         from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
 
+        _tell(verbose.pairing_lines(run.paired))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
         _warn(found, report.passed_over)

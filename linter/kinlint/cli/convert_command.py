@@ -74,7 +74,7 @@ def run(arguments: Sequence[str]) -> int:
 
     from kinlint.conversion.composition import compose  # noqa: PLC0415
     from kinlint.conversion.output import WRITERS  # noqa: PLC0415
-    from kinlint.formats.dependencies.companions import join_companions  # noqa: PLC0415
+    from kinlint.formats.dependencies.joined_documents import join_companions  # noqa: PLC0415
     from kinlint.formats.options import ReadOptions  # noqa: PLC0415
     from kinlint.formats.registry import read  # noqa: PLC0415
     from kinlint.project.reading import read_models  # noqa: PLC0415  engines are slow to import

@@ -150,7 +150,7 @@ def _check(output: Path | None, found: Found) -> None:
 def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     """Return the report to draw. Raises `SourceError` for what cannot be read or has no robot."""
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
-    from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
+    from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
     from kinlint.project.reading import read_models  # noqa: PLC0415
 
     sources, errors = read_models(found.inputs, settings)
@@ -162,7 +162,7 @@ def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     Policies(settings, book.rules).check_selectors()
     if options.no_findings:
         book = replace(book, rules=(), constraints=())
-    report = lint.run([*sources, *find_nearby(sources, settings)], (), settings, book)
+    report = lint.run(pair(sources, settings), (), settings, book)
     for error in report.errors:
         raise error
     if not report.structures:

@@ -40,6 +40,8 @@ class LintRun:
     """The stopwatch of the run."""
     watched: bool = False
     """True if progress is shown."""
+    paired: list[SourceText] = field(default_factory=list)
+    """The texts of SRDF, with the robots by which they are judged."""
     _passed: list[SourceError] = field(default_factory=list)
     """Files that were passed over, and why they may have been meant."""
 
@@ -77,7 +79,7 @@ class LintRun:
     def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
-            from kinlint.formats.dependencies.companions import find_nearby  # noqa: PLC0415
+            from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
             from kinlint.project.reading import read_models  # noqa: PLC0415
 
         with self.phases.phase("decoding"):
@@ -87,8 +89,9 @@ class LintRun:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 
                 sources = affecting_sources(sources, asides, self.settings)
-            more = find_nearby(sources, self.settings)
-            return [*sources, *more], [*self.found.errors, *errors]
+            sources = pair(sources, self.settings)
+            self.paired[:] = (each for each in sources if each.pairing is not None)
+            return sources, [*self.found.errors, *errors]
 
     def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:
         from kinlint.cli import fix_files  # noqa: PLC0415  most runs change nothing

@@ -11,6 +11,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASE_DATES
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
+from kinlint.text import SourceText
 
 ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
 
@@ -34,6 +35,19 @@ def lines_before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> 
         for each in book.constraints:
             if each.deferred is not None:
                 yield f"deferred to pySHACL: a constraint of {each.owner}, {each.deferred}"
+
+
+def pairing_lines(paired: Iterable[SourceText]) -> Iterator[str]:
+    """Lines that say by which URDF each SRDF among *paired* is judged, and why."""
+    for each in paired:
+        pairing = each.pairing
+        if pairing is None or not pairing.partner:
+            yield f"robot of {each.name}: not found"
+        elif pairing.certain:
+            yield f"robot of {each.name}: {pairing.partner}, because {pairing.reason}"
+        else:
+            names = ", ".join((pairing.partner, *pairing.others))
+            yield f"robot of {each.name}: one of {names}, so only names that none of them has count"
 
 
 def lines_after(report: Report, settings: Settings, book: Rulebook) -> Iterator[str]:

@@ -17,7 +17,7 @@ from kinlint.terms import Term, Triple, iri, is_iri, literal
 from kinlint.vocabulary import SRC
 
 JOINED_TO = iri(f"{SRC}joinedTo")
-ADJACENT = literal("Adjacent")
+ADJACENT, FIXED = literal("Adjacent"), literal("fixed")
 
 
 class PlanningGroups:
@@ -146,9 +146,13 @@ class PlanningGroups:
         """Yield the links between those of *pair* that have collision shapes.
 
         MoveIt's setup assistant calls two links adjacent if no link with a shape is between them.
+        None are told of links that no joint can move against each other: nothing is to be checked.
         """
         one, other = self._ends(pair, "link1", "link2")
-        way = self._way(one, other)
+        way = self._way(one, other) or ()
+        kinds = self.scan.table(attribute("type"))
+        if all(FIXED in kinds.values(edge.joint) for edge in way):
+            return
         solid = self.scan.table(urdf("collision"))
-        links = {link for edge in way or () for link in (edge.parent, edge.child)} - {one, other}
+        links = {link for edge in way for link in (edge.parent, edge.child)} - {one, other}
         yield from sorted(link for link in links if link is not None and link in solid)

@@ -40,10 +40,12 @@ from kinlint.terms import (
     literal_value,
 )
 from kinlint.text import Location
+from kinlint.vocabulary import SRC
 
 Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
 
 CONSTRAINT = "ConstraintComponent"
+JOINED_TO = iri(f"{SRC}joinedTo")
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot", "message"})
 
 
@@ -72,6 +74,14 @@ class FindingBuilder:
         self.rulebook = rulebook
         self._proofs = proofs or partial(because, store, rulebook.axioms)
         self._locator = Locator(documents, store)
+        self._judges = {
+            document.source.name: (robot, document.source.pairing)
+            for document in documents
+            if document.format.speaks_of is not None
+            for _, predicate, robot in document.statements
+            if predicate == JOINED_TO
+        }
+        """The robots by which documents are judged that only speak of one, and why."""
         self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
         for result in results:
             finding = _finding(result, self._locator, rulebook)
@@ -144,6 +154,15 @@ class FindingBuilder:
             described = None if is_literal(term) or term == result.focus else locator.node(term)
             if described is not None:
                 yield described, f"{wording.word(locator.described(term))} is described here"
+        yield from self._judge(wording.location.source.name)
+
+    def _judge(self, name: str) -> Iterator[tuple[Location, str]]:
+        """Yield the robot by which the document called *name* is judged, if it speaks of one."""
+        robot, pairing = self._judges.get(name, (None, None))
+        place = None if robot is None else self._locator.node(robot)
+        if place is not None:
+            reason = f", because {pairing.reason}" if pairing is not None else ""
+            yield place, f"names are looked up in this robot{reason}"
 
 
 def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:

@@ -78,7 +78,12 @@ def supported_formats() -> str:
 
 
 def _begins_with_tag(text: str) -> bool:
-    return text[:HEAD].lstrip()[:1] == "<"
+    head = text[:HEAD].lstrip()
+    if head[:1] == "<" or "<" not in head:
+        return head[:1] == "<"
+    from kinlint.formats.xml.tag_scanner import LOST  # noqa: PLC0415  few files are XML
+
+    return LOST.match(head) is not None
 
 
 def _tree(name: str, text: str) -> Format | None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.errors import SourceError
-from kinlint.formats.dependencies.companions import join_companions
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.text import SourceText
 
 

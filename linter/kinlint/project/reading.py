@@ -5,6 +5,7 @@ from __future__ import annotations
 import stat
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -61,7 +62,8 @@ def _bounded(one: Input, read: bytes) -> bytes:
 
 def read_source(one: Input) -> SourceText:
     """Read and decode *one*. Raises `SourceError` if that fails."""
-    return decode(one.name, _bytes(one))
+    source = decode(one.name, _bytes(one))
+    return source if one.named else replace(source, named=False)
 
 
 def own_contexts(settings: Settings) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.findings.finding_builder import findings
-from kinlint.formats.dependencies.companions import join_companions
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
 from kinlint.pipeline.run import Run

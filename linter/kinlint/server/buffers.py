@@ -44,7 +44,9 @@ class Buffer:
         """The text that a client opens as *uri*."""
         path = path_of(uri)
         return (
-            cls(uri, path, version, SourceText(shown(path), "")).written(text, version).as_saved()
+            cls(uri, path, version, SourceText(shown(path), "", named=False))
+            .written(text, version)
+            .as_saved()
         )
 
     def written(self, text: str, version: int) -> Buffer:

@@ -10,7 +10,7 @@ from kinlint.configuration.project_trust import untrusted_message
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.pathname import shown
-from kinlint.formats.dependencies.companions import find_nearby
+from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.dependencies.file_groups import JoinKeys, group_sources, join_keys
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Input, Search
@@ -98,8 +98,9 @@ class WorkspaceFolder:
         for group in group_sources(sources, self._ties) if sources else ():
             inputs = [given[source.name] for source in group]
             settings = self._of(inputs)
-            more = find_nearby(group, settings, documents.overlay)
-            yield Model(_paths(inputs), tuple(group), settings, tuple(more))
+            paired = pair(group, settings, documents.overlay)
+            own, more = paired[: len(group)], paired[len(group) :]
+            yield Model(_paths(inputs), tuple(own), settings, tuple(more))
 
     def untrusted(self) -> list[str]:
         """Return the messages about configurations of which a part does not count."""

@@ -1,245 +1,213 @@
-"""Companions: the URDF that an SRDF refers to, whose links and joints it names.
+"""Companions: the URDF by which an SRDF is judged, whose links and joints it names.
 
-That is decided from the texts, without parsing them: among the files of a run, or else in the
-directories near the SRDF.
+That is decided from the texts, without parsing them, and by the same order wherever the SRDF was
+found: a URDF that was named together with it, one of the same stem in its package, the only one of
+its package, and then the name of the robot. Where that leaves several, none is taken.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import takewhile
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
-from kinlint.addresses import root_of
 from kinlint.configuration.settings import Settings
-from kinlint.document import Document
 from kinlint.errors import ConfigError, SourceError
-from kinlint.file_format import Format
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import missing, real, shown
 from kinlint.formats.decoding import decode
-from kinlint.formats.dependencies.mentions import Mentions
-from kinlint.formats.recognition import with_format
+from kinlint.formats.dependencies.robot_descriptions import Description, describe, may_be_srdf
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
-from kinlint.formats.xml.references import names_in, resolve_references
-from kinlint.formats.xml.schema import schema
-from kinlint.terms import RDF_TYPE, iri
-from kinlint.text import SourceText
-from kinlint.vocabulary import SRC
+from kinlint.text import Pairing, SourceText
 
-JOINED_TO = iri(f"{SRC}joinedTo")
-LOSSES = frozenset(
-    iri(f"{SRC}{name}")
-    for name in (
-        *("Unexpanded", "ExpansionFailure"),
-        *("UnknownPackage", "UnknownArgument", "UnknownVariable"),
-    )
-)
-"""Types of statements which imply that the robot may have parts that were not read."""
-UNREAD = frozenset({iri(f"{SRC}unread")})
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 FOLDERS = (".", "..", "urdf", "../urdf", "robots", "../robots")
-"""Directories searched for a URDF, relative to that of the SRDF, the most likely first."""
+"""Directories of the package of an SRDF that may hold its URDF, relative to that of the SRDF."""
 PATTERNS = ("*.urdf", "*.urdf.xacro")
-ENDING = SRDF.suffixes[0]
-MOST = 0.5
-"""Share of the names in an SRDF that a URDF must define to be taken for its companion."""
+NEIGHBOURS = ("*/urdf", "*/robots", "*")
+"""Directories of other packages, relative to the one that holds the package of an SRDF."""
+MANIFEST = "package.xml"
+MOST_FILES = 200
+"""Number of files in other packages that are looked into."""
+NONE = Pairing("", "", certain=False)
+"""The pairing of an SRDF whose robot was not found."""
 
 
-@dataclass(frozen=True)
-class Description:
-    """A text that describes a robot: a URDF, or an SRDF about one."""
-
-    source: SourceText
-    kind: Format
-
-    @cached_property
-    def mentions(self) -> Mentions:
-        """The names in its text."""
-        return Mentions(self.source)
-
-    @property
-    def robot(self) -> str:
-        """The name of the robot."""
-        return self.mentions.robot
-
-    @cached_property
-    def names(self) -> frozenset[str]:
-        """The links and joints that it has or, an SRDF, that it speaks of."""
-        parts = self.mentions.parts
-        return parts | self.mentions.references if self.kind == SRDF else parts
-
-    @property
-    def generated(self) -> bool:
-        """Tell whether its names are made up when it is expanded."""
-        return self.source.format is not None and self.source.format.expands_to is not None
-
-    @property
-    def varies(self) -> bool:
-        """Tell whether arguments without known values decide its content."""
-        return self.generated and self.mentions.has_arguments
-
-    @property
-    def unexpanded(self) -> bool:
-        """Tell whether it contains names that only an expansion would make up."""
-        return not self.generated and any("$" in name for name in (self.robot, *self.names))
-
-    def share_defined(self, names: frozenset[str]) -> float:
-        """Return the share of *names* that it defines, from 0 to 1."""
-        return len(names & self.names) / len(names) if names else 1.0
-
-    def may_refer_to(self, urdf: Description, *, alone: bool = False) -> bool:
-        """Tell whether this SRDF may refer to *urdf*: it defines the robot's name and most others.
-
-        Either will do if the two are *alone*.
-        """
-        named = self.robot == urdf.robot
-        knows = self.generated or urdf.generated or urdf.share_defined(self.names) >= MOST
-        return named or knows if alone else named and knows
-
-
-def describe(source: SourceText) -> Description | None:
-    """Return the description of *source*; None if it is neither SRDF nor URDF."""
-    source = with_format(source)
-    kind = source.format
-    if kind is not None and kind.expands_to == URDF.name:
-        kind = SRDF if ENDING in source.name.lower() else URDF
-    return Description(source, kind) if kind in (SRDF, URDF) else None
-
-
-def may_be_srdf(source: SourceText) -> bool:
-    """Tell whether *source* is an SRDF, or may expand to one."""
-    return with_format(source).format == SRDF or ENDING in source.name
-
-
-def find_companions(
-    sources: Iterable[SourceText], configured: Callable[[str], str | None] = lambda _: None
-) -> dict[str, str]:
-    """Return the name of the URDF among *sources* for each SRDF among them, by its name.
-
-    It is the one *configured*, by its path, or one that has the robot's name and most of the links
-    and joints that the SRDF refers to: the nearest of several. If there are no others, one of both
-    will do.
-    """
-    every = [one for each in sources if (one := describe(each)) and not one.unexpanded]
-    urdfs = [each for each in every if each.kind == URDF]
-    srdfs = [each for each in every if each.kind == SRDF]
-    found: dict[str, str] = {}
-    for srdf in srdfs:
-        name = srdf.source.name
-        if (path := configured(name)) is not None:
-            meant = [each for each in urdfs if _path(each) == path]
-        else:
-            alone = len(srdfs) == len(urdfs) == 1
-            meant = [each for each in urdfs if srdf.may_refer_to(each, alone=alone)]
-        if meant:
-            found[name] = max(meant, key=lambda urdf: _fitness(srdf, urdf)).source.name
-    return found
-
-
-def _fitness(srdf: Description, urdf: Description) -> tuple[float, int]:
-    """Return the share of common names, and then the number of common directories."""
-    steps = zip(_path(srdf).split("/"), _path(urdf).split("/"), strict=False)
-    return urdf.share_defined(srdf.names), sum(
-        1 for _ in takewhile(lambda step: step[0] == step[1], steps)
-    )
-
-
-def _path(description: Description) -> str:
-    return absolute(description.source.name).as_posix()
-
-
-def join_companions(
-    documents: Sequence[Document], configured: Callable[[str], str | None] = lambda _: None
-) -> list[Document]:
-    """Return *documents*, in which each SRDF says which URDF it is about; see `partners`.
-
-    Documents with unread parts stay alone: what is missing there may be in the unread part.
-    """
-    texts = [document.source for document in documents]
-    if not any(map(may_be_srdf, texts)):
-        return list(documents)
-    partner = find_companions(texts, configured)
-    asked = {*partner, *partner.values()}
-    whole = {
-        each.source.name: each
-        for each in documents
-        if each.source.name in asked and _is_whole(each)
-    }
-    return [
-        _joined(each, whole[found])
-        if each.source.name in whole and (found := partner.get(each.source.name)) in whole
-        else each
-        for each in documents
-    ]
-
-
-def _is_whole(document: Document) -> bool:
-    return not any(
-        predicate in UNREAD or (predicate == RDF_TYPE and value in LOSSES)
-        for _, predicate, value in document.statements
-    )
-
-
-def _joined(srdf: Document, urdf: Document) -> Document:
-    """Return *srdf* with the root of *urdf* that it is joined to, and what it refers to there."""
-    joined = root_of(urdf.graph)
-    found = resolve_references(
-        names_in(srdf), schema(SRDF.name), srdf.map.nodes, (joined, urdf.map.nodes)
-    )
-    leading = dict.fromkeys(((root_of(srdf.graph), JOINED_TO, joined), *dict(found)))
-    return replace(srdf, statements=(*srdf.statements, *leading))
-
-
-def find_nearby(
+def pair(
     sources: Sequence[SourceText], settings: Settings, overlay: Mapping[Path, SourceText] = NOTHING
-) -> Sequence[SourceText]:
-    """Return the texts of the URDF files that SRDF files among *sources* are about, if not given.
+) -> list[SourceText]:
+    """Return *sources*, in which each SRDF says by which URDF it is judged, with those that lack.
 
     *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
     where a configuration names a URDF that cannot be read.
     """
     if not any(map(may_be_srdf, sources)):
-        return ()
-    configured = settings.partner
-    known = find_companions(sources, configured)
-    given = {absolute(source.name) for source in sources}
-    found: dict[Path, SourceText] = {}
-    for srdf in filter(None, map(describe, sources)):
-        name = srdf.source.name
-        if srdf.kind != SRDF or name in known:
-            continue
-        if (path := configured(name)) is not None:
-            found[Path(path)] = _told(Path(path), overlay)
-        elif name[:1] != "<":
-            near = (one for one in _urdfs_near(absolute(name)) if one not in given)
-            found.update(_fitting(srdf, near, overlay))
-    return list(found.values())
+        return list(sources)
+    shelf = _Shelf(sources, overlay)
+    paired = [shelf.paired(each, settings.partner) for each in sources]
+    return [*paired, *shelf.borrowed.values()]
 
 
-def _urdfs_near(srdf: Path) -> Iterator[Path]:
-    """Yield the URDF files that may describe the robot of the file at *srdf*, the nearest first."""
-    for folder in dict.fromkeys(absolute(srdf.parent / folder) for folder in FOLDERS):
-        for pattern in PATTERNS:
-            yield from sorted(one for one in folder.glob(pattern) if one.is_file())
+def paired_among(
+    sources: Sequence[SourceText], configured: Callable[[str], str | None] = lambda _: None
+) -> dict[str, Pairing]:
+    """Return by which URDF among *sources* each SRDF there is judged, by the name of the SRDF."""
+    if not any(map(may_be_srdf, sources)):
+        return {}
+    shelf = _Shelf(sources, None)
+    found = {each.name: shelf.paired(each, configured).pairing for each in sources}
+    return {name: pairing for name, pairing in found.items() if pairing is not None}
 
 
-def _fitting(
-    srdf: Description, candidates: Iterable[Path], overlay: Mapping[Path, SourceText]
-) -> dict[Path, SourceText]:
-    """Return the first of *candidates* that *srdf* may be about, with its text."""
-    for path in candidates:
+class _Shelf:
+    """The robots of a run, and those in the directories near an SRDF.
+
+    `overlay` is None if only those of the run are there; `borrowed` are others that were taken.
+    """
+
+    def __init__(
+        self, sources: Iterable[SourceText], overlay: Mapping[Path, SourceText] | None
+    ) -> None:
+        every = [one for each in sources if (one := describe(each)) and not one.unexpanded]
+        self.given = [each for each in every if each.kind == URDF]
+        self.overlay = overlay
+        self.borrowed: dict[Path, SourceText] = {}
+        self._read: dict[Path, Description | None] = {each.path: each for each in self.given}
+
+    def paired(self, source: SourceText, configured: Callable[[str], str | None]) -> SourceText:
+        """Return *source* with its pairing, if it is an SRDF."""
+        srdf = describe(source)
+        if srdf is None or srdf.kind != SRDF or source.pairing is not None or source.companion:
+            return source
+        if (path := configured(source.name)) is not None:
+            return replace(source, pairing=self._configured(Path(path)))
+        if srdf.unexpanded:
+            return source
+        chosen, others, reason = self._choice(srdf)
+        if not chosen:
+            return source if self.overlay is None else replace(source, pairing=NONE)
+        known = frozenset[str]().union(*(each.names for each in others)) - chosen[0].names
+        if chosen[0].path not in {each.path for each in self.given}:
+            self.borrowed[chosen[0].path] = chosen[0].source
+        return replace(
+            source,
+            pairing=Pairing(
+                chosen[0].source.name,
+                reason,
+                tuple(sorted(each.source.name for each in others)),
+                tuple(sorted(srdf.names & known)),
+                certain=len(chosen) == 1,
+            ),
+        )
+
+    def _choice(
+        self, srdf: Description
+    ) -> tuple[Sequence[Description], Sequence[Description], str]:
+        """Return the URDF of *srdf*, others of its name, and the reason; several are a doubt."""
+        named = [each for each in self.given if each.source.named and srdf.source.named]
+        package = [*self._in_package(srdf)]
+        together = _of_stem(srdf, named) or (named if len(named) == 1 else [])
+        if together:
+            others = [] if len(named) == 1 else _of_name(srdf, named)
+            return together, _namesakes(srdf, together[0], others), "it was named together with it"
+        known = _of_name(srdf, package)
+        for found, reason in (
+            (_of_stem(srdf, package), "its file has the same name"),
+            (_only(srdf, package), "it is the only one of its package"),
+        ):
+            if found:
+                return found, _namesakes(srdf, found[0], known), reason
+        found = _of_name(srdf, named) or known
+        found = found or _of_name(srdf, self.given) or _of_name(srdf, self._in_others(srdf))
+        found.sort(key=lambda urdf: (-urdf.share_defined(srdf.names), str(urdf.path)))
+        return found, found[1:], "it describes the robot of that name"
+
+    def _in_package(self, srdf: Description) -> Iterator[Description]:
+        """Yield the robots of the package of *srdf*: those given, and those that lie there."""
+        folders = [absolute(srdf.path.parent / folder) for folder in FOLDERS]
+        given = [each for each in self.given if each.path.parent in folders]
+        yield from given
+        if self.overlay is None or srdf.source.name[:1] == "<":
+            return
+        for folder in dict.fromkeys(folders):
+            for pattern in PATTERNS:
+                yield from self._described(sorted(folder.glob(pattern)), given)
+
+    def _in_others(self, srdf: Description) -> Iterator[Description]:
+        """Yield the robots of the packages beside that of *srdf*."""
+        homes = (srdf.path.parent, srdf.path.parent.parent)
+        home = next((each for each in homes if (each / MANIFEST).is_file()), None)
+        if home is None or self.overlay is None:
+            return
+        ways = (f"{folder}/{pattern}" for folder in NEIGHBOURS for pattern in PATTERNS)
+        files = [path for way in ways for path in sorted(home.parent.glob(way))]
+        yield from self._described(files[:MOST_FILES], ())
+
+    def _described(
+        self, paths: Iterable[Path], known: Sequence[Description]
+    ) -> Iterator[Description]:
+        """Yield what the files at *paths* describe; not those *known*, nor what varies."""
+        for path in paths:
+            if path not in self._read:
+                self._read[path] = self._at(path)
+            found = self._read[path]
+            if found is not None and found not in known and not found.varies:
+                yield found
+
+    def _at(self, path: Path) -> Description | None:
         try:
-            urdf = describe(_companion(path, overlay))
+            found = describe(_companion(path, self.overlay or NOTHING))
         except (OSError, SourceError):
-            continue
-        if urdf is not None and not urdf.varies and srdf.may_refer_to(urdf):
-            return {path: urdf.source}
-    return {}
+            return None
+        return found if found is not None and found.kind == URDF and not found.unexpanded else None
+
+    def _configured(self, path: Path) -> Pairing:
+        """Return the pairing with the URDF that is configured."""
+        given = next((each for each in self.given if each.path == path), None)
+        if given is None and self.overlay is not None:
+            self.borrowed[path] = _configured_companion(path, self.overlay)
+        name = shown(path) if given is None else given.source.name
+        return Pairing(name, "it is configured")
+
+
+def _of_stem(srdf: Description, urdfs: Sequence[Description]) -> list[Description]:
+    """Return the one of *urdfs* whose file is called like that of *srdf*; rather no xacro."""
+    found = [each for each in urdfs if each.stem == srdf.stem]
+    return sorted(found, key=lambda urdf: (urdf.generated, -_common(srdf, urdf)))[:1]
+
+
+def _only(srdf: Description, urdfs: Sequence[Description]) -> list[Description]:
+    """Return the only one of *urdfs*, if it may be of the robot of *srdf*."""
+    plain = [each for each in urdfs if not each.generated] or list(urdfs)
+    fits = len(plain) == 1 and (plain[0].robot == srdf.robot or srdf.resembles(plain[0]))
+    return plain if fits else []
+
+
+def _of_name(srdf: Description, urdfs: Iterable[Description]) -> list[Description]:
+    """Return those of *urdfs* that have the robot's name and most of its parts, no text twice."""
+    found = [each for each in urdfs if each.robot == srdf.robot and srdf.resembles(each)]
+    found.sort(key=lambda urdf: -_common(srdf, urdf))
+    return list({each.source.text: each for each in reversed(found)}.values())
+
+
+def _namesakes(
+    srdf: Description, chosen: Description, urdfs: Iterable[Description]
+) -> list[Description]:
+    """Return the others of *urdfs* if *chosen* has the name of the robot, as they do."""
+    return [each for each in urdfs if each is not chosen and chosen.robot == srdf.robot]
+
+
+def _common(srdf: Description, urdf: Description) -> int:
+    """Return the number of directories that the files of both are in."""
+    steps = zip(srdf.path.parts, urdf.path.parts, strict=False)
+    count = 0
+    for one, other in steps:
+        if one != other:
+            break
+        count += 1
+    return count
 
 
 def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
@@ -250,7 +218,7 @@ def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
     return replace(decode(shown(path), path.read_bytes()), companion=True)
 
 
-def _told(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
+def _configured_companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
     try:
         return _companion(path, overlay)
     except (OSError, SourceError) as error:

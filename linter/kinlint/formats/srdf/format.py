@@ -19,7 +19,8 @@ SRDF = Format(
         {
             "group", "virtual_joint", "passive_joint", "end_effector", "group_state",
             "joint_property", "disable_collisions", "enable_collisions",
-            "disable_default_collisions", "link_sphere_approximation",
+            "disable_default_collisions", "link_sphere_approximation", "rotor_params",
+            "specificities",
         }
     ),
     schema="formats/srdf.ttl",

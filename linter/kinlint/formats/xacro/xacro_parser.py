@@ -6,6 +6,7 @@ from xml.parsers import expat
 
 from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text, VisitRecord
 from kinlint.formats.xacro.origin import Origin
+from kinlint.formats.xml.tag_scanner import LOST
 from kinlint.text import SourceText
 
 SEPARATOR = "\x1f"
@@ -75,6 +76,8 @@ class _Parser:
         except expat.ExpatError as error:
             at = self._code_points(self._parser.ErrorByteIndex)
             cause = f"not well-formed: {expat.ErrorString(error.code)}"
+            if lost := LOST.match(self._source.text):
+                cause = f"no < before {lost['tag'] or 'the declaration'}"
             raise Malformed(cause, self._source, at) from None
         return self._result
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
+from kinlint.formats.xml.tag_scanner import LOST
 from kinlint.text import Span
 
 
@@ -113,6 +114,9 @@ def recovered(text: str) -> RecoveredText:
 def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
     """Yield the changes to *text*, in order, up to where its tags make no sense."""
     at = 0
+    if (lost := LOST.match(text)) is not None:
+        yield _lost(Span(*lost.span("cut")), lost["tag"])
+        at = lost.end()
     while (start := text.find("<", at)) >= 0:
         yield from _data(text, Span(at, start), spare)
         if text.startswith("<!--", start):
@@ -134,6 +138,14 @@ def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
             at = tag.end()
         if at <= start:
             return
+
+
+def _lost(span: Span, tag: str | None) -> _Edit:
+    """Return the change to a declaration, or the *tag* of the root, whose < is lost."""
+    shown = Span(span.start, span.start + 1)
+    if tag:
+        return _Edit(Span(span.start, span.start), "<", f"no < before {tag}", None, shown)
+    return _Edit(span, " " * (span.end - span.start), "no < before the declaration", None, shown)
 
 
 def _data(text: str, span: Span, spare: Mapping[str, str]) -> Iterator[_Edit]:

@@ -20,7 +20,13 @@ MOST_WORDS = 2_000
 """No word that is longer, and none after so many, is compared with the known ones."""
 
 
-ABOUT_NAMES = {"UndeclaredAttribute", "UndeclaredPrefix", "LaterFeature", "EarlierFeature"}
+ABOUT_NAMES = {
+    "UndeclaredAttribute",
+    "UndeclaredPrefix",
+    "MalformedText",
+    "LaterFeature",
+    "EarlierFeature",
+}
 """Diagnostics about the name of an attribute, rather than its value."""
 
 
@@ -65,7 +71,7 @@ class Diagnostics:
             self._declared[name] = self._declared.get(name, 0) + 1
             return False
         if colon:
-            self.check_prefix(number, key, prefix)
+            self.check_prefix(number, key, prefix, name)
         elif not type_.open:
             free = [each for each in type_.attributes if each not in attributes]
             resembles = self._nearest(key, free)
@@ -79,8 +85,11 @@ class Diagnostics:
             )
         return True
 
-    def check_prefix(self, number: int, place: str | None, prefix: str) -> None:
-        """Note the first use of each *prefix* that is not declared."""
+    def check_prefix(self, number: int, place: str | None, prefix: str, name: str) -> None:
+        """Note the first use of each *prefix* that is not declared, and a *name* that is none."""
+        if name.startswith(":"):
+            self.note("MalformedText", number, place, reason=f"two colons in {prefix}:{name}")
+            return
         if prefix == "xml" or prefix in self._undeclared or self._declared.get(prefix):
             return
         self._undeclared.add(prefix)
@@ -95,9 +104,9 @@ class Diagnostics:
         self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]
     ) -> None:
         """Note an element that *outer* does not list; *first* are the tags that were there."""
-        prefix, colon, _ = tag.partition(":")
+        prefix, colon, name = tag.partition(":")
         if colon:
-            self.check_prefix(number, None, prefix)
+            self.check_prefix(number, None, prefix, name)
             if prefix == "xacro":
                 self.note("Unexpanded", number, None, written=f"<{tag}>")
         elif not outer.open:

@@ -6,6 +6,12 @@ import re
 from collections.abc import Iterator
 
 TAG = re.compile(r"<(/?)([^\s<>/=\"'!?&]++)((?:[^<>\"']++|\"[^\"]*+\"|'[^']*+')*+)>")
+LOST = re.compile(
+    r"""\s*(?P<cut>\??xml\s[^<>]*\?>
+    |(?P<tag>[A-Za-z_][\w.-]*)(?:\s+[\w:.-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*'))+\s*/?>)""",
+    re.VERBOSE,
+)
+"""Beginning of a text whose first character, the < of a declaration or a `tag`, is lost."""
 DEFINITION = "<!DOCTYPE"
 SKIPPED = {"<!--": "-->", "<![CDATA[": "]]>", "<?": "?>", "<!": ">"}
 """Beginnings of markup that is no tag, with its end; the first that fits."""

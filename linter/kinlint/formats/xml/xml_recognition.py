@@ -6,7 +6,7 @@ import re
 
 from kinlint.file_format import Format
 from kinlint.formats.records import BY_NAME, TREES, by_suffix
-from kinlint.formats.xml.tag_scanner import first_tag, tags
+from kinlint.formats.xml.tag_scanner import LOST, first_tag, tags
 
 SDF, XACRO = BY_NAME["sdf"], BY_NAME["xacro"]
 
@@ -29,6 +29,9 @@ MOST_TAGS = 10_000
 
 def root(text: str) -> tuple[str, int] | None:
     """Return the name of the root element and where its tag begins; None if this is no XML."""
+    lost = LOST.match(text)
+    if lost is not None and lost["tag"]:
+        return lost["tag"], lost.start("tag")
     at = first_tag(text)
     match = ROOT.match(text, at) if at >= 0 else None
     return (match[1], at) if match and _may_be_xml(text[:at] or "<") else None
@@ -64,7 +67,8 @@ def unsupported_kind(text: str) -> str | None:
 
 
 def _may_be_xml(text: str) -> bool:
-    return text[:HEAD].lstrip()[:1] in ("<", "")
+    head = text[:HEAD].lstrip()
+    return head[:1] in ("<", "") or LOST.match(head) is not None
 
 
 def _is_xacro(text: str, at: int) -> bool:

@@ -17,6 +17,7 @@ from kinlint.formats.xml.editing.element_sites import Site, Sites
 from kinlint.formats.xml.editing.rewriting import NOT_LITERAL
 from kinlint.formats.xml.editing.start_tag import deletions
 from kinlint.formats.xml.recovery import CONTROL, DECLARATION, HYPHENS, OTHERWISE_SOUND
+from kinlint.formats.xml.tag_scanner import LOST
 from kinlint.terms import RDF_TYPE, Triple, is_blank
 from kinlint.text import Span
 
@@ -91,7 +92,10 @@ def _respaced(layout: ElementLayout, span: Span) -> Iterator[Edit]:
 def _corrected(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     text, start = layout.text, span.start
     written = layout.source[span]
-    if written.startswith("&"):
+    lost = LOST.match(text)
+    if lost is not None and start == lost.start("cut"):
+        yield Edit(Span(start, start), "<?" if lost["cut"].startswith("xml") else "<")
+    elif written.startswith("&"):
         yield Edit(Span(start, start + 1), "&amp;")
     elif written in WRITTEN:
         yield Edit(span, WRITTEN[written])
