@@ -11,21 +11,22 @@ from kinlint.text import Span
 
 
 class Edit(NamedTuple):
-    """The characters of *span* give way to *text*; an empty span inserts, an empty text deletes."""
+    """Replacement of characters of a text."""
 
     span: Span
+    """Those that go; an empty span inserts."""
     text: str
+    """The text in their place; an empty one deletes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Delta:
-    """Change of a document: statements that go and statements that come, both without what stays.
-
-    `removed` are triples of the document as it spells them. New nodes of `added` are blank.
-    """
+    """Change of a document, without what stays."""
 
     removed: tuple[Triple, ...] = ()
+    """Triples that go, as the document spells them."""
     added: tuple[Triple, ...] = ()
+    """Triples that come; their new nodes are blank."""
 
     def __bool__(self) -> bool:
         return bool(self.removed or self.added)

@@ -31,13 +31,12 @@ class Symptom:
 
 @dataclass(frozen=True, slots=True)
 class FormatProfile:
-    """Symptoms that are inherent in a format, in the order of the anti-patterns.
-
-    What is below the elements that `passed_over` name does not count.
-    """
+    """Symptoms that are inherent in a format."""
 
     symptoms: tuple[Symptom, ...] = ()
+    """The symptoms, in the order of the anti-patterns."""
     passed_over: frozenset[Term] = frozenset()
+    """Properties of elements that do not count, with all below them."""
 
 
 @dataclass(frozen=True, slots=True)

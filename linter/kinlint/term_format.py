@@ -54,16 +54,16 @@ NUMBERS = {f"{XSD}{name}" for name in ("double", "float", "decimal", "integer")}
 
 @dataclass(frozen=True)
 class TermFormatter:
-    """Writes terms with the `prefixes` of a file; `own` are namespaces the file describes.
-
-    `nodes` are those of the file: elements of different kinds that share a name are told apart.
-    `kinds` are the tags of elements that are spoken of by name alone, where no other one has it.
-    """
+    """Writes terms as people read them in a file."""
 
     prefixes: Mapping[str, str] = field(default_factory=dict)
+    """The prefixes of the file."""
     own: tuple[str, ...] = ()
+    """Namespaces that the file describes."""
     nodes: Collection[Term] = field(default=(), repr=False)
+    """Nodes of the file: elements of different kinds that share a name are told apart."""
     kinds: Collection[str] = field(default=(), repr=False)
+    """Tags of elements that are spoken of by name alone, where no other one has it."""
 
     def term(self, term: Term) -> str:
         """Return *term* without the quotes, brackets and datatypes of N-Triples, in one line."""

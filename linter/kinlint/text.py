@@ -45,27 +45,33 @@ class Pairing:
 class SourceText:
     """The text of one file.
 
-    `name` is how the user called the file. `bom` tells that a byte order mark stood before
-    the text; it is not part of `text`, and offsets count from the character after it.
-    Line ends are kept as they stand. `misread` are places where the bytes were not what their
-    encoding has, with what is wrong there. A `companion` is read along with others that speak of
-    it, such as the URDF of an SRDF; nothing is reported of it. `encoding` turns the text into the
-    bytes it was read from; there is none if nothing does, but `original` has the bytes then.
-    `format` is what the text was recognised as; None before that, and if it is nothing known.
-    `named` tells that the user named this file, or gave this text, rather than a directory that it
-    was found in. `pairing` tells by what an SRDF is judged, once that is known.
+    Line ends are kept as they stand.
     """
 
     name: str
+    """How the user called the file."""
     text: str = field(repr=False)
+    """The text; offsets count from the character after a byte order mark."""
     bom: bool = False
+    """True if a byte order mark stood before the text."""
     misread: tuple[tuple[Span, str], ...] = field(default=(), repr=False)
+    """Places where the bytes were not what their encoding has, with what is wrong there."""
     companion: bool = False
+    """True if it is only read along with others that speak of it, such as the URDF of an SRDF:
+    nothing is reported of it.
+    """
     named: bool = True
+    """True if the user named this file, or gave this text, rather than a directory that it was
+    found in.
+    """
     pairing: Pairing | None = field(default=None, repr=False)
+    """The choice of the URDF by which an SRDF is judged, once it is known."""
     encoding: str = "utf-8"
+    """Turns the text into the bytes that it was read from; "" if nothing does."""
     original: bytes = field(default=b"", repr=False)
+    """The bytes, if no encoding turns the text into them."""
     format: Format | None = field(default=None, repr=False, compare=False)
+    """What the text was recognised as; None before that, and for what is not known."""
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:

@@ -24,11 +24,14 @@ FIELDS = ("path", "rule", "entity", "message", "fingerprint")
 
 @dataclass(frozen=True)
 class Baseline:
-    """The entries of the baseline file at `path`; `source` is its text."""
+    """The entries of a baseline file."""
 
     path: Path
+    """The path of the file."""
     source: SourceText
+    """Its text."""
     entries: tuple[Entry, ...] = ()
+    """The findings that it lists."""
 
 
 def read_baseline(path: Path, origin: str) -> Baseline:

@@ -20,14 +20,14 @@ def _any(_one: Entry) -> bool:
 
 @dataclass(frozen=True)
 class Ledger:
-    """Known findings, with paths as in `names`.
-
-    `gone` tells whether the file at a path no longer exists, so that it may have been renamed.
-    """
+    """Known findings, to compare others with."""
 
     entries: Sequence[Entry]
+    """The known findings."""
     names: Names
+    """What paths are called in them."""
     gone: Callable[[str], bool] = _nothing
+    """Whether the file at a path no longer exists, so that it may have been renamed."""
 
     def new(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* that were not known, in their order."""

@@ -26,11 +26,14 @@ LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacr
 
 @dataclass(frozen=True)
 class CacheKeys:
-    """The common part of all keys of a run; with *fixing*, reports contain fixes."""
+    """The common part of all keys of a run."""
 
     settings: Settings
+    """The settings of the run."""
     book: Rulebook
+    """Its rules."""
     fixing: bool
+    """True if reports contain fixes."""
     _base: str = field(init=False, repr=False)
     _known: dict[int, str] = field(default_factory=dict, repr=False)
 

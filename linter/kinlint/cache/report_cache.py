@@ -23,13 +23,15 @@ FOLDER = "reports"
 
 @dataclass
 class ReportCache:
-    """The reports in `entries` that have the same `grounds` as those of a run.
+    """The reports of earlier runs with the same settings and rules.
 
     What was looked up for a report is looked up again before it is recalled, each thing once.
     """
 
     entries: DirectoryStore
+    """The stored texts."""
     grounds: CacheKeys
+    """The keys of this run."""
     _answers: dict[tuple[str, str], str] = field(default_factory=dict)
     _changed: bool = False
 

@@ -27,16 +27,18 @@ from kinlint.text import SourceText
 
 @dataclass(frozen=True)
 class KnownFindings:
-    """Findings known before: those of the `baseline`, and those at a revision, `before`.
-
-    `options` tell whether the baseline is written or pruned.
-    """
+    """Findings known before a run."""
 
     settings: Settings
+    """The settings of the run."""
     rules: Sequence[Rule]
+    """The rules of the run."""
     baseline: Baseline | None
+    """Those of the baseline file, if there is one."""
     before: Ledger | None
+    """Those at the revision that the run is compared to, if there is one."""
     options: Namespace
+    """The command line, which says whether the baseline is written or pruned."""
 
     def new(self, findings: Sequence[Finding]) -> Sequence[Finding]:
         """Return the *findings* that were not known."""

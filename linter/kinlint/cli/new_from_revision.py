@@ -26,16 +26,18 @@ from kinlint.project.revision_checkout import checkout, checkout_path
 
 @dataclass(frozen=True)
 class FindingsAtRevision:
-    """A run, and the revision that it is compared to.
-
-    `settings_of` has the settings of a run over other inputs.
-    """
+    """A run, and the revision that it is compared to."""
 
     revision: Revision
+    """The revision."""
     found: Found
+    """The files of the run."""
     layers: Layers
+    """The configuration of the run."""
     book: Rulebook
+    """Its rules."""
     settings_of: Callable[[Found], Settings]
+    """Returns the settings of a run over other files."""
 
     def ledger(self, options: Namespace) -> Ledger:
         """Lint the files as they were, by today's rules and settings."""

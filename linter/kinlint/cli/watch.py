@@ -166,14 +166,14 @@ class Watcher:
 
 @dataclass(frozen=True)
 class Filter:
-    """Filter of changes below `tops`: the files `given`, and all that models may name.
-
-    Changes in the directory `cache` are ignored.
-    """
+    """Filter of changes of files."""
 
     tops: Sequence[Path]
+    """Directories below which changes count."""
     given: frozenset[str]
+    """Names of the files that were given."""
     cache: str
+    """The directory of the cache, changes of which are ignored."""
 
     def __call__(self, _change: Change, path: str) -> bool:
         """Tell whether a change at *path* matters."""

@@ -41,11 +41,14 @@ class PerFile:
 
 @dataclass(frozen=True, slots=True)
 class XacroArgument:
-    """The value of an argument of xacro files; of those that `glob` covers, if there is one."""
+    """The value of an argument of xacro files."""
 
     name: str
+    """The argument."""
     value: str
+    """Its value."""
     glob: Glob | None = None
+    """The files that it holds for; None for all."""
 
 
 ADDING = ("choices", "packages", "untrusted", "xacro_args")

@@ -54,14 +54,14 @@ class Policy:
 
 @dataclass(frozen=True)
 class Policies:
-    """The policies of a run. Raises `UsageError` for selectors that name no rule.
-
-    `formats` are those of the sources, by name.
-    """
+    """The policies of a run. Raises `UsageError` for selectors that name no rule."""
 
     settings: Settings
+    """The settings of the run."""
     rules: Sequence[Rule]
+    """All rules."""
     formats: Mapping[str, str] = field(default_factory=dict)
+    """Formats of the sources, by name of the source."""
 
     @cached_property
     def catalogue(self) -> Catalogue:

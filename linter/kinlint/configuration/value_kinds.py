@@ -14,14 +14,14 @@ ALIASES = {"note": "info"}
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of value: its `name` for people, and its JSON Schema.
-
-    `problem` returns what is wrong with a value, or an empty string.
-    """
+    """A kind of value of the configuration."""
 
     name: str
+    """What it is called in messages."""
     problem: Callable[[object], str]
+    """Returns what is wrong with a value, or an empty string."""
     schema: Mapping[str, Any]
+    """Its JSON Schema."""
 
 
 def expected_message(what: str, value: object) -> str:

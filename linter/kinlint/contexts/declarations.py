@@ -36,15 +36,16 @@ VALUES = {
 
 @dataclass
 class Declaration:
-    """The declaration of one term in the contexts.
-
-    `values` and `containers` are empty for a class.
-    """
+    """The declaration of one term in the contexts."""
 
     documents: list[str] = field(default_factory=list)
+    """Contexts that declare it."""
     releases: list[str] = field(default_factory=list)
+    """Releases that have it."""
     values: set[str] = field(default_factory=set)
+    """Types that its values are coerced to; none for a class."""
     containers: set[str] = field(default_factory=set)
+    """Containers of its values; none for a class."""
 
 
 def declarations() -> str:

@@ -29,17 +29,18 @@ _COMPONENT = re.compile(r"-\d+$")
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Why nothing, or not everything, is made of an element or an attribute.
-
-    `path` ends with the tag, after those of elements that it must stand below. `lifted` is "no",
-    "part", or "yes" for what the queries take without naming it.
-    """
+    """Why nothing, or not everything, is made of an element or an attribute."""
 
     format: str
+    """The name of the format."""
     path: tuple[str, ...]
+    """The tag, after those of elements that it must stand below."""
     attribute: str
+    """The attribute, or "" for the element itself."""
     lifted: str
+    """"no", "part", or "yes" for what the queries take without naming it."""
     why: str
+    """The reason, in words."""
 
     def covers(self, path: tuple[str, ...], attribute: str) -> bool:
         """Tell whether this is about *attribute*, or with "" the element itself, at *path*."""

@@ -26,24 +26,28 @@ REFERENCE, MEASURE, NUMBER = range(3)
 
 
 class Line(NamedTuple):
-    """A term as one context defines it; `words` are those of its notation, None for a class."""
+    """A term as one context defines it."""
 
     context: str
+    """The name of the context."""
     name: str
+    """The term."""
     iri: str
+    """What it stands for."""
     words: tuple[str, ...] | None
+    """Words of its notation; None for a class."""
 
 
 @dataclass(frozen=True, slots=True)
 class Published:
-    """A class or property: the contexts that define it, the least of them first.
-
-    `coercion` is the datatype that contexts give to its values, or "" where they give none.
-    """
+    """A class or property of the published contexts."""
 
     contexts: tuple[str, ...]
+    """Contexts that define it, the least of them first."""
     coercion: str = ""
+    """The datatype that contexts give to its values; "" where they give none."""
     is_property: bool = False
+    """True for a property."""
 
 
 @cache

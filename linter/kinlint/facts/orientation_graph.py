@@ -17,15 +17,16 @@ MOST_MEMBERS = 12
 
 
 class Loop(NamedTuple):
-    """A cycle: its edges by index, the closing one first, how long it is and what it misses.
-
-    `cause` is the edge to blame if other cycles through it miss alike.
-    """
+    """A cycle of orientations."""
 
     edges: Sequence[int]
+    """Its edges by index, the closing one first."""
     length: int
+    """The number of its edges."""
     residual: float
+    """The angle in rad by which it does not close."""
     cause: int | None = None
+    """The edge to blame, if other cycles through it miss alike."""
 
 
 class OrientationGraph:

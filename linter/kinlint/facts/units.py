@@ -33,11 +33,14 @@ ANGLE = "angle"
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A unit of QUDT: its number times `factor`, plus `offset`, is the number in SI."""
+    """A unit of QUDT."""
 
     factor: float
+    """What numbers in it are multiplied by for SI."""
     offset: float
+    """What is added then."""
     measures: Term
+    """The dimension vector of what it measures."""
 
     def si(self, number: float) -> float:
         """Return *number* of this unit in SI units."""

@@ -97,10 +97,12 @@ class Repository:
 
 @dataclass(frozen=True)
 class Revision:
-    """A commit of a repository; `commit` is its whole name in hexadecimal digits."""
+    """A commit of a repository."""
 
     repository: Repository
+    """The repository."""
     commit: str
+    """Its full name, in hexadecimal digits."""
 
     @cached_property
     def files(self) -> Mapping[Path, str]:

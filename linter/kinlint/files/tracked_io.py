@@ -30,10 +30,12 @@ HOME = "kinlint.files."
 
 @dataclass
 class Record:
-    """Questions and digests of their answers; *torn* where one was answered in two ways."""
+    """What was asked of the file system, and the answers."""
 
     answers: dict[Asked, str] = field(default_factory=dict)
+    """Digests of the answers, by question."""
     torn: bool = False
+    """True if one question was answered in two ways."""
 
     def note(self, asked: Asked, answer: str) -> None:
         """Keep that *asked* has this answer."""

@@ -58,11 +58,14 @@ SMALLEST = 1e-4
 
 @dataclass(frozen=True)
 class Wording:
-    """Words for the terms of the finding at `location` about `focus`."""
+    """Words for the terms of a finding."""
 
     locator: Locator
+    """The places of the run."""
     location: Location
+    """The place of the finding."""
     focus: Term
+    """Its focus node."""
 
     @cached_property
     def display(self) -> TermFormatter:

@@ -24,14 +24,14 @@ ADDRESS = "://"
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """At `location`, a file or the address of a page is named: `target`.
-
-    `source` is the text of the file, if it is one of the model.
-    """
+    """A place where a file or a page is named."""
 
     location: Location
+    """The place."""
     target: Path | str
+    """The file, or the address of the page."""
     source: SourceText | None = None
+    """The text of the file, if it is one of the model."""
 
 
 def links(

@@ -36,14 +36,20 @@ class Sort(Enum):
 
 @dataclass
 class Symbol:
-    """A named thing: `whole` is its description, and `identifier`, which lies in it, its name."""
+    """A named thing of a file."""
 
     name: str
+    """Its name."""
     detail: str
+    """More about it."""
     sort: Sort
+    """What it is."""
     whole: Span
+    """The span of its description."""
     identifier: Span
+    """The span of its name, which lies in it."""
     below: list[Symbol] = field(default_factory=list)
+    """The symbols in it."""
 
 
 def outline(

@@ -28,12 +28,16 @@ _PARAMETER = re.compile(r"(?:^|(?<=\s))[*]{0,2}([^\W\d]\w*)(?=\s|:|=|$)")
 
 
 class Named(NamedTuple):
-    """A name in a file, of what is of some `kind`; `within` is the macro whose parameter it is."""
+    """A name in a file of macros."""
 
     kind: str
+    """What it is the name of."""
     name: str
+    """The name."""
     location: Location
+    """Its place."""
     within: Element | None = None
+    """The macro whose parameter it is, if it is one."""
 
 
 def xacro_names(document: Document) -> Iterator[Occurrence]:

@@ -22,11 +22,14 @@ from kinlint.rule import Rule
 
 @dataclass(frozen=True)
 class Job:
-    """Settings and rules of a run; with *fixing*, reports contain fixes."""
+    """What a process is to do."""
 
     settings: Settings
+    """The settings of the run."""
     book: Rulebook
+    """Its rules."""
     fixing: bool = False
+    """True if reports contain fixes."""
     wanted: frozenset[FindingKey] | None = None
     """The findings that fixes are proven of; None for all."""
 

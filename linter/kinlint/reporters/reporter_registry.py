@@ -16,19 +16,20 @@ from kinlint.reporters.terminal_style import Style, detect_style
 
 
 class Format(NamedTuple):
-    """An output format: the module of its `render`, its reader, and its content.
-
-    A machine format has its stream for itself: the summary belongs on standard error. A format
-    without `fixes` needs none computed; one that is `drawn` shows the structure of robots. What
-    would drive a terminal or a CI system is written by `escape`; a format may be `commands` itself.
-    """
+    """An output format."""
 
     module: str
+    """The module with its `render`."""
     machine: bool = True
+    """True if machines read it: the summary goes to standard error then."""
     fixes: bool = True
+    """True if it shows fixes, which are not computed otherwise."""
     drawn: bool = False
+    """True if it shows the structure of robots."""
     escape: str = log_commands.UNICODE
+    """Escape of what would drive a terminal or a CI system."""
     commands: bool = False
+    """True if it consists of commands of a CI system itself."""
 
 
 FORMATS: Mapping[str, Format] = {

@@ -21,11 +21,14 @@ class Leaf:
 
 @dataclass(frozen=True)
 class Branch:
-    """A collection, or a blank node with its `properties`."""
+    """A collection, or a blank node with properties."""
 
     items: tuple[Value, ...] = ()
+    """The members of a collection."""
     properties: tuple[Property, ...] = ()
+    """The properties of a blank node."""
     is_collection: bool = False
+    """True for a collection."""
     comments: tuple[str, ...] = ()
     """Comments before the closing bracket."""
 

@@ -18,13 +18,15 @@ def register(server: KinlintServer) -> None:
 
 @dataclass
 class Publisher:
-    """Tells of all files of the models of which one is open, and takes back what no longer is.
+    """Publishes the diagnostics of all files of the models of which one is open.
 
-    `sent` is what the client was told last, with the version that it was told for.
+    What no longer holds is taken back.
     """
 
     server: KinlintServer
+    """The server."""
     sent: dict[Path, tuple[str, str, int | None]] = field(default_factory=dict)
+    """What the client was told last of each file: with the version that it was told for."""
 
     def publish(self, changed: frozenset[Path], settled: bool) -> None:  # noqa: FBT001
         """Send what is new of the files that *changed*.

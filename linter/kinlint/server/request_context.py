@@ -24,14 +24,14 @@ from kinlint.text import Location, SourceText, Span
 
 @dataclass
 class Places:
-    """The places of the texts of a model as the client has them.
-
-    `paths` are the files of those texts whose names are not enough to find them.
-    """
+    """The places of the texts of a model as the client has them."""
 
     snapshot: FrozenState
+    """The open texts, folders and settings."""
     encoding: str
+    """The encoding of positions that was agreed on."""
     paths: dict[str, Path]
+    """The files of texts whose names are not enough to find them."""
     _measures: dict[str, tuple[SourceText, PositionCodec]] = field(default_factory=dict)
 
     def path(self, name: str) -> Path:
@@ -70,21 +70,32 @@ class Places:
 class RequestContext:
     """A file, and what was found in the model of which it is a part.
 
-    Only where a view is handed out by `consult`, and only there, the store and the builder of the
-    examination may be asked. What takes long asks now and then whether it is `cancelled`, since
-    something changed, and raises `Cancelled` then: it is begun again with the newest text.
+    Only where a view is handed out by `consult`, and only there, the store and the builder of
+    the examination may be asked.
     """
 
     uri: str
+    """The URI by which the client knows the file."""
     path: Path
+    """Its path."""
     source: SourceText
+    """Its text."""
     version: int | None
+    """The version that the client gave the text; None for a file that is not open."""
     examination: Examination
+    """The examination of the model."""
     settings: Settings
+    """The settings of the model."""
     rulebook: Rulebook
+    """The rules."""
     places: Places
+    """The places as the client has them."""
     session: Session
+    """What the server keeps."""
     cancelled: Callable[[], bool]
+    """Whether something changed: what takes long asks now and then and raises `Cancelled`, to be
+    begun again with the newest text.
+    """
 
     @property
     def sources(self) -> tuple[SourceText, ...]:

@@ -21,15 +21,20 @@ BACKGROUND = 1
 class Scheduler:
     """Examines as long as something changed.
 
-    `snapshot` gives the state of now, and `deliver` takes each step. A change interrupts the step
-    that is being made: what it would find is of no interest any more.
+    A change interrupts the step that is being made: what it would find is of no interest any
+    more.
     """
 
     library: Workspace
+    """The models and their rules."""
     worker: Worker
+    """The thread that examines."""
     snapshot: Callable[[frozenset[Path], bool], FrozenState]
+    """Returns the state of now."""
     deliver: Callable[[Step], None]
+    """Takes each step."""
     generation: int = 0
+    """Number of the newest change."""
     _waiting: dict[asyncio.Future[None], Path | None] = field(default_factory=dict)
     _task: asyncio.Task[None] | None = None
     _stopped: bool = False

@@ -49,10 +49,12 @@ class Union:
 
 @dataclass(frozen=True)
 class Clause:
-    """A keyword with a group: OPTIONAL, MINUS, GRAPH, SERVICE (name in *head*), LATERAL."""
+    """A keyword with a group: OPTIONAL, MINUS, GRAPH, SERVICE, LATERAL."""
 
     head: tuple[str, ...]
+    """The keyword, and the name for GRAPH and SERVICE."""
     group: Group
+    """The group."""
 
 
 @dataclass(frozen=True)
@@ -64,11 +66,14 @@ class Values:
 
 @dataclass(frozen=True)
 class Select:
-    """A query or sub-select: `head` from its verb up to WHERE, `tail` its modifiers."""
+    """A query or sub-select."""
 
     head: Expression
+    """The tokens from its verb up to WHERE."""
     group: Group
+    """Its WHERE."""
     tail: Expression
+    """Its modifiers."""
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,14 @@ _MODIFIERS = ("*", "+", "?")
 
 
 class Pattern(NamedTuple):
-    """A triple pattern; `path` is a predicate, a variable or the tokens of a path."""
+    """A triple pattern."""
 
     subject: str
+    """A term or variable."""
     path: tuple[str, ...]
+    """A predicate, a variable or the tokens of a path."""
     object: str
+    """A term or variable."""
 
     @property
     def text(self) -> str:

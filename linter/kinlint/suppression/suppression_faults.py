@@ -26,11 +26,14 @@ FAULTS = (UNUSED, UNKNOWN, UNREASONED, EXPIRED)
 
 @dataclass(frozen=True, slots=True)
 class SuppressionFault:
-    """A fault of `directive`, reported by the rule called `rule`; `values` fill its message."""
+    """A fault of a directive."""
 
     rule: str
+    """The name of the rule that reports it."""
     directive: Directive
+    """The directive."""
     values: Mapping[str, str]
+    """What fills the message of the rule."""
 
 
 def faults(

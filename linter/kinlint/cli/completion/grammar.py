@@ -37,20 +37,26 @@ KNOWN: Mapping[str, Sequence[str]] = {
 
 @dataclass(frozen=True)
 class Value:
-    """The value of an option or a command: one of `words`, if any; several with commas."""
+    """The value of an option or a command."""
 
     kind: Kind
+    """What it stands for."""
     words: tuple[str, ...] = ()
+    """The words that it can be; none if any."""
     several: bool = False
+    """True if several may be given, with commas."""
 
 
 @dataclass(frozen=True)
 class Option:
-    """An option by all its `names`; one without a `value` is either there or not."""
+    """An option of the command line."""
 
     names: tuple[str, ...]
+    """All its names."""
     text: str
+    """What it does."""
     value: Value | None = None
+    """Its value; None if it is either there or not."""
 
 
 @dataclass(frozen=True)

@@ -23,12 +23,16 @@ Ends: TypeAlias = tuple[SdfElement | None, SdfElement | None]
 
 
 class GearCoupling(NamedTuple):
-    """A gearbox: `follower` turns with `leader` if `sense` times minus the ratio is positive."""
+    """Two hinges that a gearbox couples."""
 
     gearbox: SdfElement
+    """The gearbox."""
     leader: SdfElement
+    """The hinge between the reference body and the parent."""
     follower: SdfElement
+    """The hinge between the reference body and the child."""
     sense: float
+    """1 or -1, by which minus the ratio is multiplied."""
 
 
 def gears(frames: Frames, joints: Iterable[SdfElement]) -> Iterator[GearCoupling]:

@@ -41,10 +41,12 @@ class SdfScope:
 
 @dataclass(frozen=True)
 class UnknownName:
-    """A name that stands for nothing; `certain` tells that no unread file may define it."""
+    """A name that stands for nothing."""
 
     certain: bool
+    """True if no unread file may define it."""
     known: tuple[str, ...] = ()
+    """The names that are known instead."""
 
 
 @dataclass

@@ -27,16 +27,18 @@ def write(parsed: ParsedXacro, pieces: Pieces) -> MappedText:
 
 
 class _EvaluatedValue(NamedTuple):
-    """A value that was evaluated, without its first `skipped` characters.
-
-    What wrote it stands at `place`, which is `offset` characters into what was evaluated.
-    """
+    """A value that was evaluated."""
 
     value: str
+    """The value."""
     origin: Origin
+    """The text that wrote the node."""
     place: Span
+    """The place of what was evaluated."""
     skipped: int = 0
+    """Number of its first characters that are left out."""
     offset: int = 0
+    """Number of characters before it in what was evaluated."""
 
 
 class _Writer:

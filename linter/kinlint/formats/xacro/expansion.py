@@ -64,11 +64,14 @@ class Failure(Exception):
 
 @dataclass(frozen=True)
 class Fault:
-    """Failure of an expansion, at `span` of `source`."""
+    """Failure of an expansion."""
 
     reason: str
+    """What is wrong."""
     source: SourceText
+    """The text."""
     span: Span
+    """The place in the text."""
     kind: str = ""
     """Kind of an unknown name, if that is the cause."""
     name: str = ""
@@ -83,11 +86,14 @@ NAMED = (REDEFINED, WITHHELD)
 
 @dataclass(frozen=True)
 class Remark:
-    """Warning of xacro, at `span` of `source`."""
+    """Warning of xacro."""
 
     message: str
+    """The warning."""
     source: SourceText
+    """The text."""
     span: Span
+    """The place in the text."""
     kind: str = ""
     """One of `NAMED` if the remark is about a name."""
     name: str = ""

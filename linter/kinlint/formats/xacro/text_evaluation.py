@@ -22,12 +22,16 @@ SHOWN = 60
 
 
 class Part(NamedTuple):
-    """`start` to `end` of a result came from `begin` to `stop` of the text."""
+    """A part of the result of an evaluation."""
 
     start: int
+    """Its start in the result."""
     end: int
+    """Its end in the result."""
     begin: int
+    """Start of what it came from, in the text."""
     stop: int
+    """End of what it came from, in the text."""
 
 
 class Traced(str):

@@ -70,7 +70,7 @@ class ElementType:
     predicate: Term
     """Property from the parent to the element."""
     attributes: dict[str, Slot] = field(default_factory=dict)
-    children: dict[str, ElementType] = field(default_factory=dict)
+    children: dict[str, ElementType] = field(default_factory=dict, repr=False)
     once: frozenset[str] = frozenset()
     """Tags of children that may occur once."""
     required: tuple[str, ...] = ()
@@ -89,7 +89,7 @@ class ElementType:
     """References by name, by property."""
     files: frozenset[Term] = frozenset()
     """Properties that name files."""
-    leads: dict[Term, ElementType] = field(default_factory=dict)
+    leads: dict[Term, ElementType] = field(default_factory=dict, repr=False)
     """Children with references below them, by their properties."""
     scope: tuple[str, ...] = ()
     """Tags of the elements that it knows by name."""

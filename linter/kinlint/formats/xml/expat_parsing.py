@@ -33,13 +33,18 @@ NO_ELEMENT, UNENDED, MISMATCH = (
 
 @dataclass(frozen=True, slots=True)
 class ExpatResult:
-    """Result of expat, up to `fatal` if that says why reading stopped."""
+    """Result of expat."""
 
     elements: Elements
+    """The elements."""
     comments: Comments
+    """The comments that suppress findings."""
     offset: Offsets
+    """Offsets in the text by those in bytes."""
     text: RecoveredText
+    """The text as it was read, with repairs."""
     fatal: SyntaxFlaw | None = None
+    """Why reading stopped; None if it did not."""
 
     @property
     def complete(self) -> bool:

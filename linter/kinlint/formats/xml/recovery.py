@@ -17,10 +17,12 @@ from kinlint.text import Span
 
 
 class SyntaxFlaw(NamedTuple):
-    """Syntax error at `span`."""
+    """A syntax error."""
 
     span: Span
+    """Its place."""
     reason: str
+    """What is wrong."""
     attribute: str | None = None
     """Name of an attribute that is given twice."""
 

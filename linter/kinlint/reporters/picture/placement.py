@@ -34,16 +34,18 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The place of each shape in a picture of this size; `across` if trees grow to the right.
-
-    `step` is the distance between the left edges of columns.
-    """
+    """The layout of a picture."""
 
     places: Sequence[Place]
+    """The place of each shape."""
     width: float
+    """Width of the picture."""
     height: float
+    """Height of the picture."""
     across: bool = False
+    """True if trees grow to the right."""
     step: float = 0.0
+    """Distance between the left edges of columns."""
 
 
 def layout(boxes: Sequence[Box]) -> Layout:

@@ -21,11 +21,14 @@ _BRACKET = re.compile(r"(\\*)([\[\]])")
 
 
 class SarifMessage(NamedTuple):
-    """A message for people, and a template that with its `arguments` gives the same text."""
+    """A message in SARIF."""
 
     text: str
+    """The message for people."""
     template: str
+    """The same with placeholders."""
     arguments: tuple[str, ...]
+    """What stands for the placeholders."""
 
 
 def sarif_message(finding: Finding) -> SarifMessage:

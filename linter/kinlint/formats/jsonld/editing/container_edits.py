@@ -19,11 +19,14 @@ _SIBLINGS = 200
 
 
 class NewChild(NamedTuple):
-    """A new child: JSON that is yet to be laid out, after child number `after`, -1 if first."""
+    """A new child of an object or array."""
 
     value: Any
+    """JSON that is yet to be laid out."""
     key: str | None
+    """Its key, in an object."""
     after: int
+    """The number of the child before it; -1 if it comes first."""
 
 
 @dataclass(frozen=True)

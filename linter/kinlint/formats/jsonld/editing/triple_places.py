@@ -18,11 +18,14 @@ _CONTENT = frozenset({"@id", "@value", "@list"})
 
 
 class Place(NamedTuple):
-    """A triple's value at `item`, which belongs to the member `key` of `owner`."""
+    """A place where the value of a triple is written."""
 
     owner: Object
+    """The object that has it."""
     key: Key
+    """The key of the member that it belongs to."""
     item: Seat
+    """The value itself."""
 
     @property
     def member(self) -> Seat:

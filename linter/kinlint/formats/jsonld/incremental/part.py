@@ -177,10 +177,12 @@ def _renamed(loss: Loss, names: Names) -> Loss:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Arrangement:
-    """Parts in the order of the file; each has moved by one of `shifts` since it was read."""
+    """Parts of a text in their order."""
 
     parts: Sequence[Part]
+    """The parts."""
     shifts: Sequence[int]
+    """How far each has moved since it was read, in characters."""
 
     def end_of(self, number: int) -> int:
         """Return the end of a part."""
