@@ -14,7 +14,7 @@ class Edit(NamedTuple):
     """Replacement of characters of a text."""
 
     span: Span
-    """Those that go; an empty span inserts."""
+    """The characters that go; an empty span inserts."""
     text: str
     """The text in their place; an empty one deletes."""
 

@@ -49,7 +49,7 @@ class SourceText:
     """
 
     name: str
-    """How the user called the file."""
+    """Name of the file, as the user wrote it."""
     text: str = field(repr=False)
     """The text; offsets count from the character after a byte order mark."""
     bom: bool = False
@@ -71,7 +71,7 @@ class SourceText:
     original: bytes = field(default=b"", repr=False)
     """The bytes, if no encoding turns the text into them."""
     format: Format | None = field(default=None, repr=False, compare=False)
-    """What the text was recognised as; None before that, and for what is not known."""
+    """The recognised format; None before that, and for what is not known."""
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:

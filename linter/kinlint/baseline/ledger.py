@@ -25,9 +25,9 @@ class Ledger:
     entries: Sequence[Entry]
     """The known findings."""
     names: Names
-    """What paths are called in them."""
+    """Names of paths in them."""
     gone: Callable[[str], bool] = _nothing
-    """Whether the file at a path no longer exists, so that it may have been renamed."""
+    """Test of a path for a file that no longer exists, and so may have been renamed."""
 
     def new(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* that were not known, in their order."""

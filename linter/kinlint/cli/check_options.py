@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import BooleanOptionalAction
+from collections.abc import Callable
 from typing import Any
 
 from kinlint.cli.argument_parser import Parser, comma_list, count, non_empty, one_of
@@ -20,6 +21,8 @@ from kinlint.contexts.context_library import RELEASES
 LISTS: dict[str, Any] = {"type": comma_list, "action": "extend"}
 TEXTS: dict[str, Any] = {"action": "append", "type": non_empty}
 FLAG: dict[str, Any] = {"action": "store_true"}
+STDOUT = "-"
+"""The name of standard output, and of standard input."""
 
 WIDTH = max(map(len, COMMANDS))
 DESCRIPTION = """\
@@ -137,8 +140,7 @@ def _reading(made: Parser) -> None:
         action=BooleanOptionalAction,
         help="the files are a part of a model: miss nothing that others may hold",
     )
-    add("--package", metavar="NAME=DIR", **TEXTS, help="where the ROS package NAME lies")
-    add("--xacro-arg", metavar="NAME:=VALUE", **TEXTS, help="an argument for xacro files")
+    add_reading_options(add)
     add("--config", metavar="PATH|KEY=VALUE", **TEXTS, help="this configuration, or this key of it")
     add("--isolated", **FLAG, help="without configuration files")
     add("--show-settings", **FLAG, help="show the settings of each file, and stop")
@@ -183,4 +185,22 @@ def _output(made: Parser) -> None:
         default="auto",
         metavar="WHEN",
         help="auto|always|never",
+    )
+
+
+def add_reading_options(add: Callable[..., object]) -> None:
+    """Add, by *add*, the options that say how models are read."""
+    add("--package", metavar="NAME=DIR", **TEXTS, help="where the ROS package NAME lies")
+    add("--xacro-arg", metavar="NAME:=VALUE", **TEXTS, help="an argument for xacro files")
+
+
+def add_output_file(made: Parser) -> None:
+    """Add the option for the file that a command writes."""
+    made.add_argument(
+        "-o",
+        "--output-file",
+        type=non_empty,
+        metavar="FILE",
+        default=STDOUT,
+        help="write there; -, the default, is standard output",
     )

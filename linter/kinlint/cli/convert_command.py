@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, non_empty, one_of
+from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
@@ -18,7 +19,6 @@ from kinlint.formats import records
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers
 
-STDOUT = "-"
 WRITTEN = tuple(each for each in records.FORMATS if each.convertible)
 FORMATS = tuple(each.name for each in WRITTEN)
 SUFFIXES = {suffix: each.name for each in WRITTEN for suffix in each.suffixes}
@@ -37,14 +37,7 @@ def parser() -> Parser:
     )
     made.add_positionals("paths", "FILE", "the robot; several files are one model")
     add = made.add_argument
-    add(
-        "-o",
-        "--output-file",
-        type=non_empty,
-        metavar="FILE",
-        default=STDOUT,
-        help="write there; -, the default, is standard output",
-    )
+    linting.add_output_file(made)
     add(
         "--to",
         type=one_of(FORMATS),
@@ -57,8 +50,7 @@ def parser() -> Parser:
         metavar="IRI",
         help="where the names of its parts live (default: https://example.org/ROBOT#)",
     )
-    add("--package", metavar="NAME=DIR", **linting.TEXTS, help="where the ROS package NAME lies")
-    add("--xacro-arg", metavar="NAME:=VALUE", **linting.TEXTS, help="an argument for xacro files")
+    linting.add_reading_options(add)
     add("-q", "--quiet", **linting.FLAG, help="do not tell what is left out")
     return made
 

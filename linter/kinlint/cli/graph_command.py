@@ -12,6 +12,7 @@ from pathlib import Path
 from kinlint.catalogue import rulebook
 from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import Parser, non_empty, one_of
+from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.selection import Policies
@@ -27,7 +28,6 @@ from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.rule import Severity
 
-STDOUT = "-"
 PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")
 """Options that mean what they mean to `kinlint check`."""
 
@@ -54,14 +54,7 @@ def parser() -> Parser:
         metavar="|".join(FORMATS),
         help="the format (default: by the end of the name of the output file, or text)",
     )
-    add(
-        "-o",
-        "--output-file",
-        type=non_empty,
-        metavar="FILE",
-        default=STDOUT,
-        help="write there; -, the default, is standard output",
-    )
+    linting.add_output_file(made)
     add("--frames", **linting.FLAG, help="draw the frames of links, too")
     add("--no-findings", **linting.FLAG, help="draw the robots only, and judge nothing")
     add("--select", metavar="R", **linting.LISTS, help="mark only what these rules find")
@@ -71,8 +64,7 @@ def parser() -> Parser:
     add("--rules", metavar="DIR", **linting.TEXTS, help="add the rule files in DIR")
     add("--config", metavar="PATH|KEY=VALUE", **linting.TEXTS, help="this configuration, or key")
     add("--isolated", **linting.FLAG, help="without configuration files")
-    add("--package", metavar="NAME=DIR", **linting.TEXTS, help="where the ROS package NAME lies")
-    add("--xacro-arg", metavar="NAME:=VALUE", **linting.TEXTS, help="an argument for xacro files")
+    linting.add_reading_options(add)
     add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")
     add("--cache-dir", type=non_empty, metavar="DIR", help="where compiled rules are kept")
     add(

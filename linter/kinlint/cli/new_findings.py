@@ -34,9 +34,9 @@ class KnownFindings:
     rules: Sequence[Rule]
     """The rules of the run."""
     baseline: Baseline | None
-    """Those of the baseline file, if there is one."""
+    """The baseline file, if there is one."""
     before: Ledger | None
-    """Those at the revision that the run is compared to, if there is one."""
+    """The findings at the revision that the run is compared to, if there is one."""
     options: Namespace
     """The command line, which says whether the baseline is written or pruned."""
 

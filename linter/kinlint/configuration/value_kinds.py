@@ -17,7 +17,7 @@ class Kind:
     """A kind of value of the configuration."""
 
     name: str
-    """What it is called in messages."""
+    """Its name in messages."""
     problem: Callable[[object], str]
     """Returns what is wrong with a value, or an empty string."""
     schema: Mapping[str, Any]

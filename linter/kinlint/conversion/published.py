@@ -33,7 +33,7 @@ class Line(NamedTuple):
     name: str
     """The term."""
     iri: str
-    """What it stands for."""
+    """The IRI that it stands for."""
     words: tuple[str, ...] | None
     """Words of its notation; None for a class."""
 

@@ -36,9 +36,9 @@ class Unit:
     """A unit of QUDT."""
 
     factor: float
-    """What numbers in it are multiplied by for SI."""
+    """Factor of numbers in it for SI."""
     offset: float
-    """What is added then."""
+    """Summand after that."""
     measures: Term
     """The dimension vector of what it measures."""
 

@@ -30,7 +30,7 @@ HOME = "kinlint.files."
 
 @dataclass
 class Record:
-    """What was asked of the file system, and the answers."""
+    """Questions to the file system, and the answers."""
 
     answers: dict[Asked, str] = field(default_factory=dict)
     """Digests of the answers, by question."""

@@ -43,7 +43,7 @@ class Symbol:
     detail: str
     """More about it."""
     sort: Sort
-    """What it is."""
+    """Its kind."""
     whole: Span
     """The span of its description."""
     identifier: Span

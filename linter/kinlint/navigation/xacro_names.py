@@ -31,7 +31,7 @@ class Named(NamedTuple):
     """A name in a file of macros."""
 
     kind: str
-    """What it is the name of."""
+    """Kind of the named thing."""
     name: str
     """The name."""
     location: Location

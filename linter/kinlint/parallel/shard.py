@@ -22,7 +22,7 @@ from kinlint.rule import Rule
 
 @dataclass(frozen=True)
 class Job:
-    """What a process is to do."""
+    """Work of one process."""
 
     settings: Settings
     """The settings of the run."""

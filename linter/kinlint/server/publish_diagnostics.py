@@ -26,7 +26,7 @@ class Publisher:
     server: KinlintServer
     """The server."""
     sent: dict[Path, tuple[str, str, int | None]] = field(default_factory=dict)
-    """What the client was told last of each file: with the version that it was told for."""
+    """The last diagnostics of each file, with the version that they were for."""
 
     def publish(self, changed: frozenset[Path], settled: bool) -> None:  # noqa: FBT001
         """Send what is new of the files that *changed*.

@@ -91,9 +91,9 @@ class RequestContext:
     places: Places
     """The places as the client has them."""
     session: Session
-    """What the server keeps."""
+    """The state that the server keeps."""
     cancelled: Callable[[], bool]
-    """Whether something changed: what takes long asks now and then and raises `Cancelled`, to be
+    """Test whether something changed: long work asks now and then and raises `Cancelled`, to be
     begun again with the newest text.
     """
 

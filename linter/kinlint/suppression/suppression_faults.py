@@ -33,7 +33,7 @@ class SuppressionFault:
     directive: Directive
     """The directive."""
     values: Mapping[str, str]
-    """What fills the message of the rule."""
+    """Values for the message of the rule."""
 
 
 def faults(

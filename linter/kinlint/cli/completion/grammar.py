@@ -40,7 +40,7 @@ class Value:
     """The value of an option or a command."""
 
     kind: Kind
-    """What it stands for."""
+    """Kind of the value."""
     words: tuple[str, ...] = ()
     """The words that it can be; none if any."""
     several: bool = False
@@ -54,7 +54,7 @@ class Option:
     names: tuple[str, ...]
     """All its names."""
     text: str
-    """What it does."""
+    """Its effect, in words."""
     value: Value | None = None
     """Its value; None if it is either there or not."""
 

@@ -67,7 +67,7 @@ class Fault:
     """Failure of an expansion."""
 
     reason: str
-    """What is wrong."""
+    """The fault, in words."""
     source: SourceText
     """The text."""
     span: Span

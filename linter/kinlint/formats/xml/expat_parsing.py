@@ -44,7 +44,7 @@ class ExpatResult:
     text: RecoveredText
     """The text as it was read, with repairs."""
     fatal: SyntaxFlaw | None = None
-    """Why reading stopped; None if it did not."""
+    """Reason why reading stopped; None if it did not."""
 
     @property
     def complete(self) -> bool:

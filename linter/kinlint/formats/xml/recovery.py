@@ -22,7 +22,7 @@ class SyntaxFlaw(NamedTuple):
     span: Span
     """Its place."""
     reason: str
-    """What is wrong."""
+    """The fault, in words."""
     attribute: str | None = None
     """Name of an attribute that is given twice."""
 

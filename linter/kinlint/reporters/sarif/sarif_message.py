@@ -28,7 +28,7 @@ class SarifMessage(NamedTuple):
     template: str
     """The same with placeholders."""
     arguments: tuple[str, ...]
-    """What stands for the placeholders."""
+    """Values of the placeholders."""
 
 
 def sarif_message(finding: Finding) -> SarifMessage:

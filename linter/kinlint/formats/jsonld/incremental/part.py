@@ -182,7 +182,7 @@ class Arrangement:
     parts: Sequence[Part]
     """The parts."""
     shifts: Sequence[int]
-    """How far each has moved since it was read, in characters."""
+    """Distance that each has moved since it was read, in characters."""
 
     def end_of(self, number: int) -> int:
         """Return the end of a part."""
