@@ -125,6 +125,17 @@ def test_one_mistake_is_one_finding(name: str, lint_edited: Callable[..., Report
     assert f"{len(cause.consequences)} other finding" in cause.message
 
 
+def test_what_an_unread_file_describes_follows_from_it(lint_edited: Callable[..., Report]) -> None:
+    """A comma is missing: the error counts the references; a slip elsewhere is a finding still."""
+    broken = ("skeleton", '"Vector", "BoundVector"', '"Vector" "BoundVector"')
+    slip = ("chain", '"arm:shoulder", "arm:elbow"', '"arm:shoulder", "arm:elbw"')
+    report = lint_edited(broken, slip)
+    assert [each.rule.code for each in report.findings] == ["LD006"]
+    (error,) = report.errors
+    assert error.consequences
+    assert f"{len(error.consequences)} other findings follow from this" in error.cause
+
+
 INDEPENDENT: dict[str, tuple[Edit, str]] = {
     "zero axis": (("coordinates", "[ 1.0, 0.0, 0.0 ]", "[ 0.0, 0.0, 0.0 ]"), "FRM004"),
     "reference to nothing": (

@@ -12,6 +12,8 @@ A defect of a robot is never an exception: it is a `Finding`.
 
 from __future__ import annotations
 
+from typing import Any
+
 
 class KinlintError(Exception):
     """The root of the tree; its text is one sentence fit for a user."""
@@ -36,6 +38,10 @@ class SourceError(KinlintError):
         self.cause = cause
         self.line = line
         self.column = column
+        self.text = ""
+        """The text, until a report tells what follows from this; empty if not decoded."""
+        self.consequences: tuple[Any, ...] = ()
+        """The findings that follow from this."""
 
     def __reduce__(self) -> tuple[type[SourceError], tuple[str, str, int | None, int | None]]:
         return type(self), (self.name, self.cause, self.line, self.column)

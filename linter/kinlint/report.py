@@ -62,7 +62,8 @@ class Report:
 
     def with_consequences(self) -> Report:
         """Return this report with the consequences of its findings among them."""
-        told = (each for one in self.findings for each in (one, *one.listed_consequences))
+        told = [each for one in self.findings for each in (one, *one.listed_consequences)]
+        told += [each for error in self.errors for each in error.consequences]
         return replace(self, findings=tuple(sorted(told, key=lambda each: each.sort_key)))
 
     @property

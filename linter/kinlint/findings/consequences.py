@@ -8,20 +8,22 @@ vanishes once the cause is mended, so it is counted there.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.finding import Finding, Related
-from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_value
+from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_value
+from kinlint.vocabulary import SRC
 
 SUSPECT, THROUGH, THIS = "suspect", "through", "this"
 """Variables of the queries: what is uncertain, the property or class concerned, the cause."""
 SHOWN = 3
 """The number of consequences, the worst first, whose places a cause shows."""
 
+DESCRIBED = iri(f"{SRC}describedIn")
 ResultsOf = Callable[[Finding], Sequence[Result]]
 
 
@@ -30,8 +32,8 @@ class Suspicion(NamedTuple):
 
     cause: int
     """Position of the finding."""
-    through: Term | None
-    """The property or class of which statements may be missing; None for any."""
+    through: Collection[Term]
+    """The properties and classes of which statements may be missing; none for any."""
 
 
 @dataclass
@@ -59,16 +61,37 @@ class Suspects:
             yield from self.namespaces.get(namespace(iri_value(term)), ())
 
 
-def folded(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> list[Finding]:
+class Unread(NamedTuple):
+    """A file that could not be read, and what its text names."""
+
+    names: Collection[Term]
+    """The entities."""
+    terms: Collection[Term]
+    """The properties and classes."""
+
+
+def folded(
+    findings: Sequence[Finding],
+    results_of: ResultsOf,
+    store: Store,
+    unread: Sequence[Unread] = (),
+) -> tuple[list[Finding], list[list[Finding]]]:
     """Return *findings* without those that follow from others, which their causes have instead.
+
+    Then, for each file that was not *unread*, those that follow from that.
 
     Takes time linear in the findings and in the rows of the queries of their rules. Suppressed
     findings stay, and what follows from a suppressed cause is left out as well: mending the cause
     is what its author decided against.
     """
     suspects = _suspects(findings, results_of, store)
+    for number, file in enumerate(unread, 1):
+        suspects.rules[-number] = ""
+        for name in file.names:
+            described = next(iter(store.values(name, DESCRIBED)), None) is not None
+            suspects.add(name, Suspicion(-number, file.terms if described else ()))
     if not suspects.terms and not suspects.namespaces:
-        return list(findings)
+        return list(findings), [[] for _ in unread]
     causes = {
         at: found
         for at, finding in enumerate(findings)
@@ -80,11 +103,12 @@ def folded(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> 
         if (root := _root(at, causes, findings)) != at:
             consequences.setdefault(root, []).append(findings[at])
     gone = {id(each) for found in consequences.values() for each in found}
-    return [
+    left = [
         replace(finding, consequences=tuple(consequences[at])) if at in consequences else finding
         for at, finding in enumerate(findings)
         if id(finding) not in gone
     ]
+    return left, [consequences.get(-number, []) for number in range(1, len(unread) + 1)]
 
 
 def with_consequences_told(finding: Finding) -> Finding:
@@ -98,7 +122,7 @@ def with_consequences_told(finding: Finding) -> Finding:
     places = (each for each in shown if each.location not in known)
     return replace(
         finding,
-        message=f"{finding.message} {_sentence(worst)}",
+        message=f"{finding.message} {sentence(worst)}.",
         members=finding.members or (finding,),
         consequences=tuple(worst),
         related=(
@@ -114,12 +138,13 @@ def namespace(name: str) -> str:
     return name[: end or name.rfind(":") + 1]
 
 
-def _sentence(worst: Sequence[Finding]) -> str:
+def sentence(worst: Sequence[Finding]) -> str:
+    """Return how many findings follow, by rule, without a period."""
     codes = Counter(each.rule.code for each in worst)
     told = ", ".join(f"{count} {code}" for code, count in sorted(codes.items()))
     if len(worst) == 1:
-        return f"1 other finding follows from this ({next(iter(codes))})."
-    return f"{len(worst)} other findings follow from this ({told})."
+        return f"1 other finding follows from this ({next(iter(codes))})"
+    return f"{len(worst)} other findings follow from this ({told})"
 
 
 def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> Suspects:
@@ -139,7 +164,8 @@ def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) 
                 if suspect is not None:
                     for at, result in about.get(row.get(THIS, ""), ()):
                         if _agree(row, result):
-                            found.add(suspect, Suspicion(at, row.get(THROUGH)))
+                            way = row.get(THROUGH)
+                            found.add(suspect, Suspicion(at, () if way is None else (way,)))
     return found
 
 
@@ -162,12 +188,17 @@ def _cause(at: int, finding: Finding, results: Sequence[Result], suspects: Suspe
         needs = result.constraint.needs or ()
         for term in terms:
             for cause, through in suspects.of(term):
-                if cause == at or not (through is None or through in needs or through in terms):
+                if cause == at or not _concerns(through, needs, terms):
                     continue
                 if suspects.rules[cause] != finding.rule.iri:
                     return cause
                 alike = cause if alike is None else alike
     return alike
+
+
+def _concerns(through: Collection[Term], *looked_at: Collection[Term]) -> bool:
+    """Tell whether one of *through* is *looked_at*; none is all."""
+    return not through or any(each in terms for terms in looked_at for each in through)
 
 
 def _evidence(finding: Finding, result: Result) -> dict[Term, None]:

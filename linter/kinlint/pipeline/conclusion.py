@@ -10,7 +10,7 @@ from kinlint.document import Document
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
-from kinlint.findings.consequences import folded, with_consequences_told
+from kinlint.findings.consequences import Unread, folded, sentence, with_consequences_told
 from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.findings.grouping import grouped
 from kinlint.findings.locator import Locator
@@ -44,7 +44,7 @@ def conclude(  # noqa: PLR0913
     policies = selection.policies
     judged = policies.apply_severities(_meant(builder.brief(), documents, joined))
     silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
-    apart = folded(tuple(silenced), builder.results, builder.store)
+    apart, failed = _apart(tuple(silenced), builder, failed)
     told = grouped(apart, None if brief else builder.detailed, _reused(joined))
     told = [with_consequences_told(finding) for finding in told]
     told.sort(key=lambda finding: finding.sort_key)
@@ -59,6 +59,28 @@ def conclude(  # noqa: PLR0913
         triples=sum(len(document.statements) for document in documents),
         applied=len(selection.asked) if documents else 0,
     )
+
+
+def _apart(
+    findings: Sequence[Finding], builder: FindingBuilder, failed: Sequence[SourceError]
+) -> tuple[list[Finding], list[SourceError]]:
+    """Return *findings* without consequences, and *failed* with what follows from each."""
+    unread: list[Unread] = []
+    if findings and any(error.text for error in failed):
+        from kinlint.findings.unread_files import unread_file  # noqa: PLC0415  most files are read
+
+        unread = [unread_file(error.text, builder.store) for error in failed]
+        for error in failed:  # Reports keep no texts, and each is asked once.
+            error.text = ""
+    apart, following = folded(findings, builder.results, builder.store, unread)
+    told = list(failed)
+    for number, found in enumerate(following):
+        if found:
+            error = failed[number]
+            cause = f"{error.cause}; {sentence(found)}"
+            told[number] = type(error)(error.name, cause, error.line, error.column)
+            told[number].consequences = tuple(found)
+    return apart, told
 
 
 def robot_structures(

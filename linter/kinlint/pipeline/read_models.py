@@ -40,4 +40,5 @@ def _documents(
         try:
             yield reading(source)
         except SourceError as error:
+            error.text = source.text
             failed.append(error)
