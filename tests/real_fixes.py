@@ -1,4 +1,4 @@
-"""What the fixes for public robots are worth, rule by rule: `python tests/real_fixes.py`.
+"""Trial of the fixes for public robots, rule by rule: `python tests/real_fixes.py`.
 
 Prints the page that is kept in rules/real-fixes.md. Each fix that is offered is made in a scratch
 copy, alone, and all safe ones of a file together; what natively reads the format says before and
@@ -24,13 +24,13 @@ LEVELS = tuple(each.label for each in sorted(Applicability, reverse=True))
 INTRODUCTION = """\
 # Fixes in public robots
 
-What kinlint offers to mend in the robots of rules/real-robots.md and the models of
-tests/real_models.md. Each fix is made in a copy of its file and the copy read by what natively
-reads the format: check_urdf of urdfdom and Pinocchio for URDF, and for what the xacro package
-expands; PyLD for JSON-LD. PyPI has no reader of SDF and SRDF to ask; there, a parser of XML is.
+The fixes that kinlint offers for the robots of rules/real-robots.md and the models of
+tests/real_models.md. Each fix is applied to a copy of its file, which consumers of the format then
+read: check_urdf of urdfdom and Pinocchio read URDF and expanded xacro, PyLD reads JSON-LD. PyPI has
+no reader of SDF and SRDF, so an XML parser reads these.
 
 Of {findings} findings {mended} ({share:.0%}) have a fix. Of {fixes} fixes {safe} ({proved:.0%})
-proved safe. After {lost} of them a consumer refuses what it read before.
+are safe. After {lost} of them a consumer refuses a file that it read before.
 
 Made by `python tests/real_fixes.py > rules/real-fixes.md`.
 """

@@ -47,21 +47,22 @@ SUITES = (
 INTRODUCTION = """\
 ## In public robots
 
-How many files of each format a rule speaks in. They come from example-robot-data, PyBullet,
-ROS-Industrial, MoveIt and franka_description, and from the tests of urdfdom, kdl_parser,
-robot_state_publisher, urdf-usd-converter, srdfdom, xacro and libsdformat, of which many are wrong
-on purpose. Of all of them, the meshes and other files beside are not there.
+Number of files of each format in which a rule reports something. The files come from
+example-robot-data, PyBullet, ROS-Industrial, MoveIt and franka_description, and from the
+tests of urdfdom, kdl_parser, robot_state_publisher, urdf-usd-converter, srdfdom, xacro and
+libsdformat, of which many are wrong on purpose. Their meshes and other
+files that they name are absent.
 
 | | {names} |
 |---|{columns}|
 | robots | {robots} |
 | with an error | {wrong} |
 | warnings in the median robot | {warnings} |
-| input of tests | {inputs} |
+| test inputs | {inputs} |
 | with an error | {errors} |
 
 Made by `python tests/real_robots.py > rules/real-robots.md`; a test holds kinlint to it.
-What of it can be mended: [real-fixes.md](real-fixes.md).
+The fixes of these findings: [real-fixes.md](real-fixes.md).
 """
 
 
