@@ -49,6 +49,10 @@ class Format:
     """The table of its elements and attributes, a file below `shapes/`."""
     block_comment: tuple[str, str] | None = field(default=None, compare=False, repr=False)
     """Delimiters of comments, if comments carry suppressions; statements carry them otherwise."""
+    robot_path: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """The tags of the elements from the root to one that is a robot; none if no file has robots."""
+    fixed_root: bool = field(default=False, compare=False, repr=False)
+    """True if most readers fix the root link of a robot to the world."""
     expands_to: str | None = field(default=None, compare=False, repr=False)
     """The name of the format that its files are macros of; that one's queries, rules and profile
     hold for them."""

@@ -31,7 +31,6 @@ EXCEPTIONS = {
     "configuration/config_file.py": "the key `srdf` of a configuration",
     "configuration/keys.py": "the key `srdf` and the output format `turtle`",
     "conversion/output.py": "the functions that write a model in each format",
-    "facts": "readings of elements that have no counterpart in the lifted graph",
     "missing_files.py": "the elements of URDF and SDF that name files",
     "navigation": "names inside of SDF and xacro, whose scopes and macros only they have",
     "reporters/reporter_registry.py": "the output format `turtle`",

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from operator import itemgetter
 
+from kinlint.facts.elements_by_tag import elements_by_parent
 from kinlint.facts.fact_statements import fact
-from kinlint.facts.metamodel_terms import kin, reference, srdf
+from kinlint.facts.metamodel_terms import kin, reference
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.strongly_connected import strongly_connected_components
 from kinlint.terms import Term, Triple
@@ -42,5 +43,5 @@ def parts(scan: PredicateIndex) -> Mapping[Term, list[Term]]:
     named = scan.table(reference("group"))
     return {
         group: [each for part in inner for each in named.values(part)]
-        for group, inner in sorted(scan.table(srdf("group")).items())
+        for group, inner in sorted(elements_by_parent(scan, "group"))
     }

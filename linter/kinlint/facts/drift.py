@@ -12,11 +12,12 @@ from typing import TypeAlias
 from kinlint.addresses import document_of, local_name
 from kinlint.document import Document
 from kinlint.facts.assembly import Assemblies
+from kinlint.facts.elements_by_tag import robot_elements
 from kinlint.facts.fact_statements import fact, fact_node, numbers
 from kinlint.facts.frame_placement import Placements
 from kinlint.facts.joint_numbers import JointNumbers
 from kinlint.facts.linear_algebra import Vector, length, subtract
-from kinlint.facts.metamodel_terms import attribute, chain, kin, sdf, urdf
+from kinlint.facts.metamodel_terms import attribute, chain, kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.records import FORMATS
 from kinlint.terms import Term, Triple, is_iri, literal, literal_value
@@ -115,16 +116,10 @@ class DescriptionDrifts:
         """
         if not document.format.describes_robots:
             return
-        for root in self.scan.table(urdf("robot")).values(document.graph):
-            yield from self._called(root)
-        for root in self.scan.table(sdf("sdf")).values(document.graph):
-            for model in self.scan.table(sdf("model")).values(root):
-                yield from self._called(model)
-
-    def _called(self, element: Term) -> Iterator[str]:
-        name = self.scan.single(attribute("name")).get(element)
-        if name is not None:
-            yield literal_value(name).casefold()
+        names = self.scan.single(attribute("name"))
+        for robot in robot_elements(self.scan, document):
+            if robot in names:
+                yield literal_value(names[robot]).casefold()
 
     def _differences(self, one: Description, other: Description) -> Iterator[Difference]:
         for name in sorted(one.bodies.keys() & other.bodies.keys()):

@@ -141,7 +141,7 @@ def about_centre(tensor: Matrix, mass: float, centre: Vector) -> Matrix:
     """Return the tensor about the centre of mass, at *centre* from the point of *tensor*.
 
     By the parallel axis theorem of Huygens and Steiner, I_c = I_o - m (c·c 1 - c cᵀ) (Featherstone,
-    Rigid Body Dynamics Algorithms, 2008, section 2.13).
+    Rigid Body Dynamics Algorithms, 2008, on rigid-body inertia).
     """
     return difference(tensor, about_origin(mass, centre))
 

@@ -46,8 +46,8 @@ def arrange_joints(bodies: Sequence[Term], edges: Sequence[Edge]) -> JointTrees:
     """Return the trees that *edges* make of *bodies*, which have all their ends.
 
     Both are in text order. Directed edges keep their parents; others span each component
-    breadth-first (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 4.1: a spanning tree
-    and loop joints). Takes linear time.
+    breadth-first (Featherstone, Rigid Body Dynamics Algorithms, 2008, on connectivity: a
+    spanning tree and loop joints). Takes linear time.
     """
     directed = [each for each in edges if each.directed]
     loose = [each for each in edges if not each.directed]

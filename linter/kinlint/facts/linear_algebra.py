@@ -104,7 +104,7 @@ def rigid(m: Matrix) -> Matrix:
     """Return the rotation next to a matrix that is one up to rounding.
 
     By the Newton-Schulz iteration for the polar decomposition, M ← M (3 - MᵀM) / 2 (Higham,
-    Functions of Matrices, 2008, section 8.3).
+    Functions of Matrices, 2008, on the polar decomposition).
     """
     for _ in range(ROUNDS):
         if orthonormality(m) < EXACT:
@@ -121,7 +121,7 @@ def rigid(m: Matrix) -> Matrix:
 def eigenvalues(m: Matrix) -> Vector:
     """Return the eigenvalues of a symmetric matrix in ascending order.
 
-    By cyclic Jacobi rotations (Golub and Van Loan, Matrix Computations, 2013, section 8.5).
+    By cyclic Jacobi rotations (Golub and Van Loan, Matrix Computations, on Jacobi methods).
     """
     size = max(abs(each) for row in m for each in row)
     if HUGE < size < math.inf:

@@ -7,12 +7,14 @@ from dataclasses import replace
 from functools import cache, cached_property
 
 from kinlint.addresses import element_of, is_repeated
+from kinlint.facts.elements_by_tag import elements, robot_elements
 from kinlint.facts.fact_statements import fact, integer
 from kinlint.facts.joint_trees import Edge
 from kinlint.facts.mechanism import Mechanism, model_of
-from kinlint.facts.metamodel_terms import attribute, sdf, urdf
+from kinlint.facts.metamodel_terms import attribute
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.strongly_connected import strongly_connected_components
+from kinlint.formats.records import BY_NAME
 from kinlint.suggestion import nearest
 from kinlint.terms import Term, Triple, iri, is_literal, literal, literal_value
 from kinlint.vocabulary import SRC
@@ -26,8 +28,8 @@ MOST = 20
 class LinkTrees:
     """Links and joints of each robot whose file tells parent from child.
 
-    Robots, bodies and joints are nodes of the lifted graph; facts are stated of their elements, as
-    urdfdom's `initTree` and `initRoot` find them. Takes time linear in both.
+    Robots, bodies and joints are nodes of the lifted graph; facts are stated of their elements.
+    Takes time linear in both.
     """
 
     def __init__(self, scan: PredicateIndex, mechanism: Mechanism) -> None:
@@ -37,7 +39,7 @@ class LinkTrees:
     @cached_property
     def robots(self) -> Mapping[Term, Sequence[Edge]]:
         """Joints of each robot; an end is None where no link has the name that is written."""
-        found: dict[Term, list[Edge]] = {robot: [] for robot in (*self._urdf, *self.links)}
+        found: dict[Term, list[Edge]] = {robot: [] for robot in (*self._fixed, *self.links)}
         for edge in sorted(self.mechanism.edges, key=lambda each: each.joint):
             if edge.directed:
                 ends = (end if end in self._known else None for end in (edge.parent, edge.child))
@@ -61,10 +63,15 @@ class LinkTrees:
         return frozenset(body for bodies in self.links.values() for body in bodies)
 
     @cached_property
-    def _urdf(self) -> Sequence[Term]:
-        """Robots of URDF files: the elements that are their roots."""
-        table = self.scan.table(urdf("robot"))
-        return sorted({root for _, roots in table.items() for root in roots})
+    def _fixed(self) -> Sequence[Term]:
+        """Robots, each as its element, whose root most readers fix to the world."""
+        found = (
+            robot
+            for document in self.scan.documents
+            if BY_NAME[document.format.lifted_as].fixed_root
+            for robot in robot_elements(self.scan, document)
+        )
+        return sorted(set(found))
 
     @cached_property
     def claims(self) -> Mapping[Term, Sequence[Edge]]:
@@ -97,8 +104,8 @@ class LinkTrees:
 
     @property
     def bases(self) -> Iterator[Term]:
-        """Roots that nothing moves: those of URDF, which most readers fix to the world."""
-        return (body for robot in self._urdf for body in self.roots[robot])
+        """Roots that nothing moves, since readers fix them to the world."""
+        return (body for robot in self._fixed for body in self.roots[robot])
 
     def _name(self, node: Term) -> str | None:
         """Return the name of the element that *node* was made of."""
@@ -135,7 +142,7 @@ class LinkTrees:
     def _naming(self, joint: Term, side: str) -> Term | None:
         """Return the first element that names the link at a *side* of *joint*."""
         owner = self._element(joint)
-        found = (each for tag in (urdf, sdf) for each in self.scan.table(tag(side)).values(owner))
+        found = elements(self.scan, owner, side)
         return next((each for each in found if not is_repeated(each)), None)
 
     def _rooted(self, robot: Term, stated: Term) -> Iterator[Triple]:

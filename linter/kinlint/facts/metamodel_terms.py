@@ -2,82 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from kinlint.terms import Term, iri
-from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE, SDF, SRDF, URDF
+from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE
 
 GEOMETRY = f"{METAMODELS}geometry/"
 DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
 
 
-def geom(name: str) -> Term:
-    """Return a term of geometry/structural-entities."""
-    return iri(f"{GEOMETRY}structural-entities#{name}")
+def _terms(namespace: str) -> Callable[[str], Term]:
+    """Return the function from local names in *namespace* to terms."""
+    return lambda name: iri(namespace + name)
 
 
-def rel(name: str) -> Term:
-    """Return a term of geometry/spatial-relations."""
-    return iri(f"{GEOMETRY}spatial-relations#{name}")
-
-
-def coord(name: str) -> Term:
-    """Return a term of geometry/coordinates."""
-    return iri(f"{GEOMETRY}coordinates#{name}")
-
-
-def chain(name: str) -> Term:
-    """Return a term of kinematic-chain/structural-entities."""
-    return iri(f"{METAMODELS}kinematic-chain/structural-entities#{name}")
-
-
-def body(name: str) -> Term:
-    """Return a term of newtonian-rigid-body-dynamics/structural-entities."""
-    return iri(f"{DYNAMICS}structural-entities#{name}")
-
-
-def inertia(name: str) -> Term:
-    """Return a term of newtonian-rigid-body-dynamics/coordinates."""
-    return iri(f"{DYNAMICS}coordinates#{name}")
-
-
-def algorithm(name: str) -> Term:
-    """Return a term of algorithm."""
-    return iri(f"{METAMODELS}algorithm#{name}")
-
-
-def kin(name: str) -> Term:
-    """Return a term of kinlint's own."""
-    return iri(KIN + name)
-
-
-def qudt(name: str) -> Term:
-    """Return a term of QUDT's schema."""
-    return iri(QUDT + name)
-
-
-def urdf(name: str) -> Term:
-    """Return an element of URDF."""
-    return iri(URDF + name)
-
-
-def sdf(name: str) -> Term:
-    """Return an element of SDFormat."""
-    return iri(SDF + name)
-
-
-def srdf(name: str) -> Term:
-    """Return an element of SRDF."""
-    return iri(SRDF + name)
-
-
-def reference(name: str) -> Term:
-    """Return the property from an element to the target of its attribute *name*."""
-    return iri(REFERENCE + name)
-
-
-def attribute(name: str) -> Term:
-    """Return an attribute of an element, in any XML format."""
-    return iri(ATTRIBUTE + name)
-
+geom = _terms(f"{GEOMETRY}structural-entities#")
+rel = _terms(f"{GEOMETRY}spatial-relations#")
+coord = _terms(f"{GEOMETRY}coordinates#")
+chain = _terms(f"{METAMODELS}kinematic-chain/structural-entities#")
+body = _terms(f"{DYNAMICS}structural-entities#")
+inertia = _terms(f"{DYNAMICS}coordinates#")
+algorithm = _terms(f"{METAMODELS}algorithm#")
+kin = _terms(KIN)
+qudt = _terms(QUDT)
+reference = _terms(REFERENCE)
+"""Properties from an element to the target of its attribute of that name."""
+attribute = _terms(ATTRIBUTE)
+"""Attributes of elements, in any XML format."""
 
 OF = rel("of")
 WITH_RESPECT_TO = rel("with-respect-to")

@@ -24,9 +24,9 @@ def parallel_axis_residuals(
     """Yield the relative distance of products of inertia from those of a point mass.
 
     That is 0 for a tensor about the origin of the link if the body is symmetric about its centre,
-    by the parallel axis theorem (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 2.13).
-    Only where the products are large enough to tell, the axes are those of the link, and the
-    remainder about the centre is a tensor that a body can have.
+    by the parallel axis theorem (Featherstone, Rigid Body Dynamics Algorithms, on rigid-body
+    inertia). Only where the products are large enough to tell, the axes are those of the link, and
+    the remainder about the centre is a tensor that a body can have.
     """
     for node, tensor in inertias.central.items():
         body, mass = assemblies.weighed(node) or (None, 0.0)

@@ -7,10 +7,11 @@ from dataclasses import replace
 from functools import cached_property
 
 from kinlint.facts.dependency_cycles import parts
+from kinlint.facts.elements_by_tag import elements, elements_by_parent
 from kinlint.facts.fact_statements import fact, integer
 from kinlint.facts.joint_trees import Edge
 from kinlint.facts.link_trees import LinkTrees
-from kinlint.facts.metamodel_terms import attribute, reference, srdf, urdf
+from kinlint.facts.metamodel_terms import attribute, reference
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.strongly_connected import strongly_connected_components
 from kinlint.terms import Term, Triple, iri, is_iri, literal
@@ -31,13 +32,13 @@ class PlanningGroups:
     def facts(self) -> Iterator[Triple]:
         """Yield the joints and links of groups, lengths of chains, and links between pairs."""
         for semantic in sorted(self.joined):
-            for group in self.scan.table(srdf("group")).values(semantic):
+            for group in elements(self.scan, semantic, "group"):
                 for joint in sorted(self._comprises(group)):
                     yield group, fact("comprises"), joint
                     if (edge := self._edges.get(joint)) is not None and edge.child is not None:
                         yield group, fact("moves"), edge.child
                 yield from self._chains(group)
-            for pair in self.scan.table(srdf("disable_collisions")).values(semantic):
+            for pair in elements(self.scan, semantic, "disable_collisions"):
                 if ADJACENT in self.scan.table(attribute("reason")).values(pair):
                     yield from ((pair, fact("between"), link) for link in self._between(pair))
 
@@ -63,11 +64,11 @@ class PlanningGroups:
         As such, by links that they carry, as a chain.
         """
         found: set[Term] = set()
-        for joint in self.scan.table(srdf("joint")).values(group):
+        for joint in elements(self.scan, group, "joint"):
             found.update(self._refers(joint, "joint"))
-        for link in self.scan.table(srdf("link")).values(group):
+        for link in elements(self.scan, group, "link"):
             found.update(self._carrier(target) for target in self._refers(link, "link"))
-        for chain in self.scan.table(srdf("chain")).values(group):
+        for chain in elements(self.scan, group, "chain"):
             found.update(edge.joint for edge in self._way(*self._ends(chain)) or ())
         return found - {""}
 
@@ -114,8 +115,8 @@ class PlanningGroups:
 
     @cached_property
     def _links(self) -> frozenset[Term]:
-        table = self.scan.table(urdf("link"))
-        return frozenset(link for _, links in table.items() for link in links if is_iri(link))
+        found = elements_by_parent(self.scan, "link")
+        return frozenset(link for _, links in found for link in links if is_iri(link))
 
     def _up(self, link: Term) -> dict[Term, Edge | None]:
         """Return *link* and the links above it, each with the joint that carries it."""
@@ -137,7 +138,7 @@ class PlanningGroups:
         return [edge for link in apart if (edge := near.get(link) or far.get(link)) is not None]
 
     def _chains(self, group: Term) -> Iterator[Triple]:
-        for chain in self.scan.table(srdf("chain")).values(group):
+        for chain in elements(self.scan, group, "chain"):
             way = self._way(*self._ends(chain))
             if way is not None:
                 yield chain, fact("joints"), integer(len(way))
@@ -153,6 +154,5 @@ class PlanningGroups:
         kinds = self.scan.table(attribute("type"))
         if all(FIXED in kinds.values(edge.joint) for edge in way):
             return
-        solid = self.scan.table(urdf("collision"))
         links = {link for edge in way for link in (edge.parent, edge.child)} - {one, other}
-        yield from sorted(link for link in links if link is not None and link in solid)
+        yield from sorted(link for link in links if link and elements(self.scan, link, "collision"))

@@ -69,7 +69,7 @@ def from_axis(axis: str, angle: float) -> Matrix:
 def from_euler(sequence: str, angles: Sequence[float], *, intrinsic: bool) -> Matrix:
     """Return three rotations in the order of *sequence*, about the moved or the fixed axes.
 
-    The rpy of URDF and SDF is extrinsic xyz, as REP-103 prefers.
+    The rpy of URDF and SDF is extrinsic xyz: fixed-axis roll, pitch and yaw, as in REP 103.
     """
     if not any(angles):
         return IDENTITY

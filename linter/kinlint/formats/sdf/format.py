@@ -15,6 +15,7 @@ SDF = Format(
     fence="xml",
     namespace=NAMESPACE,
     roots=("sdf",),
+    robot_path=("sdf", "model"),
     schema="formats/sdf.ttl",
     block_comment=("<!--", "-->"),
     includes=True,

@@ -15,6 +15,8 @@ URDF = Format(
     fence="xml",
     namespace=NAMESPACE,
     roots=("robot",),
+    robot_path=("robot",),
+    fixed_root=True,
     root_children=frozenset(
         {"link", "joint", "material", "transmission", "gazebo", "ros2_control"}
     ),
