@@ -10,7 +10,7 @@ from support.linting import book, document
 
 from kinlint.document import Document
 from kinlint.file_format import Format
-from kinlint.formats.dependencies.companions import join_companions
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.element_types import ElementType, Reference, Schema
 from kinlint.formats.xml.schema import TEXT, schema

@@ -15,7 +15,8 @@ from kinlint.engine.lifting import lift
 from kinlint.engine.provenance import Provenance, Written
 from kinlint.engine.store import Store
 from kinlint.file_format import Format
-from kinlint.formats.dependencies.companions import find_companions, join_companions
+from kinlint.formats.dependencies.companions import paired_among
+from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import BY_NAME, TREES
 from kinlint.formats.registry import decode, read
@@ -75,9 +76,10 @@ def models(form: Format) -> Iterator[tuple[Document, ...]]:
     """Yield the files of a format, each with the one that it speaks of, if that is there."""
     own = {each.name: each for each in texts(form)}
     others = {} if form.speaks_of is None else {t.name: t for t in texts(BY_NAME[form.speaks_of])}
-    partner = find_companions([*own.values(), *others.values()]) if others else {}
+    pairings = paired_among([*own.values(), *others.values()]) if others else {}
     for name, text in own.items():
-        files = (text, others[partner[name]]) if name in partner else (text,)
+        partner = pairings[name].partner if name in pairings else ""
+        files = (text, others[partner]) if partner else (text,)
         options = ReadOptions.from_settings(Settings())
         yield tuple(join_companions([read(each, options) for each in files]))
 
