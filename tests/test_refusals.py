@@ -128,8 +128,10 @@ CHANGES = {
     "a space of Unicode": ('xyz="0 0 0.05"', 'xyz="0\u00a00 0.05"'),
     "a moving link without anything": (
         '<collision><geometry><box size="0.1 0.1 0.2"/></geometry></collision>\n  </link>',
-        '</link><link name="bare"/><joint name="j" type="continuous">'
-        '<parent link="base"/><child link="bare"/></joint>',
+        (
+            '</link><link name="bare"/><joint name="j" type="continuous">'
+            '<parent link="base"/><child link="bare"/></joint>'
+        ),
     ),
 }
 """Words of the robot and what stands in their place."""
