@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
+from pathlib import Path
 
 from kinlint.document import Document
 from kinlint.files.file_exists import AbsentDirectory, Fault, Missing, References, UnknownPackage
@@ -29,6 +30,8 @@ def references(
 ) -> Iterator[Triple]:
     """Yield a node for each reference in *documents* to a file that is not found, saying why not.
 
+    A path is meant from the file in which it stands, be it one that another includes.
+
     *packages_of* has the packages that the file of a name can name. With *wanted*, nothing is
     looked up unless one of these terms is such a reason.
     """
@@ -36,13 +39,23 @@ def references(
         return
     lookups: dict[int, References] = {}
     for document in documents:
-        near = absolute(document.source.name).parent
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
-        for element, _, written in file_names(document):
-            fault = known.fault(literal_value(written), near)
+        for triple in file_names(document):
+            fault = known.fault(literal_value(triple[2]), _home(document, triple))
             if fault is not None:
-                yield from _stated(element, fault)
+                yield from _stated(triple[0], fault)
+
+
+def _home(document: Document, triple: Triple) -> Path:
+    """Return the directory of the file of *document* in which *triple* stands.
+
+    What macros write stands in the file that they are expanded for.
+    """
+    included = document.pieces and document.format.expands_to is None
+    span = document.map.triples.get(triple) if included else None
+    source = document.source if span is None else document.location(span).source
+    return absolute(source.name).parent
 
 
 def _stated(element: Term, fault: Fault) -> Iterator[Triple]:

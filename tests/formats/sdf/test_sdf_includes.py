@@ -5,8 +5,10 @@ import os
 import pytest
 from reading_sdf import file, gaps, losses, numbers, paths, said
 
+from kinlint.formats.options import ReadOptions
 from kinlint.formats.sdf import reader
-from kinlint.terms import is_literal, literal_value
+from kinlint.missing_files import references
+from kinlint.terms import RDF_TYPE, is_literal, literal_value
 
 HAND = """<sdf version="1.9">
   <model name="hand">
@@ -197,3 +199,21 @@ def test_what_is_included_is_bounded_in_all(folder, monkeypatch):
     (folder / "arm.sdf").write_text(ARM.format(names, ""))
     found = losses(file(folder / "arm.sdf"), "UnresolvedInclude")
     assert [each["reason"] for each in found] == ["what is included is too large"] * 3
+
+
+def test_the_files_of_an_included_model_are_beside_it(folder):
+    """A path is meant from the file in which it stands, whoever includes that."""
+    mesh = "<visual name='{0}'><geometry><mesh><uri>{0}.dae</uri></mesh></geometry></visual>"
+    links = f"<link name='palm'>{mesh.format('here')}{mesh.format('gone')}</link>"
+    hand = folder / "hand"
+    (hand / "model.sdf").write_text(f"<sdf version='1.9'><model name='hand'>{links}</model></sdf>")
+    (hand / "here.dae").touch()
+    (hand / "other.dae").touch()
+    (folder / "gone.dae").touch()
+    text = "<sdf version='1.9'><world name='lab'><include><uri>hand</uri></include></world></sdf>"
+    (folder / "lab.sdf").write_text(text)
+    lab = file(folder / "lab.sdf")
+    packages = ReadOptions().packages_of
+    missing = [s for s, p, _ in references([lab], packages) if p == RDF_TYPE]
+    assert len(missing) == 1
+    assert "/gone/" in missing[0]
