@@ -29,11 +29,28 @@ def test_it_is_found_beside(robot, kinlint, folder):
     assert kinlint("arm/config/arm.srdf", *FLAGS)[1] == DANGLING
 
 
-@pytest.mark.parametrize(("path", "name"), [("arm/urdf/arm.urdf", "leg"), ("else/arm.urdf", "arm")])
-def test_another_robot_is_not(robot, kinlint, path, name):
-    """One of another name, or somewhere else."""
-    robot(path, name)
+def test_one_that_lies_elsewhere_is_not(robot, kinlint):
+    """It may be of another version of the robot."""
+    robot("else/arm.urdf")
     assert UNJOINED in kinlint("arm/config/arm.srdf", *FLAGS)[1]
+
+
+@pytest.mark.parametrize("path", ["arm/urdf/arm.urdf", "arm/urdf/any.urdf"])
+def test_another_name_is_a_mismatch(robot, kinlint, path):
+    """The file has the same stem, or is the only one of the package."""
+    robot(path, "leg")
+    out = kinlint("arm/config/arm.srdf", *FLAGS)[1]
+    assert "This SRDF is for robot 'arm', but the URDF describes robot 'leg'. [CMP002]" in out
+    assert DANGLING in out
+
+
+def test_what_is_taken_is_told(robot, kinlint):
+    """By a related place, and by -v."""
+    robot("arm/urdf/arm.urdf")
+    asked = ("arm/config/arm.srdf", "--select", "CMP")
+    assert "because its file has the same name" in kinlint(*asked)[1]
+    told = kinlint(*asked, "-v")[2]
+    assert "robot of arm/config/arm.srdf: arm/urdf/arm.urdf, because its file has the" in told
 
 
 def test_nothing_is_reported_of_it(robot, write, kinlint):

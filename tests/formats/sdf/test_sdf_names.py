@@ -187,3 +187,13 @@ def test_what_stands_beside_the_first_model_is_stated():
         '<light name="b" type="point"/></sdf>'
     )
     assert paths(read, said(read, "/light/b", "leftOutFor")) == ["/model/a"]
+
+
+def test_the_names_of_an_actor_are_its_own() -> None:
+    """Its links are in no scope, and neither are those of a recorded state."""
+    man = (
+        '<actor name="man"><link name="arm"/><link name="hand"/><joint name="wrist" type="fixed">'
+        "<parent>arm</parent><child>hand</child></joint></actor>"
+    )
+    recorded = document(f'<sdf version="1.9"><world name="lab">{man}</world></sdf>')
+    assert not [triple for triple in recorded.statements if triple[1].endswith("#dangling>")]

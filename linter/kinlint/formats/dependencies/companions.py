@@ -31,6 +31,7 @@ NEIGHBOURS = ("*/urdf", "*/robots", "*")
 MANIFEST = "package.xml"
 MOST_FILES = 200
 """Number of files in other packages that are looked into."""
+TOGETHER = "it was named together with it"
 NONE = Pairing("", "", certain=False)
 """The pairing of an SRDF whose robot was not found."""
 
@@ -108,19 +109,26 @@ class _Shelf:
         """Return the URDF of *srdf*, others of its name, and the reason; several are a doubt."""
         named = [each for each in self.given if each.source.named and srdf.source.named]
         package = [*self._in_package(srdf)]
-        together = _of_stem(srdf, named) or (named if len(named) == 1 else [])
+        alone = named if len(named) == 1 else []
+        together = _of_stem(srdf, named) or [each for each in alone if _speaks_of(srdf, each)]
         if together:
-            others = [] if len(named) == 1 else _of_name(srdf, named)
-            return together, _namesakes(srdf, together[0], others), "it was named together with it"
+            others = [] if alone else _of_name(srdf, named)
+            return together, _namesakes(srdf, together[0], others), TOGETHER
+        unknown = [each for each in package if each.varies and each not in self.given]
+        package = [each for each in package if each not in unknown]
+        if _of_stem(srdf, unknown) and not _of_stem(srdf, package):
+            return [], [], ""
         known = _of_name(srdf, package)
         for found, reason in (
             (_of_stem(srdf, package), "its file has the same name"),
-            (_only(srdf, package), "it is the only one of its package"),
+            ([] if unknown else _only(srdf, package), "it is the only one of its package"),
         ):
             if found:
                 return found, _namesakes(srdf, found[0], known), reason
         found = _of_name(srdf, named) or known
         found = found or _of_name(srdf, self.given) or _of_name(srdf, self._in_others(srdf))
+        if not found and alone:
+            return alone, [], TOGETHER
         found.sort(key=lambda urdf: (-urdf.share_defined(srdf.names), str(urdf.path)))
         return found, found[1:], "it describes the robot of that name"
 
@@ -143,17 +151,18 @@ class _Shelf:
             return
         ways = (f"{folder}/{pattern}" for folder in NEIGHBOURS for pattern in PATTERNS)
         files = [path for way in ways for path in sorted(home.parent.glob(way))]
-        yield from self._described(files[:MOST_FILES], ())
+        found = self._described(files[:MOST_FILES], ())
+        yield from (each for each in found if not each.varies)
 
     def _described(
         self, paths: Iterable[Path], known: Sequence[Description]
     ) -> Iterator[Description]:
-        """Yield what the files at *paths* describe; not those *known*, nor what varies."""
+        """Yield what the files at *paths* describe; not those *known*."""
         for path in paths:
             if path not in self._read:
                 self._read[path] = self._at(path)
             found = self._read[path]
-            if found is not None and found not in known and not found.varies:
+            if found is not None and found not in known:
                 yield found
 
     def _at(self, path: Path) -> Description | None:
@@ -190,6 +199,12 @@ def _of_name(srdf: Description, urdfs: Iterable[Description]) -> list[Descriptio
     found = [each for each in urdfs if each.robot == srdf.robot and srdf.resembles(each)]
     found.sort(key=lambda urdf: -_common(srdf, urdf))
     return list({each.source.text: each for each in reversed(found)}.values())
+
+
+def _speaks_of(srdf: Description, urdf: Description) -> bool:
+    """Tell whether *srdf* names the robot of *urdf*, or anything of it, as far as is known."""
+    shared = srdf.generated or urdf.generated or not srdf.names.isdisjoint(urdf.names)
+    return urdf.robot == srdf.robot or shared
 
 
 def _namesakes(

@@ -14,6 +14,8 @@ from kinlint.terms import Term, Triple, iri_value, literal, literal_value
 
 ENDS = ("parent", "child")
 """The elements of a joint that may name the world from within any model."""
+APART = ("actor", "population", "state")
+"""The elements of a world with names of their own, which are not looked up."""
 
 
 class References:
@@ -40,7 +42,9 @@ class References:
             pending += [
                 (each, inside or each.tag == "include")
                 for each in element.children
-                if each not in self.scopes.enclosing and each not in self.scopes.own
+                if each not in self.scopes.enclosing
+                and each not in self.scopes.own
+                and each.tag not in APART
             ]
 
     def statements(self, found: Iterable[NameUse]) -> Iterator[tuple[Triple, Triple]]:
