@@ -303,7 +303,8 @@ def test_axioms_of_a_users_file_hold(tmp_path, engine):
     file.write_text(VENDOR)
     book = rulebook.load(shapes=[file], cache=tmp_path)
 
-    assert found(book, MODEL, engine) == [(7, "What moves has a speed.")]
+    message = "'ex:speed' of 'arm:wrist': what moves has a speed (shape MovingShape)."
+    assert found(book, MODEL, engine) == [(7, message)]
     assert rulebook.load(shapes=[file], cache=tmp_path) == book
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -22,6 +21,7 @@ from kinlint.finding import Finding, Premise, Related
 from kinlint.findings.duplicates import identity
 from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
+from kinlint.findings.message_of_result import template_of
 from kinlint.findings.wording import Wording
 from kinlint.message_template import counted, filled
 from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity, SeverityFor
@@ -44,7 +44,6 @@ from kinlint.vocabulary import SRC
 
 Proofs: TypeAlias = Callable[[Constraint, Result], Sequence[Step]]
 
-CONSTRAINT = "ConstraintComponent"
 JOINED_TO = iri(f"{SRC}joinedTo")
 ENGINE_NAMES = frozenset({"this", "root", "path", "value", "node", "at", "spot", "message"})
 
@@ -170,7 +169,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
     location = locator.result_location(result, rulebook.axioms)
     wording = Wording(locator, location, result.focus)
     display = wording.display
-    template = result.message or next(iter(result.constraint.messages), "") or _said(result, rule)
+    template = template_of(result, rule)
     terms = dict(_terms(result))
     if rule.group_by and COUNT not in terms:
         terms[COUNT] = literal("1", f"{XSD}integer")
@@ -227,13 +226,6 @@ def _severity(constraint: Constraint, rule: Rule) -> Severity:
     if constraint.shape != iri(rule.iri):
         return rule.severity
     return SEVERITY_BY_IRI.get(constraint.severity, rule.severity)
-
-
-def _said(result: Result, rule: Rule) -> str:
-    """Return the message for a shape without one."""
-    broken = re.split(r"[#/]", result.constraint.component)[-1].removesuffix(CONSTRAINT)
-    what = "'{?value}' of '{$this}'" if result.value not in (None, result.focus) else "'{$this}'"
-    return f"{what} breaks {broken} of shape {rule.name}."
 
 
 def _because(
