@@ -85,6 +85,10 @@ class LintRun:
         with self.phases.phase("decoding"):
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
             sources, errors = read_models(inputs, self.settings, self._passed)
+            if self.found.turtle:
+                from kinlint.project.turtle_parts import turtle_parts  # noqa: PLC0415
+
+                sources += turtle_parts(sources, self.found.turtle)
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 

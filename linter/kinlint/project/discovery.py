@@ -2,7 +2,8 @@
 
 In directories these are `.jsonld` files, those `.json` files with keywords of JSON-LD, and robots
 in the XML formats; Turtle and N-Quads are as often shapes or vocabularies as models, so they are
-read only when they are named, or when a glob does not leave them out. All else is passed over.
+read only when they are named, when a glob does not leave them out, or when they describe what the
+models of a directory only name. All else is passed over.
 """
 
 from __future__ import annotations
@@ -16,13 +17,14 @@ from kinlint.errors import SourceError
 from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
-from kinlint.formats.records import GLOBBED, JSON, SEARCHED
+from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED
 
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
 """Names of directories that hold no models; the default of `exclude`."""
 ENVIRONMENT = "pyvenv.cfg"
 """File that marks a directory as a virtual environment of Python."""
 HEAD = 1 << 16
+TURTLE = BY_NAME["turtle"].suffixes[0]
 KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
 """Keys by which JSON is JSON-LD."""
 LONGEST = max(map(len, KEYWORDS))
@@ -50,6 +52,8 @@ class Found:
     """Directories and files that cannot be accessed."""
     barren: list[str] = field(default_factory=list)
     """Arguments that were searched in vain."""
+    turtle: list[Path] = field(default_factory=list)
+    """Turtle files that a search of directories passed over."""
     asides: frozenset[str] = frozenset()
     """Names of files that are read for what they state about others; their findings are not
     reported.
@@ -73,7 +77,7 @@ class Search:
         # What comes by standard input is a newer state of the file of that name, if there is one.
         for given in sorted(paths, key=lambda path: path != "-"):
             before = len(found.errors)
-            inputs = list(self._expand(given, found.errors))
+            inputs = list(self._expand(given, found))
             if not inputs and len(found.errors) == before and given != "-":
                 found.barren.append(given)
             for one in inputs:
@@ -83,43 +87,43 @@ class Search:
                     found.inputs.append(one)
         return found
 
-    def _expand(self, given: str, errors: list[SourceError]) -> Iterator[Input]:
+    def _expand(self, given: str, found: Found) -> Iterator[Input]:
         if given == "-":
             yield Input(self.stdin, None)
             return
         try:
-            yield from self._path(given, errors)
+            yield from self._path(given, found)
         except (OSError, ValueError) as error:  # such as a name longer than any may be
             cause = getattr(error, "strerror", None) or str(error)
-            errors.append(SourceError(printable(given), cause))
+            found.errors.append(SourceError(printable(given), cause))
 
-    def _path(self, given: str, errors: list[SourceError]) -> Iterator[Input]:
+    def _path(self, given: str, found: Found) -> Iterator[Input]:
         path = absolute(os.path.expanduser(given))  # noqa: PTH111  never fails
         if path.is_dir():
-            yield from self._directory(path, errors)
+            yield from self._directory(path, found)
         elif os.path.lexists(path):
             if not self._forced_out(path):
                 yield Input(shown(path, given), path)
         elif MAGIC.search(given):
-            yield from self._glob(given, errors)
+            yield from self._glob(given, found)
         else:
-            errors.append(SourceError(printable(given), missing(path)))
+            found.errors.append(SourceError(printable(given), missing(path)))
 
-    def _glob(self, pattern: str, errors: list[SourceError]) -> Iterator[Input]:
-        found = matches(pattern, self._passed_over, _teller(pattern, errors))
-        if not found:
-            errors.append(SourceError(printable(pattern), "no file matches"))
-        for path in found:
+    def _glob(self, pattern: str, found: Found) -> Iterator[Input]:
+        paths = matches(pattern, self._passed_over, _teller(pattern, found.errors))
+        if not paths:
+            found.errors.append(SourceError(printable(pattern), "no file matches"))
+        for path in paths:
             if path.is_dir() and not path.is_symlink() and ANY_DEPTH not in pattern:
-                yield from self._directory(path, errors)
+                yield from self._directory(path, found)
             elif path.is_file() and path.suffix.lower() in GLOBBED:
-                yield from self._candidate(path, errors)
+                yield from self._candidate(path, found.errors)
 
-    def _directory(self, top: Path, errors: list[SourceError]) -> Iterator[Input]:
+    def _directory(self, top: Path, found: Found) -> Iterator[Input]:
         """Models below *top*, by name. Links to directories are not followed."""
         if self._forced_out(top):
             return
-        for here, folders, files in os.walk(top, onerror=_teller(str(top), errors)):
+        for here, folders, files in os.walk(top, onerror=_teller(str(top), found.errors)):
             base = Path(here)
             if ENVIRONMENT in files and base != top:
                 folders.clear()
@@ -127,8 +131,11 @@ class Search:
             folders[:] = sorted(name for name in folders if not self._excluded(base / name))
             for name in sorted(files):
                 path = base / name
-                if path.suffix.lower() in SEARCHED and not self._excluded(path):
-                    yield from self._candidate(path, errors)
+                suffix = path.suffix.lower()
+                if suffix == TURTLE and not self._excluded(path):
+                    found.turtle.append(path)
+                elif suffix in SEARCHED and not self._excluded(path):
+                    yield from self._candidate(path, found.errors)
 
     def _passed_over(self, path: Path) -> bool:
         return self._excluded(path) or (path / ENVIRONMENT).is_file()
