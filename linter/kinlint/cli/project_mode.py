@@ -45,7 +45,7 @@ def merge_with_project(given: Found, project: Found) -> Found:
             errors.append(error)
             asides.add(error.name)
     inputs += [one for one in meant.values() if not _passed_over(one)]
-    return Found(inputs, errors, given.barren, frozenset(asides))
+    return Found(inputs, errors, given.barren, asides=frozenset(asides))
 
 
 def affecting_sources(
