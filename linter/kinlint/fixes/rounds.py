@@ -144,6 +144,7 @@ class Rounds:
         self._made: list[Round] = []
         self._originals: dict[Path, SourceText] = {}
         self._settled: dict[LastingKey, Verdict] = {}
+        self._untouched: Generator | None = None
 
     def come_to_rest(self) -> bool:
         """Make rounds until nothing is left to change; False once *circles* has learned why not."""
@@ -171,16 +172,19 @@ class Rounds:
         changes = [change for batch in chosen for change in found.generator.combined(batch)]
         for each in changes:
             self._originals = {**each.sources, **self._originals}
-        self.texts = self.texts.rewritten(changes)
+        if chosen:
+            self.texts, self._untouched = self.texts.rewritten(changes), None
         made = [(each, fix) for batch in chosen for each in batch if (fix := found.fix(each))]
         self.fixed += [replace(each.finding, fixes=(fix,)) for each, fix in made]
         self._made += [[each for each, _ in made]] if chosen else []
         return bool(chosen)
 
     def _offers(self, least: Applicability) -> Offers:
-        examination = examine_with_fixes(self.texts, self.errors, self.analyzer, self.phases)
+        made = self._untouched or self.generator(
+            examine_with_fixes(self.texts, self.errors, self.analyzer, self.phases), self.texts
+        )
+        made.refused.clear()
         with self.phases.phase("fixing"):
-            made = self.generator(examination, self.texts)
             found = offer_fixes(
                 made,
                 self.analyzer,
@@ -189,6 +193,7 @@ class Rounds:
                 circles=self.circles,
                 settled=self._settled,
             )
+        self._untouched = None if found.verdicts else made
         if made.lasting:
             self._settled |= {
                 lasting_key(each): verdict
