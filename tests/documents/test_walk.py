@@ -65,7 +65,8 @@ def test_all_functions_of_the_walk_are_called_from_text_to_fix() -> None:
         if event == "call" and frame.f_code in wanted:
             called.setdefault(frame.f_code)
 
-    before = ROBOT.format('lower="2" upper="1"')
+    # Numbers that no other test reads, since their values are remembered.
+    before = ROBOT.format('lower="2.7182" upper="1.4142"')
     sys.setprofile(note)
     try:
         source = decode("arm.urdf", before.encode())
@@ -73,5 +74,5 @@ def test_all_functions_of_the_walk_are_called_from_text_to_fix() -> None:
     finally:
         sys.setprofile(None)
 
-    assert [each.text for each in fixed.texts] == [ROBOT.format('lower="1" upper="2"')]
+    assert [each.text for each in fixed.texts] == [ROBOT.format('lower="1.4142" upper="2.7182"')]
     assert [name for function, name in wanted.items() if function not in called] == []
