@@ -21,6 +21,7 @@ from kinlint import resources
 from kinlint.addresses import document_of
 from kinlint.document import Document
 from kinlint.engine.derivation import (
+    Agreement,
     Choice,
     Combination,
     Derivation,
@@ -172,9 +173,9 @@ class Provenance:
             case Negation(part):
                 found = self._evaluated(part, row)
                 return Trace(found.written, -found.sign)
-            case Combination(parts):
+            case Agreement(parts) | Combination(parts):
                 found = _merged([self._evaluated(each, row) for each in parts])
-                return Trace(found.written)
+                return found if isinstance(derivation, Agreement) else Trace(found.written)
 
     def _read(self, read: Read, row: Row) -> Trace:
         element, value = row.get(read.element), row.get(read.value)
