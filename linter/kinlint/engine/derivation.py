@@ -64,20 +64,15 @@ class Negation:
 
 
 @dataclass(frozen=True, slots=True)
-class Agreement:
-    """A value that each of its parts is, if that has one: of joined patterns, or of branches."""
-
-    parts: tuple[Derivation, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Combination:
     """A value worked out from all of its parts, in a way that is not analysed."""
 
     parts: tuple[Derivation, ...] = ()
+    alike: bool = False
+    """True if each part is the value, where it has one: of joined patterns, or of branches."""
 
 
-Derivation: TypeAlias = Read | First | Choice | Negation | Agreement | Combination
+Derivation: TypeAlias = Read | First | Choice | Negation | Combination
 CONSTANT = Combination()
 
 
@@ -160,9 +155,7 @@ class Derivations:
             if each.object == name and is_variable(each.subject) and (properties := _valued(each))
         ]
         found = tuple(dict.fromkeys((*bound, *read)))
-        if not found:
-            return CONSTANT
-        return found[0] if len(found) == 1 else Agreement(found)
+        return found[0] if len(found) == 1 else Combination(found, alike=bool(found))
 
     def _expression(self, expression: Expression) -> Derivation:
         words = unwrapped(expression)
@@ -250,7 +243,7 @@ def reads(derivation: Derivation) -> Sequence[Read]:
             inner = (then, otherwise)
         case Negation(part):
             inner = (part,)
-        case Agreement(parts) | Combination(parts):
+        case Combination(parts):
             inner = parts
     return [read for each in inner for read in reads(each)]
 
@@ -267,7 +260,7 @@ def _named(derivation: Derivation) -> set[str]:
             return {test}.union(*map(_named, (then, otherwise)))
         case Negation(part):
             return _named(part)
-        case Agreement(parts) | Combination(parts):
+        case Combination(parts):
             return set[str]().union(*map(_named, parts))
 
 

@@ -21,7 +21,6 @@ from kinlint import resources
 from kinlint.addresses import document_of
 from kinlint.document import Document
 from kinlint.engine.derivation import (
-    Agreement,
     Choice,
     Combination,
     Derivation,
@@ -173,9 +172,9 @@ class Provenance:
             case Negation(part):
                 found = self._evaluated(part, row)
                 return Trace(found.written, -found.sign)
-            case Agreement(parts) | Combination(parts):
+            case Combination(parts, alike):
                 found = _merged([self._evaluated(each, row) for each in parts])
-                return found if isinstance(derivation, Agreement) else Trace(found.written)
+                return found if alike else Trace(found.written)
 
     def _read(self, read: Read, row: Row) -> Trace:
         element, value = row.get(read.element), row.get(read.value)
