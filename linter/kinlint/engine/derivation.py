@@ -146,9 +146,7 @@ class Derivations:
 
     def _variable(self, name: str) -> Derivation:
         """Return how the variable *name* is bound."""
-        bound = [
-            self._expression(each.expression) for each in self.assignments if each.variable == name
-        ]
+        bound = (self._expression(e.expression) for e in self.assignments if e.variable == name)
         read = [
             Read(each.subject, properties, name)
             for each in self.patterns
