@@ -118,13 +118,17 @@ def test_rules_of_ones_own_and_what_governs_from_elsewhere(watching, write, tmp_
 
 
 def test_a_terminal_is_cleared_and_nothing_else(watching, write):
-    """Who keeps the output wants all of it."""
+    """Who keeps the output wants all of it.
+
+    Where no line can be taken back, no progress is shown, however long the run takes.
+    """
     write("a.urdf", ROBOT.format("a", ""))
     assert "\x1b" not in watching("a.urdf").round()
 
     master, terminal = os.openpty()
     command = [sys.executable, "-m", "kinlint", "--watch", "a.urdf", "--color", "never"]
-    run = subprocess.Popen(command, stdout=terminal, stderr=terminal, stdin=terminal)
+    dumb = os.environ | {"TERM": "dumb"}
+    run = subprocess.Popen(command, stdout=terminal, stderr=terminal, stdin=terminal, env=dumb)
     try:
         said = b""
         while WAITING.encode() not in said:
