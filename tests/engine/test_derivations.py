@@ -119,7 +119,7 @@ def test_a_finding_about_an_inferred_triple_is_where_that_comes_from():
 def test_what_one_of_several_targets_chose_says_by_which():
     """A coordinate without a unit is one because of its type."""
     context = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
-    text = f'{{ {context}, "@id": "ex:reach", "@type": "PositionCoordinate" }}'
+    text = f'{{ {context}, "@id": "ex:reach", "@type": ["PositionCoordinate", "VectorXYZ"] }}'
 
     report = lint(text, "a.jsonld")
 
@@ -173,5 +173,7 @@ def test_what_nobody_describes_is_shown_where_it_is_mentioned(tmp_path):
     rules = rulebook.load([], [axioms], None)
     report = lint(text, "a.jsonld", rules=rules)
 
-    (finding,) = (each for each in report.findings if each.rule.code == "TOP005")
+    (cause,) = (each for each in report.findings if each.rule.code == "LD006")
+    (finding,) = cause.consequences
+    assert finding.rule.code == "TOP005"
     assert text[finding.location.span.start :].startswith('"ex:belt"')
