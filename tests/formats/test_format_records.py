@@ -33,6 +33,8 @@ EXCEPTIONS = {
     "conversion/output.py": "the functions that write a model in each format",
     "missing_files.py": "the elements of URDF and SDF that name files",
     "navigation": "names inside of SDF and xacro, whose scopes and macros only they have",
+    "project/discovery.py": "Turtle files, which directories have beside the models they belong to",
+    "project/turtle_parts.py": "JSON-LD models and the Turtle files that are parts of them",
     "reporters/reporter_registry.py": "the output format `turtle`",
     "rule_formatting": "rule files, which are Turtle",
     "vocabulary.py": "the namespaces themselves",

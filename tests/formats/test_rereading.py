@@ -165,7 +165,8 @@ def test_typing(sooner: Callable[[], None]) -> None:
     assert readable == [0, len(written)]
     again = IncrementalReader()
     options = session.options
-    again.read(SourceText(session.name, text), options)
+    for written_so_far in (f"{text}\n", text):
+        again.read(SourceText(session.name, written_so_far), options)
     sooner()
     for end in readable:
         again.read(SourceText(session.name, text[:at] + written[:end] + text[at:]), options)
@@ -174,7 +175,8 @@ def test_typing(sooner: Callable[[], None]) -> None:
 @pytest.mark.parametrize("after", [BEFORE[1:], [*BEFORE, node("d", foo=1)], []])
 def test_elements_are_not_read_again(after: list[Any], sooner: Callable[[], None]) -> None:
     rereader, options = IncrementalReader(), ReadOptions()
-    rereader.read(SourceText("a.jsonld", model(*BEFORE)), options)
+    for text in (f"{model(*BEFORE)}\n", model(*BEFORE)):
+        rereader.read(SourceText("a.jsonld", text), options)
     sooner()
     expected = {"<https://example.org/#" + str(each["@id"])[3:] + ">" for each in after}
     document = rereader.read(SourceText("a.jsonld", model(*after)), options)

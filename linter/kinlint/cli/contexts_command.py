@@ -17,6 +17,8 @@ from kinlint.contexts.context_library import COMMUNITY, NEWEST, Contexts, Extra,
 from kinlint.errors import SourceError, UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.pathname import shown
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import read
 from kinlint.terms import RDF_TYPE, iri, literal_value
 from kinlint.text import SourceText
 from kinlint.vocabulary import KINLINT, SRC
@@ -104,9 +106,6 @@ def _content(path: Path) -> bytes:
 
 def _check(data: bytes, given: str) -> None:
     """Raise `UsageError` if *data* is no JSON-LD context."""
-    from kinlint.formats.jsonld.reader import read  # noqa: PLC0415  loads PyLD
-    from kinlint.formats.options import ReadOptions  # noqa: PLC0415
-
     try:
         said: Any = json.loads(data)
     except (ValueError, RecursionError) as error:

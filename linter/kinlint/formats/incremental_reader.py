@@ -23,8 +23,9 @@ class IncrementalReader:
     """Reads the texts that one file has, one after the other.
 
     What it reads is what `registry.read` does, but sooner, if little has changed since a text
-    that could be read. If *divided*, it takes already the first text apart for that. If *lasting*,
-    blank nodes keep their labels, so that the documents differ less, and from what is read at once.
+    that could be read. For that it takes texts apart: the first one if it is large, else from the
+    second one on. If not *divided*, the first text is never taken apart. If *lasting*, blank nodes
+    keep their labels, so that the documents differ less, and from what is read at once.
     """
 
     def __init__(self, *, divided: bool = True, lasting: bool = False) -> None:

@@ -108,12 +108,12 @@ class _Shelf:
     ) -> tuple[Sequence[Description], Sequence[Description], str]:
         """Return the URDF of *srdf*, others of its name, and the reason; several are a doubt."""
         named = [each for each in self.given if each.source.named and srdf.source.named]
-        package = [*self._in_package(srdf)]
         alone = named if len(named) == 1 else []
         together = _of_stem(srdf, named) or [each for each in alone if _speaks_of(srdf, each)]
         if together:
             others = [] if alone else _of_name(srdf, named)
             return together, _namesakes(srdf, together[0], others), TOGETHER
+        package = [*self._in_package(srdf)]
         unknown = [each for each in package if each.varies and each not in self.given]
         package = [each for each in package if each not in unknown]
         if _of_stem(srdf, unknown) and not _of_stem(srdf, package):
