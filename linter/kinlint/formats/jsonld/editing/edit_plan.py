@@ -74,15 +74,21 @@ class EditPlan(TargetGraph):
             self._check_meaning(element, old, new)
 
     def _check_meaning(self, element: Object, old: ContextScope, new: ContextScope) -> None:
-        """Refuse types with which a member that stays would say something else."""
+        """Refuse types with which a member that stays would say something else.
+
+        A key may get its first meaning from a type, but not one that the old types hid.
+        """
         node = self.places.subject(element)
+        own = {key: value for key, value in element.items() if key == "@context"}
+        untyped = self.compaction.scope(old.outer, own)
         for key, value in element.items():
             meaning = self.places.meaning(element, key)
             if key == "@context" or meaning == "@type":
                 continue
             before = self.compaction.meaning(old, key, value)
             after = self.compaction.meaning(new, key, value)
-            if before == after or not before:
+            hidden = not before and self.compaction.meaning(untyped, key, value)
+            if before == after or not (before or hidden):
                 continue
             stated = [
                 t for t in self.places.by_subject.get(node or "", ()) if t[1] == f"<{meaning}>"
