@@ -67,7 +67,9 @@ def said(there: str, value: Term) -> bool:
     if literal_datatype(value).endswith("#boolean"):
         return there.lower() == literal_value(value)
     if literal_datatype(value).endswith("#integer"):
-        return int(there, 16 if "x" in there else 10) == int(literal_value(value))
+        # An integer of SDF may be written as 1u or 1.0.
+        number = int(there, 16) if "x" in there else float(there.rstrip("uU"))
+        return number == int(literal_value(value))
     return SAME.get(there.lower(), there) == literal_value(value)
 
 
