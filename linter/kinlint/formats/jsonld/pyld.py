@@ -14,6 +14,8 @@ UNUSED = ("asyncio", "lxml.html", "urllib.request")
 """Modules that PyLD imports and kinlint does not use; they load more slowly than PyLD itself."""
 NAMED = {"urllib.request": "url2pathname"}
 """The function that PyLD imports by name from one of them."""
+CLIENTS = ("requests", "aiohttp")
+"""HTTP clients that PyLD makes its default loader of, where they are installed."""
 
 
 class Postponed(ModuleType):
@@ -22,6 +24,8 @@ class Postponed(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
+        if sys.modules.get(self.__name__) is self:
+            del sys.modules[self.__name__]
         return getattr(import_module(self.__name__), name)
 
 
@@ -31,7 +35,12 @@ def _call(module: str, function: str, *given: Any) -> Any:
 
 @contextmanager
 def _postponed() -> Iterator[None]:
-    """Replace `UNUSED` modules by stand-ins, so that importing them takes no time."""
+    """Replace `UNUSED` modules by stand-ins, so that importing them takes no time.
+
+    `CLIENTS` cannot be imported meanwhile, so that PyLD is left without a loader.
+    """
+    clients = {name: sys.modules.get(name) for name in CLIENTS}
+    sys.modules.update(dict.fromkeys(CLIENTS))  # type: ignore[arg-type]
     waiting = {name: Postponed(name) for name in UNUSED if name not in sys.modules}
     for name in NAMED.keys() & waiting.keys():
         setattr(waiting[name], NAMED[name], partial(_call, name, NAMED[name]))
@@ -39,6 +48,11 @@ def _postponed() -> Iterator[None]:
     try:
         yield
     finally:
+        for name, client in clients.items():
+            if client is None:
+                del sys.modules[name]
+            else:
+                sys.modules[name] = client
         for name, stand_in in waiting.items():
             if sys.modules.get(name) is stand_in:
                 del sys.modules[name]
