@@ -83,8 +83,8 @@ def test_models_that_are_composable_have_nothing_inherent():
 @pytest.mark.parametrize("form", FORMATS)
 def test_a_profile_counts_what_the_format_has(form):
     """No slip of the pen in a property: each is an element or an attribute of the schema."""
-    schema = resources.data("shapes") / "formats" / f"{form}.ttl"
-    quads = list(ox.parse(path=schema, format=ox.RdfFormat.TURTLE))
+    files = (resources.data("shapes") / "formats").glob(f"{form}*.ttl")
+    quads = [quad for file in files for quad in ox.parse(path=file, format=ox.RdfFormat.TURTLE)]
     namespace = f"https://w3id.org/kinlint/{form}#"
     tags = {namespace + q.object.value for q in quads if q.predicate.value == f"{FMT}tag"}
     kinds = {"text", "number", "integer", "boolean", "vectors", "vector3", "vector4"}

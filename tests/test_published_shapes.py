@@ -21,11 +21,11 @@ CONTEXT = """
 
 
 def found(*nodes: str, rule: str) -> list[str]:
-    """The messages of *rule* about a model of *nodes*."""
+    """The messages of *rule* about a model of *nodes*, whose frames nobody describes."""
     text = f'{{ {CONTEXT}, "@graph": [ {", ".join(nodes)} ] }}'
-    return [
-        finding.message for finding in findings(text, "arm.jsonld") if finding.rule.code == rule
-    ]
+    told = findings(text, "arm.jsonld")
+    every = [each for finding in told for each in (finding, *finding.consequences)]
+    return [finding.message for finding in every if finding.rule.code == rule]
 
 
 def cosines(x: str, y: str, z: str) -> str:

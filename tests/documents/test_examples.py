@@ -149,7 +149,7 @@ def test_the_configuration_that_the_program_shows_is_accepted(shown, tmp_path, m
         assert main(["--partial", "arm.jsonld", "--write-baseline"]) == 0
         capsys.readouterr()
 
-    code = main(["--partial", "arm.jsonld"])
+    code = main(["--partial", "--trust", "arm.jsonld"])
 
     assert (code, capsys.readouterr().err) == (0, "")
 

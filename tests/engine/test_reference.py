@@ -249,7 +249,8 @@ def test_a_rule_runs_in_plain_pyshacl(tmp_path):
     model = tmp_path / "model.ttl"
     model.write_text(
         "<https://example.org/c> a "
-        "<https://comp-rob2b.github.io/metamodels/geometry/coordinates#PoseCoordinate> ."
+        "<https://comp-rob2b.github.io/metamodels/geometry/coordinates#PoseCoordinate> ; "
+        "<https://comp-rob2b.github.io/metamodels/geometry/coordinates#x> 1.0 ."
     )
     ontology = sorted(map(str, (resources.data("shapes") / "ontology").glob("*.ttl")))
     command = [sys.executable, "-m", "pyshacl", "-im", "-s", str(rule), "-i", "rdfs", str(model)]

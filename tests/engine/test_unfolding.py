@@ -34,9 +34,11 @@ def queries(directory: str) -> list[Construct]:
 
 
 def made(store: ox.Store, query: Construct, graph: ox.NamedNode | None = None) -> set[str]:
-    """What *query* makes, less lists, whose cells have no names."""
+    """What *query* makes, less lists, whose cells have no names; a number has one spelling."""
     found = store.query(render(query), default_graph=graph)
-    return {str(triple) for triple in found if not isinstance(triple.subject, ox.BlankNode)}
+    named = ox.Store()
+    named.extend(ox.Quad(*each) for each in found if not isinstance(each.subject, ox.BlankNode))
+    return {str(quad.triple) for quad in named}
 
 
 def unlisted(triples: set[str]) -> set[str]:

@@ -9,7 +9,8 @@ IMPORT = """\
 import sys
 {before}
 from kinlint.formats.jsonld import pyld
-print(sorted({{"requests", "aiohttp", "asyncio", "lxml.html", "urllib.request"}} & sys.modules.keys()))
+slow = {{"requests", "aiohttp", "asyncio", "lxml.html", "urllib.request"}}
+print(sorted(slow & sys.modules.keys()))
 import pyld.jsonld
 print(type(pyld.jsonld.get_document_loader()).__name__)
 """

@@ -1,7 +1,7 @@
 """Commands to terminals and CI systems that texts of files could smuggle into a log.
 
-Runners read the logs of their jobs: GitHub takes a line that begins with `::` for a command, and,
-as Azure and TeamCity do, what follows `##[`, `##vso[` or `##teamcity[` anywhere in a line.
+Runners read the logs of their jobs: GitHub takes a line that begins with `::name` for a command,
+and, as Azure and TeamCity do, what follows `##[`, `##vso[` or `##teamcity[` anywhere in a line.
 Terminals obey control characters, some of them those of ISO 8859 as well.
 """
 
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
-_COMMAND = re.compile(r"^([^\S\n]*):(?=:)|(?<=#)()#(?=\w*\[)", re.MULTILINE)
+_COMMAND = re.compile(r"^([^\S\n]*):(?=:[^:])|(?<=#)()#(?=\w*\[)", re.MULTILINE)
 
 UNICODE = r"\u{:04x}"
 """A character as JSON, Turtle and texts for people escape it."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from asyncio import Future
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -29,6 +28,8 @@ from kinlint.server.workspace import Outdated, Step, Workspace
 
 T = TypeVar("T")
 NAME = "kinlint"
+_ATTEMPTS = 3
+"""Number of outdated analyses that a request meets, while nothing changes, before it ends."""
 
 
 class KinlintServer(LanguageServer):
@@ -114,21 +115,27 @@ class KinlintServer(LanguageServer):
         return self.preferences.on_save and buffer is not None and not buffer.saved
 
     async def consult(self, uri: str, ask: Callable[[RequestContext], T]) -> T | None:
-        """Return the answer of *ask* for *uri*; None if that is no model or cannot be read.
+        """Return the answer of *ask* for *uri*; None if that is in no model, or outdated.
 
         *ask* runs on the worker thread with the newest text and its complete analysis; it may query
         the store of the examination.
         """
         path = path_of(uri)
         library = self.scheduler.library
-        while True:
+        outdated = 0
+        while outdated < _ATTEMPTS:
             await self.scheduler.wait_until_settled(path)
             buffer = self.buffers.at_path(path)
             source = None if buffer is None else buffer.source
             cancelled = self.scheduler.interruption()
-            with suppress(Outdated, Cancelled):
+            try:
                 job = partial(library.consult, path, source, ask, cancelled)
                 return await self.worker.run(job)
+            except Cancelled:
+                pass
+            except Outdated:
+                outdated = 0 if cancelled() else outdated + 1
+        return None
 
     async def request_context(self, uri: str) -> RequestContext | None:
         """Return the request context of *uri*, whose store must not be queried."""

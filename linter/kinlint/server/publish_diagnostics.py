@@ -40,7 +40,7 @@ class Publisher:
     def _publish(self, path: Path) -> None:
         buffers = self.server.buffers
         uri, buffer, told = buffers.uri(path), buffers.at_path(path), self._told(path)
-        if buffer is not None and told.source not in (None, buffer.source):
+        if buffer and told.source and told.source.text != buffer.source.text:
             return  # There is a newer text, which is being examined.
         version = None if buffer is None else buffer.version
         new = uri, told.result_id, version

@@ -163,7 +163,7 @@ class Workspace:
         cancelled: Callable[[], bool],
     ) -> RequestContext:
         assert session.examination is not None
-        if source is not None and source != text:
+        if source is not None and source.text != text.text:
             raise Outdated
         snapshot = self._documents.snapshot
         places = self._places(session, snapshot)
