@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import pytest
 from pyshacl import validate
-from rdflib import Graph
+from rdflib import OWL, RDF, SH, Graph, Namespace
 
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.catalogue.shacl_export import shacl
 from kinlint.cli.main import main
 from kinlint.resources import data
 
+KL = Namespace("https://w3id.org/kinlint/ns#")
+DASH = Namespace("http://datashapes.org/dash#")
 HEAD = """
     @prefix dash: <http://datashapes.org/dash#> .
     @prefix kl: <https://w3id.org/kinlint/ns#> .
@@ -67,6 +69,19 @@ def test_the_short_and_the_long_form_are_one_rule(tmp_path) -> None:
     assert rules[0].antipatterns == ("AP2",)
     assert rules[0].formats == ("jsonld", "turtle", "urdf")
     assert rules[0].messages == ("Limit '{$this}' is empty.",)
+
+
+@pytest.mark.parametrize("file", sorted(data("rules").glob("*/*.ttl")), ids=lambda file: file.stem)
+def test_no_built_in_rule_states_what_follows(file) -> None:
+    """What the file does not say twice cannot contradict itself."""
+    graph = Graph().parse(file)
+    (rule,) = graph.subjects(RDF.type, KL.Rule)
+    families = {KL[each.partition(".")[0]] for each in graph.objects(rule, KL.symptom)}
+
+    assert not families.intersection(graph.objects(rule, KL.antiPattern))
+    assert not {"jsonld", "turtle"} <= set(map(str, graph.objects(rule, KL.format)))
+    assert not set(graph.predicates()) & {SH.prefixes, OWL.imports, KL.since}
+    assert (None, RDF.type, DASH.SPARQLUpdateSuggestionGenerator) not in graph
 
 
 def test_plain_shapes_are_left_as_they_are(tmp_path) -> None:

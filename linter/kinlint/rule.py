@@ -155,7 +155,7 @@ class Rule:
     examples: tuple[Example, ...] = ()
     """Its examples."""
     since: str = ""
-    """Version of kinlint that brought it."""
+    """Version that brought it, such as `0.2.0`; empty for the first."""
     path: str = ""
     """Path of its file."""
     whole_model: bool = False

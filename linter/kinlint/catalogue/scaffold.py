@@ -21,7 +21,6 @@ rule:$name a kl:Rule, sh:NodeShape ;
     rdfs:comment """
         TODO: what breaks, in the robot, the simulator or the controller, in two sentences or more.
         """ ;
-    kl:since "$version" ;
     kl:format $formats ;
     rdfs:seeAlso <https://example.org/> ;  # TODO: what the rule rests on
 
@@ -59,19 +58,18 @@ _URDF = Template("""\
               </joint>
             </robot>""")
 EXAMPLES = {
-    "jsonld": ('"jsonld" , "turtle"', _JSON_LD, '"ex:TODO: the fault"', '"ex:elbow"'),
-    "urdf": ('"urdf" , "xacro"', _URDF, '"TODO: the fault"', '"elbow"'),
+    "jsonld": ('"graph"', _JSON_LD, '"ex:TODO: the fault"', '"ex:elbow"'),
+    "urdf": ('"urdf"', _URDF, '"TODO: the fault"', '"elbow"'),
 }
 """For each format of examples: those of the rule, a text, and what it has for bad and good."""
 
 
-def scaffold(name: str, code: str, version: str, form: str) -> str:
+def scaffold(name: str, code: str, form: str) -> str:
     """Return the text of a file for the rule *name* with examples in the format *form*."""
     formats, example, bad, good = EXAMPLES[form]
     return _RULE.substitute(
         name=name,
         code=code,
-        version=version,
         formats=formats,
         format=form,
         bad=example.substitute(id=f"[|{bad}|]"),

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from kinlint import __version__, resources
+from kinlint import resources
 from kinlint.catalogue.scaffold import EXAMPLES, scaffold
 from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.errors import UsageError
@@ -68,8 +68,7 @@ def run(arguments: Sequence[str]) -> int:
         raise UsageError(f"--code: '{code}' is not one to eight capitals and three digits")
     if code in codes:
         raise UsageError(f"--code: {code} is that of {shown(codes[code])}")
-    version = re.match(r"\d+\.\d+\.\d+", __version__)
-    text = scaffold(name, code, version[0] if version else "0.1.0", options.format)
+    text = scaffold(name, code, options.format)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8", newline="\n") as stream:
