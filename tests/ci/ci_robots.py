@@ -14,4 +14,6 @@ AXIS = """<robot name="arm">
   </joint>
 </robot>
 """
-"""What a safe fix gives an axis."""
+"""A joint without an axis."""
+LONG_AXIS = AXIS.replace('<child link="hand"/>', '<child link="hand"/><axis xyz="2 0 0"/>')
+"""A joint whose axis a safe fix makes a unit vector."""

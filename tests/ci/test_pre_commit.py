@@ -12,7 +12,7 @@ import sys
 
 import pytest
 import yaml
-from ci_robots import AXIS, BAD, GOOD
+from ci_robots import BAD, GOOD, LONG_AXIS
 from workflow import ROOT
 
 from kinlint.cli.check_command import run as check
@@ -175,7 +175,7 @@ def test_an_exclude_holds(hook, project):
 @installs
 def test_a_fix_fails_the_run_once(hook, project):
     """As pre-commit wants it of a hook that changes files."""
-    (project / "arm.urdf").write_text(AXIS, "utf-8")
+    (project / "arm.urdf").write_text(LONG_AXIS, "utf-8")
     code, told = hook("kinlint-fix")
     assert code == 1
     assert "files were modified by this hook" in told

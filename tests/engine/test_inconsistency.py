@@ -77,9 +77,10 @@ def turtle(text: str) -> tuple[Triple, ...]:
 
 
 def contradictions(*sources: SourceText) -> list[Finding]:
-    return [
-        finding for finding in lint(sources).findings if finding.rule.code in ("LD012", "LD019")
-    ]
+    """What is told of contradictions in *sources*, or follows from what is told."""
+    told = lint(sources).findings
+    every = [each for finding in told for each in (finding, *finding.consequences)]
+    return [finding for finding in every if finding.rule.code in ("LD012", "LD019")]
 
 
 @cache
