@@ -1,4 +1,4 @@
-"""The queries that differ from one in a single triple pattern or filter that they lack."""
+"""The queries that differ from one in a single place: a part that they lack, or a path's steps."""
 
 from __future__ import annotations
 
@@ -16,29 +16,26 @@ from kinlint.sparql.ast import (
     Triples,
     Union,
     render,
-    walk,
 )
-from kinlint.sparql.patterns import patterns
+from kinlint.sparql.patterns import Pattern, patterns
+from kinlint.terms import RDF
 from kinlint.vocabulary import SRC
 
 ONE_FILE = ((f"<{SRC}document>",), (f"<{SRC}describedIn>",))
 """Tell files apart, which no example can show: an example is one file."""
 
 
-def repeats(query: Select) -> bool:
-    """Return whether *query* follows a path any number of times, by `*` or `+`.
-
-    An example would have to tell each number of steps from the others.
-    """
-    blocks = (part.tokens for part in walk(query) if isinstance(part, Triples))
-    found = (pattern.path for block in blocks for pattern in patterns(block, count()))
-    return any({"*", "+"}.intersection(path) for path in found)
+OTHER_STEPS = {"*": ("?", "+"), "+": ("",)}
+"""What a path that repeats becomes: one that ends after a step, or needs one."""
+REST = f"<{RDF}rest>"
+"""A step to the rest of a list: which places of a list its examples show says nothing of a rule."""
 
 
 def mutants(query: Select) -> Iterator[tuple[str, Select]]:
-    """Yield *query* without one triple pattern or filter, for each in it, with the removed text.
+    """Yield *query* with one change, for each that there is, with the text that is not there.
 
-    The steps of a path are patterns of their own.
+    A triple pattern or filter is left out; the parts of a sequence path are patterns of their own.
+    A path that repeats, by `*` or `+`, takes no second step, or one by `*` not none.
     """
     yield from ((gone, Select(new, query.group, query.tail)) for gone, new in _inside(query.head))
     yield from ((gone, Select(query.head, new, query.tail)) for gone, new in _groups(query.group))
@@ -60,6 +57,18 @@ def _deleted(element: Element) -> Iterator[tuple[str, tuple[Element, ...]]]:
             left = " . ".join(each.text for each in (*found[:at], *found[at + 1 :]))
             if pattern.path not in ONE_FILE:
                 yield pattern.text, (Triples((left,)),) if left else ()
+            for changed in _other_steps(pattern):
+                left = " . ".join(each.text for each in (*found[:at], changed, *found[at + 1 :]))
+                yield f"{pattern.text} and not {changed.text}", (Triples((left,)),)
+
+
+def _other_steps(pattern: Pattern) -> Iterator[Pattern]:
+    """Yield *pattern* with another number of steps for each part of its path that repeats."""
+    subject, path, value = pattern
+    for at, word in enumerate(path):
+        for other in OTHER_STEPS.get(word, ()) if path[at - 1] != REST else ():
+            steps = (*path[:at], other, *path[at + 1 :])
+            yield Pattern(subject, tuple(filter(None, steps)), value)
 
 
 def _changed(element: Element) -> Iterator[tuple[str, tuple[Element, ...]]]:

@@ -27,7 +27,7 @@ from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.rule import Rule
-from kinlint.rule_testing.mutants import mutants, repeats
+from kinlint.rule_testing.mutants import mutants
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
@@ -77,7 +77,7 @@ def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[D
 def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
     """Yield the parts of a rule's queries that could be deleted without any example noticing.
 
-    None for a rule that only the reference engine can judge, nor for a query that `repeats`.
+    None for a rule that only the reference engine can judge.
     """
     rule = harness.rule
     text = Path(rule.path).read_text("utf-8-sig")
@@ -94,8 +94,6 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
     whole = harness.outcomes(constraints)
     for query, known in _queries(graph):
         select = parse(tokens(query, known))
-        if repeats(select):
-            continue
         for deleted, mutant in mutants(select):
             try:
                 matters = (
