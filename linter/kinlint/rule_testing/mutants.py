@@ -26,7 +26,7 @@ ONE_FILE = ((f"<{SRC}document>",), (f"<{SRC}describedIn>",))
 
 
 OTHER_STEPS = {"*": ("?", "+"), "+": ("",)}
-"""What a path that repeats becomes: one that ends after a step, or needs one."""
+"""Modifiers of a path that allow fewer numbers of steps: one at most, or one at least."""
 REST = f"<{RDF}rest>"
 """A step to the rest of a list: which places of a list its examples show says nothing of a rule."""
 
