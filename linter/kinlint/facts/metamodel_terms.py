@@ -11,23 +11,23 @@ GEOMETRY = f"{METAMODELS}geometry/"
 DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
 
 
-def _terms(namespace: str) -> Callable[[str], Term]:
+def terms_in(namespace: str) -> Callable[[str], Term]:
     """Return the function from local names in *namespace* to terms."""
     return lambda name: iri(namespace + name)
 
 
-geom = _terms(f"{GEOMETRY}structural-entities#")
-rel = _terms(f"{GEOMETRY}spatial-relations#")
-coord = _terms(f"{GEOMETRY}coordinates#")
-chain = _terms(f"{METAMODELS}kinematic-chain/structural-entities#")
-body = _terms(f"{DYNAMICS}structural-entities#")
-inertia = _terms(f"{DYNAMICS}coordinates#")
-algorithm = _terms(f"{METAMODELS}algorithm#")
-kin = _terms(KIN)
-qudt = _terms(QUDT)
-reference = _terms(REFERENCE)
+geom = terms_in(f"{GEOMETRY}structural-entities#")
+rel = terms_in(f"{GEOMETRY}spatial-relations#")
+coord = terms_in(f"{GEOMETRY}coordinates#")
+chain = terms_in(f"{METAMODELS}kinematic-chain/structural-entities#")
+body = terms_in(f"{DYNAMICS}structural-entities#")
+inertia = terms_in(f"{DYNAMICS}coordinates#")
+algorithm = terms_in(f"{METAMODELS}algorithm#")
+kin = terms_in(KIN)
+qudt = terms_in(QUDT)
+reference = terms_in(REFERENCE)
 """Properties from an element to the target of its attribute of that name."""
-attribute = _terms(ATTRIBUTE)
+attribute = terms_in(ATTRIBUTE)
 """Attributes of elements, in any XML format."""
 
 OF = rel("of")

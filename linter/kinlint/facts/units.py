@@ -6,27 +6,27 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from kinlint.facts.metamodel_terms import qudt
+from kinlint.facts.metamodel_terms import qudt, terms_in
 from kinlint.facts.predicate_index import PredicateIndex, numeric
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import QUANTITY_KIND
 
-DIMENSION = "http://qudt.org/vocab/dimensionvector/"
+_dimension = terms_in("http://qudt.org/vocab/dimensionvector/")
 ANGLE_KIND = iri(f"{QUANTITY_KIND}Angle")
 
 FACTOR, OFFSET = qudt("conversionMultiplier"), qudt("conversionOffset")
 DIMENSION_VECTOR, KIND = qudt("hasDimensionVector"), qudt("hasQuantityKind")
 
-LENGTH = iri(f"{DIMENSION}A0E0L1I0M0H0T0D0")
-MASS = iri(f"{DIMENSION}A0E0L0I0M1H0T0D0")
-FIRST_MOMENT = iri(f"{DIMENSION}A0E0L1I0M1H0T0D0")
-INERTIA = iri(f"{DIMENSION}A0E0L2I0M1H0T0D0")
-SPEED = iri(f"{DIMENSION}A0E0L1I0M0H0T-1D0")
-ACCELERATION = iri(f"{DIMENSION}A0E0L1I0M0H0T-2D0")
-ANGULAR_SPEED = iri(f"{DIMENSION}A0E0L0I0M0H0T-1D0")
-ANGULAR_ACCELERATION = iri(f"{DIMENSION}A0E0L0I0M0H0T-2D0")
-FORCE = iri(f"{DIMENSION}A0E0L1I0M1H0T-2D0")
-TORQUE = iri(f"{DIMENSION}A0E0L2I0M1H0T-2D0")
+LENGTH = _dimension("A0E0L1I0M0H0T0D0")
+MASS = _dimension("A0E0L0I0M1H0T0D0")
+FIRST_MOMENT = _dimension("A0E0L1I0M1H0T0D0")
+INERTIA = _dimension("A0E0L2I0M1H0T0D0")
+SPEED = _dimension("A0E0L1I0M0H0T-1D0")
+ACCELERATION = _dimension("A0E0L1I0M0H0T-2D0")
+ANGULAR_SPEED = _dimension("A0E0L0I0M0H0T-1D0")
+ANGULAR_ACCELERATION = _dimension("A0E0L0I0M0H0T-2D0")
+FORCE = _dimension("A0E0L1I0M1H0T-2D0")
+TORQUE = _dimension("A0E0L2I0M1H0T-2D0")
 ANGLE = "angle"
 """Stands for a dimension, though QUDT tells angles from other pure numbers only by kind."""
 

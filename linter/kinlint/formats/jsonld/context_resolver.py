@@ -31,6 +31,13 @@ class Resolved:
         """Do nothing; see `get_processed`."""
 
 
+def entries(context: Any) -> list[Any]:
+    """Return the entries of *context*: an IRI, a context, null, an array, or what contains them."""
+    if isinstance(context, Mapping) and "@context" in context:
+        context = context["@context"]
+    return context if isinstance(context, list) else [context]
+
+
 class Resolver:
     """Stands in for PyLD's ContextResolver.
 
@@ -48,10 +55,8 @@ class Resolver:
         self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
     ) -> list[Resolved]:
         """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
-        if isinstance(context, Mapping) and "@context" in context:
-            context = context["@context"]
-        entries = context if isinstance(context, list) else [context]
-        return [found for entry in entries for found in self._entry(active, entry, base, chain)]
+        every = entries(context)
+        return [found for entry in every for found in self._entry(active, entry, base, chain)]
 
     def _entry(
         self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]

@@ -19,7 +19,7 @@ from kinlint.files.pathname import real, shown
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
-from kinlint.formats.jsonld.context_resolver import Resolved, Resolver, absolute_iri
+from kinlint.formats.jsonld.context_resolver import Resolved, Resolver, absolute_iri, entries
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
@@ -164,10 +164,8 @@ class LocalResolver:
         self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
     ) -> list[Resolved]:
         """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
-        if isinstance(context, Mapping) and "@context" in context:
-            context = context["@context"]
-        entries = context if isinstance(context, list) else [context]
-        return [found for entry in entries for found in self._entry(active, entry, base, chain)]
+        every = entries(context)
+        return [found for entry in every for found in self._entry(active, entry, base, chain)]
 
     def _entry(
         self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]

@@ -5,10 +5,10 @@ Everything is computed along the references from frame to frame, once for each f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import dropwhile
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, UnknownName
@@ -16,6 +16,9 @@ from kinlint.formats.sdf.sdf_elements import SdfElement
 
 Found: TypeAlias = SdfElement | None
 """An element, or None for what is unknown."""
+Why: TypeAlias = Callable[[SdfElement], tuple[SdfElement, str, str] | None]
+"""Returns the element with a reference, its role and the name, as in `CircularReference`."""
+Value = TypeVar("Value")
 
 
 @dataclass(frozen=True)
@@ -85,19 +88,11 @@ class Frames:
 
     def pose_in_world(self, element: SdfElement) -> Transform | None:
         """Return the pose of *element* in its world, if it can be computed."""
-        path: dict[SdfElement, None] = {}
-        at: Found = element
-        while at is not None and at not in self._places:
-            if at not in self.scopes.enclosing:
-                self._places[at] = IDENTITY
-                break
-            if at in path:
-                self._circular(_from(at, path), self._why_posed)
-                self._places.update(path)
-                break
-            path[at] = None
-            at = self.base(at)
-        seen = self._places.get(at) if at is not None else None
+
+        def world(at: SdfElement) -> Transform | None:
+            return None if at in self.scopes.enclosing else IDENTITY
+
+        path, seen = self._walk(element, self.base, self._places, world, self._why_posed)
         for each in reversed(path):
             if each not in self._places:
                 own = self._own(each)
@@ -140,19 +135,11 @@ class Frames:
 
     def body(self, element: SdfElement) -> Found:
         """Return the link that *element* is attached to, or a world."""
-        path: dict[SdfElement, None] = {}
-        at: Found = element
-        while at is not None and at not in self._bodies:
-            if at.tag == "link" or at not in self.scopes.enclosing:
-                self._bodies[at] = at
-                break
-            if at in path:
-                self._circular(_from(at, path), self._why_attached)
-                self._bodies.update(path)
-                break
-            path[at] = None
-            at = self._carrier(at)
-        found = self._bodies.get(at) if at is not None else None
+
+        def itself(at: SdfElement) -> Found:
+            return at if at.tag == "link" or at not in self.scopes.enclosing else None
+
+        path, found = self._walk(element, self._carrier, self._bodies, itself, self._why_attached)
         for each in path:
             self._bodies.setdefault(each, found)
         return self._bodies[element]
@@ -180,12 +167,39 @@ class Frames:
         models = (each for each in every if each.tag == "model" and each is not model)
         return next(links, None) or next(models, None)
 
-    # Cycles
+    # Walks from element to element
+
+    def _walk(
+        self,
+        start: SdfElement,
+        following: Callable[[SdfElement], Found],
+        known: dict[SdfElement, Value | None],
+        end: Callable[[SdfElement], Value | None],
+        why: Why,
+    ) -> tuple[Sequence[SdfElement], Value | None]:
+        """Return the path from *start* to the first element with a value, and that value.
+
+        Values are *known*, or those of an *end*. There is none where the path leads nowhere, nor in
+        a circle, which is noted by *why* each element leads to the next.
+        """
+        path: dict[SdfElement, None] = {}
+        at: Found = start
+        while at is not None and at not in known:
+            value = end(at)
+            if value is not None:
+                known[at] = value
+            elif at in path:
+                self._circular(_from(at, path), why)
+                known.update(path)
+            else:
+                path[at] = None
+                at = following(at)
+        return list(path), None if at is None else known[at]
 
     def _circular(
         self,
         cycle: list[SdfElement],
-        why: Callable[[SdfElement], tuple[SdfElement, str, str] | None],
+        why: Why,
     ) -> None:
         """Note a cycle once, where it says so first."""
         order = sorted(cycle, key=lambda each: each.order)
