@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+
+LOOKED_UP = 100
+"""Most names of a model that are compared with all others: each takes time linear in those."""
 
 
 def nearest(word: str, choices: Iterable[str]) -> str | None:
@@ -15,24 +18,39 @@ def nearest(word: str, choices: Iterable[str]) -> str | None:
     common beginning, then to the alphabet.
     """
     wanted = word.casefold()
-    most = max(1, len(wanted) // 3)
-    ranked = sorted(
-        (distance(wanted, choice.casefold(), most), -_shared(wanted, choice.casefold()), choice)
-        for choice in set(choices)
-    )
-    if not wanted or not ranked:
+    names = [(name.casefold(), name) for name in set(choices)] if wanted else []
+    if not names:
         return None
-    slips, _, choice = ranked[0]
+    most = max(1, len(wanted) // 3)
+    slips, _, choice = min(
+        (
+            (slips, -_shared(wanted, folded), name)
+            for slips, folded, name in _near(wanted, names, most)
+        ),
+        default=(most + 1, 0, ""),
+    )
     if slips <= most and slips < len(choice):
         return choice
     part = wanted.lstrip("-")
     if len(part) <= 1:
         return None
-    names = [choice for _, _, choice in ranked]
-    longer = [name for name in names if name.casefold().startswith(wanted)] or [
-        name for name in names if part in re.split("[-_]", name.casefold())
+    longer = [name for folded, name in names if folded.startswith(wanted)] or [
+        name for folded, name in names if part in folded and part in re.split("[-_]", folded)
     ]
     return min(longer, key=lambda name: (len(name), name), default=None)
+
+
+def _near(
+    wanted: str, names: Sequence[tuple[str, str]], most: int
+) -> Iterator[tuple[int, str, str]]:
+    """Yield those of *names* within *most* edits of *wanted*, each with its number of edits."""
+    from rapidfuzz import process  # noqa: PLC0415  few runs suggest anything
+    from rapidfuzz.distance import OSA  # noqa: PLC0415
+
+    folded = [each for each, _ in names]
+    found = process.extract(wanted, folded, scorer=OSA.distance, score_cutoff=most, limit=None)
+    for _, slips, at in found:
+        yield int(slips), *names[at]
 
 
 def did_you_mean(word: str, choices: Iterable[str]) -> str:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from benchmarks import editing
 from benchmarks.fleet import Fleet
+from benchmarks.growth.measurement import growth_table, measured
 from benchmarks.keystrokes import Keystrokes
 from benchmarks.processes import Workplace
 from benchmarks.proving import Proving
@@ -29,6 +30,8 @@ def main(arguments: Sequence[str]) -> int:
     """Measure and print; 1 if a target was missed."""
     options = _parser().parse_args(arguments)
     catalogue = rulebook.load()
+    if options.growth is not None:
+        return _growth(arguments, options, catalogue)
     rows = []
     for row in _rows(options, catalogue):
         sys.stderr.write(f"measured: {row.ours}\n")
@@ -70,6 +73,14 @@ def _parser() -> argparse.ArgumentParser:
         metavar="DIR",
         help="only what proofs of fixes cost, of the robots below DIR too",
     )
+    parser.add_argument(
+        "--growth",
+        nargs="?",
+        const="",
+        metavar="TEXT",
+        help="only growth with the size of a file, of the inputs whose title contains TEXT",
+    )
+    parser.add_argument("--fixes", action="store_true", help="growth of runs that prove fixes")
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
@@ -106,6 +117,17 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
             seconds = compared(joints, catalogue, options.runs)
             target = 1000 if joints == SIZES[-1] else None
             yield Row(f"checking {joints} joints", "pySHACL", seconds, "faster", target)
+
+
+def _growth(arguments: Sequence[str], options: argparse.Namespace, catalogue: Rulebook) -> int:
+    """Measure and print growth; 1 if anything grows too fast."""
+    rows = []
+    for row in measured(options.growth, catalogue, fixing=options.fixes):
+        sys.stderr.write(f"measured: {row.title}\n")
+        rows.append(row)
+    lines = [*growth_table(rows), "", _made(arguments, catalogue)]
+    sys.stdout.writelines(f"{line}\n" for line in lines)
+    return int(not all(row.met for row in rows))
 
 
 def _shares(joints: int, seconds: Mapping[str, float]) -> str:

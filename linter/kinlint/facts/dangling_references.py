@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
+from itertools import islice
 from urllib.parse import unquote
 
 from kinlint.addresses import root_of
@@ -12,7 +13,7 @@ from kinlint.facts.fact_statements import fact
 from kinlint.facts.metamodel_terms import attribute
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.xml.references import properties
-from kinlint.suggestion import distance
+from kinlint.suggestion import LOOKED_UP, distance
 from kinlint.terms import Term, Triple
 
 MOST = 2
@@ -36,13 +37,16 @@ class DanglingReferences:
         self._named = scan.table(attribute("name"))
 
     def facts(self) -> Iterator[Triple]:
-        """Yield the element that each missing target resembles, where there is one."""
-        for target in sorted(self._targets):
-            if target not in self._named:
-                home, name = _parts(target)
-                known = nearest(name, self._known.get(home, {}))
-                if known is not None:
-                    yield target, fact("resembles"), self._known[home][known]
+        """Yield the element that each missing target resembles, where there is one.
+
+        Of many missing targets, only the first few are compared.
+        """
+        missing = (target for target in sorted(self._targets) if target not in self._named)
+        for target in islice(missing, LOOKED_UP):
+            home, name = _parts(target)
+            known = nearest(name, self._known.get(home, {}))
+            if known is not None:
+                yield target, fact("resembles"), self._known[home][known]
 
     @cached_property
     def _known(self) -> dict[str, dict[str, Term]]:

@@ -14,12 +14,10 @@ from kinlint.facts.fact_statements import fact
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.file_format import Format
-from kinlint.suggestion import distance
+from kinlint.suggestion import LOOKED_UP, distance
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_blank, is_iri
 from kinlint.vocabulary import RDFS, SH, SRC
 
-LOOKED_UP = 100
-"""Most identifiers that are compared with others: each takes time linear in what is described."""
 NAMESPACE = re.compile(r"urn:[^:#/]+:[^#/]+:(?=[^:#/]+$)|.*[#/](?=[^#/]*$)")
 PREDICATE = "property"
 CLASS = "class"

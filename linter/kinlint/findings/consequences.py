@@ -149,32 +149,46 @@ def sentence(worst: Sequence[Finding]) -> str:
 
 def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) -> Suspects:
     found = Suspects()
-    by_rule: dict[str, dict[Term, list[tuple[int, Result]]]] = {}
+    by_rule: dict[str, _Explained] = {}
     for at, finding in enumerate(findings):
         if finding.rule.explains:
             for result in results_of(finding):
                 found.rules[at] = finding.rule.iri
-                about = by_rule.setdefault(finding.rule.iri, {})
-                about.setdefault(result.focus, []).append((at, result))
+                by_rule.setdefault(finding.rule.iri, _Explained()).add(at, result)
     rules = {finding.rule.iri: finding.rule for finding in findings}
     for rule, about in by_rule.items():
         for query in rules[rule].explains:
             for row in store.rows(query):
                 suspect = row.get(SUSPECT)
                 if suspect is not None:
-                    for at, result in about.get(row.get(THIS, ""), ()):
-                        if _agree(row, result):
-                            way = row.get(THROUGH)
-                            found.add(suspect, Suspicion(at, () if way is None else (way,)))
+                    way = row.get(THROUGH)
+                    for at in about.agreeing(row):
+                        found.add(suspect, Suspicion(at, () if way is None else (way,)))
     return found
 
 
-def _agree(row: Mapping[str, Term], result: Result) -> bool:
-    """Tell whether *row* is about *result*: its other variables equal those of the result."""
-    known = {**result.bindings, "value": result.value}
-    return all(
-        name in (SUSPECT, THROUGH, THIS) or known.get(name) == term for name, term in row.items()
-    )
+class _Explained:
+    """The results of a rule that explains others, by the values of their variables."""
+
+    def __init__(self) -> None:
+        self._results: list[tuple[int, Mapping[str, Term | None]]] = []
+        self._tables: dict[tuple[str, ...], dict[tuple[Term | None, ...], list[int]]] = {}
+
+    def add(self, at: int, result: Result) -> None:
+        """Take in *result* of the finding at the position *at*."""
+        terms = {**result.bindings, "value": result.value, THIS: result.focus}
+        self._results.append((at, terms))
+
+    def agreeing(self, row: Mapping[str, Term]) -> Sequence[int]:
+        """Return the positions of findings whose results have the values of *row*."""
+        if THIS not in row:
+            return ()
+        names = tuple(sorted(name for name in row if name not in (SUSPECT, THROUGH)))
+        if names not in self._tables:
+            table = self._tables[names] = {}
+            for at, terms in self._results:
+                table.setdefault(tuple(map(terms.get, names)), []).append(at)
+        return self._tables[names].get(tuple(row[name] for name in names), ())
 
 
 def _cause(at: int, finding: Finding, results: Sequence[Result], suspects: Suspects) -> int | None:

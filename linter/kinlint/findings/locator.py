@@ -223,8 +223,9 @@ class Locator:
         """Tell whether something that *constraint* matches may have been inferred."""
         if constraint not in self._judged:
             self._judged[constraint] = any(
-                self.store.infers(p if PLAIN.fullmatch(p) else None, o if is_iri(o) else None)
-                for _, p, o in (*constraint.premises, *constraint.targets)
+                self.store.infers(predicate, value if is_iri(value) else None)
+                for _, path, value in (*constraint.premises, *constraint.targets)
+                for predicate in _predicates(path)
             )
         return self._judged[constraint]
 
@@ -294,3 +295,8 @@ def _around(places: Sequence[Location]) -> Location:
     return replace(
         first, span=Span(min(each.start for each in spans), max(each.end for each in spans))
     )
+
+
+def _predicates(path: Term) -> Sequence[Term | None]:
+    """Return the predicates that *path* follows; None for any, such as of a variable."""
+    return [None] if "!" in path else PLAIN.findall(path) or [None]

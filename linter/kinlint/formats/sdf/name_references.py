@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.formats.sdf.scopes import WORLD, Scopes, SdfScope
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src
 from kinlint.formats.xml.references import NameUse, gap_of
 from kinlint.formats.xml.schema import TEXT
-from kinlint.suggestion import nearest
+from kinlint.suggestion import LOOKED_UP, nearest
 from kinlint.terms import Term, Triple, iri_value, literal, literal_value
 
 ENDS = ("parent", "child")
@@ -29,6 +29,8 @@ class References:
         Also whether names of the element belong to the scope of that one itself: those of an
         include.
         """
+        self._compared: dict[tuple[str, int], str | None] = {}
+        """What missing names are most like, by the name and the identity of a scope's names."""
         for owner in dict.fromkeys((*scopes.own, *scopes.enclosing)):
             self._take(owner, inside=owner not in scopes.enclosing)
         for model, include in scopes.included.items():
@@ -68,8 +70,18 @@ class References:
             if isinstance(target, SdfElement):
                 yield (each.element, each.reference.predicate, target.node), source
             elif target.certain and (name != WORLD or element.tag not in ENDS):
-                near = nearest(name, target.known)
+                near = self._nearest(name, target.known)
                 yield from ((gap, source) for gap in self._dangling(each, element, owner, near))
+
+    def _nearest(self, name: str, known: Mapping[str, SdfElement]) -> str | None:
+        """Return the name among those *known* in a scope that is most like *name*.
+
+        After many names, None.
+        """
+        key = name, id(known)
+        if key not in self._compared and len(self._compared) < LOOKED_UP:
+            self._compared[key] = nearest(name, known)
+        return self._compared.get(key)
 
     def _scope(self, owner: SdfElement, *, inside: bool) -> tuple[SdfScope, SdfElement]:
         """Return where a name is looked for that *owner* uses, and the element around it."""

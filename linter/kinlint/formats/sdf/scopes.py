@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -45,7 +45,7 @@ class UnknownName:
 
     certain: bool
     """True if no unread file may define it."""
-    known: tuple[str, ...] = ()
+    known: Mapping[str, SdfElement]
     """The names that are known instead."""
 
 
@@ -134,5 +134,5 @@ class Scopes:
             model = scope.names.get(first)
             if not separator or model is None or model.tag != "model":
                 certain = None not in scope.unread and first not in scope.unread
-                return UnknownName(certain, tuple(scope.names))
+                return UnknownName(certain, scope.names)
             name, scope, home = rest, self.own[model], model

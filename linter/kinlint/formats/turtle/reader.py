@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
@@ -15,8 +16,11 @@ from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.formats.turtle.format import TURTLE
 from kinlint.formats.turtle.turtle_parser import Grammar, Statement
 from kinlint.formats.turtle.turtle_tokens import Unread
-from kinlint.terms import RDF, Term, Triple, is_blank
+from kinlint.terms import RDF, Term, Triple, is_blank, is_literal, literal_value
 from kinlint.text import SourceText, Span
+
+WORD = re.compile(r"[^\s<>\"'#/:;,.()\[\]]+")
+"""A local name, or a word of a literal."""
 
 
 def read(source: SourceText, options: ReadOptions) -> Document:
@@ -73,12 +77,16 @@ def _shape(found: Iterable[tuple[Term, Term, Term]]) -> Counter[tuple[Term, ...]
 
 
 def _placed_by_line(truth: Sequence[Triple], source: SourceText) -> list[Statement]:
-    """Return the triples, placed at a line with the end of their value, or at the first."""
+    """Return the triples, placed at the first word of the text that their value ends with.
+
+    Those of other values are placed at the first line.
+    """
     first = Span(0, len(source.line(1)))
+    words = {match[0]: Span(*match.span()) for match in reversed([*WORD.finditer(source.text)])}
     statements = []
     for triple in truth:
-        word = triple[2].strip('<>"').rpartition("#")[2].rpartition("/")[2]
-        at = source.text.find(word) if word and not is_blank(triple[2]) else -1
-        span = Span(at, at + len(word)) if at >= 0 else first
+        value = literal_value(triple[2]) if is_literal(triple[2]) else triple[2]
+        ends = [] if is_blank(value) else WORD.findall(value)
+        span = words.get(ends[-1], first) if ends else first
         statements.append(Statement(*triple, (span, span, span)))
     return statements

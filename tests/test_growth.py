@@ -1,0 +1,84 @@
+"""Work that must not grow with the square of the size of a file, counted."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from benchmarks.growth.growing import Growing
+from benchmarks.growth.other_inputs import OTHERS
+from benchmarks.growth.urdf_inputs import URDF
+from support.linting import lint
+
+from kinlint.engine.store import Store
+from kinlint.facts import dangling_references
+from kinlint.formats.sdf import name_references
+from kinlint.suggestion import LOOKED_UP
+
+INPUTS = {each.title: each for each in (*URDF, *OTHERS)}
+
+
+@pytest.fixture
+def calls(monkeypatch):
+    """Count the calls of functions that are replaced by `counted`."""
+    found: Counter[str] = Counter()
+
+    def count(owner, name):
+        function = getattr(owner, name)
+
+        def counted(*arguments, **options):
+            found[name] += 1
+            return function(*arguments, **options)
+
+        monkeypatch.setattr(owner, name, counted)
+
+    found.of = count
+    return found
+
+
+def linted(given: Growing, count: int):
+    return lint(given.text(count), given.name)
+
+
+@pytest.mark.parametrize(
+    ("title", "owner"),
+    [
+        ("SDF: missing frames", name_references),
+        ("URDF: dangling references", dangling_references),
+    ],
+)
+def test_only_the_first_missing_names_are_compared_with_all_others(calls, title, owner):
+    """Each comparison takes time linear in the names that there are."""
+    calls.of(owner, "nearest")
+    report = linted(INPUTS[title], 2 * LOOKED_UP)
+
+    assert report.findings
+    assert 0 < calls["nearest"] <= LOOKED_UP
+
+
+@pytest.mark.parametrize("title", ["URDF: undefined materials", "URDF: malformed comments"])
+def test_findings_that_rest_on_what_is_written_need_no_query_each(calls, title):
+    """What they rest on is asked for only where something is inferred or computed."""
+    calls.of(Store, "rows")
+    linted(INPUTS[title], 10)
+    few = calls["rows"]
+    linted(INPUTS[title], 40)
+
+    assert calls["rows"] - few <= few + 30
+
+
+def test_a_pair_of_links_that_is_disabled_often_is_one_finding():
+    """Not one for each two of its entries."""
+    report = linted(INPUTS["SRDF: one pair disabled again"], 30)
+
+    assert [each.rule.code for each in report.findings].count("CMP030") == 1
+
+
+@pytest.mark.parametrize("title", INPUTS)
+def test_inputs_of_the_benchmark_are_read(title):
+    """All but the one whose point is that it cannot be."""
+    report = linted(INPUTS[title], 3)
+
+    codes = {each.rule.code for each in report.findings}
+    assert ("SRC019" in codes) == (title == "URDF: never ended")
+    assert not report.errors
