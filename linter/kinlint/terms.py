@@ -64,7 +64,9 @@ def iri_value(term: Term) -> str:
 
 
 def literal_value(term: Term) -> str:
-    """Return the lexical form of a literal token, unescaped."""
+    """Return the lexical form of a literal token, unescaped; nothing for any other term."""
+    if not is_literal(term):
+        return ""
     text = term[1 : term.rindex('"')]
     if "\\" not in text:
         return text
@@ -72,7 +74,9 @@ def literal_value(term: Term) -> str:
 
 
 def literal_datatype(term: Term) -> str:
-    """Return the datatype IRI of a literal token."""
+    """Return the datatype IRI of a literal token; nothing for any other term."""
+    if not is_literal(term):
+        return ""
     tail = term[term.rindex('"') + 1 :]
     if tail.startswith("^^"):
         return tail[3:-1]

@@ -22,6 +22,15 @@ KEPT = {
         b'"@type": "Joint' + b"t" * 30_000 + b'"}',
     ),
     "an infinite angle": ("sdf", POSE.format("0 0 0 inf 0 0").encode()),
+    "a malformed address to include": (
+        "sdf",
+        b'<sdf version="1.9"><world name="w"><include><uri>http://[x</uri></include></world></sdf>',
+    ),
+    "a malformed relative address": ("turtle", b"@base <http://x.example/> . <//[x> a <//[y> ."),
+    "a query that is no literal": (
+        "turtle",
+        b"@prefix sh: <http://www.w3.org/ns/shacl#> . <urn:x> sh:select <urn:y> , sh:Shape .",
+    ),
     "a huge angle": ("sdf", POSE.format("0 0 0 1e308 -1e308 1e400").encode()),
     "an angle that is no number": ("sdf", POSE.format("nan 0 0 nan 0 0").encode()),
 }

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import time
 from http.client import HTTPException
-from urllib.parse import urlsplit
 
 from kinlint.errors import UsageError
+from kinlint.uri_references import split_uri
 
 SECONDS = 20.0
 """Time that a download may take."""
@@ -16,7 +16,7 @@ ACCEPTED = "application/ld+json, application/json;q=0.9"
 
 def is_address(given: str) -> bool:
     """Tell whether *given* is the address of a page, and not the path of a file."""
-    return urlsplit(given).scheme.lower() in ("http", "https")
+    return split_uri(given).scheme.lower() in ("http", "https")
 
 
 def download(address: str, most: int) -> bytes:

@@ -6,12 +6,12 @@ import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from urllib.parse import urlsplit
 
 from kinlint.configuration.config_file import file_above, parse_config
 from kinlint.configuration.config_text import PROJECT
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathname import shown
+from kinlint.uri_references import split_uri
 
 KEY = "extra-contexts"
 DEFAULT, FOLDER = "kinlint.toml", "contexts"
@@ -54,7 +54,7 @@ class ContextEntry:
 
 def _by_address(iri: str) -> str:
     """Return a path without special characters for *iri*: its host and path."""
-    parts = urlsplit(iri)
+    parts = split_uri(iri)
     steps = [parts.netloc, *parts.path.split("/")]
     safe = [_UNSAFE.sub("-", step) for step in steps if step.strip(".")]
     return "/".join(safe) or "context.json"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -13,6 +14,11 @@ FOCUS = "$FOCUS"
 
 PLAIN = re.compile(r"<[^<>]*>")
 """The predicate of a premise that is an IRI, and neither a variable nor a path."""
+
+
+def predicates(path: Term) -> Sequence[Term | None]:
+    """Return the predicates that *path* follows; None for any, such as of a variable."""
+    return [None] if "!" in path else PLAIN.findall(path) or [None]
 
 
 @dataclass(frozen=True, slots=True)

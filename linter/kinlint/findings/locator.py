@@ -11,7 +11,7 @@ from typing import NamedTuple
 from kinlint.addresses import document_of
 from kinlint.document import FROM, Document, NodeSpans
 from kinlint.engine.axioms import Axiom
-from kinlint.engine.constraint import PLAIN, Constraint
+from kinlint.engine.constraint import Constraint, predicates
 from kinlint.engine.explanation import explain
 from kinlint.engine.provenance import Provenance, Trace
 from kinlint.engine.result import Result
@@ -225,7 +225,7 @@ class Locator:
             self._judged[constraint] = any(
                 self.store.infers(predicate, value if is_iri(value) else None)
                 for _, path, value in (*constraint.premises, *constraint.targets)
-                for predicate in _predicates(path)
+                for predicate in predicates(path)
             )
         return self._judged[constraint]
 
@@ -295,8 +295,3 @@ def _around(places: Sequence[Location]) -> Location:
     return replace(
         first, span=Span(min(each.start for each in spans), max(each.end for each in spans))
     )
-
-
-def _predicates(path: Term) -> Sequence[Term | None]:
-    """Return the predicates that *path* follows; None for any, such as of a variable."""
-    return [None] if "!" in path else PLAIN.findall(path) or [None]

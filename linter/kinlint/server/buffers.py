@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from lsprotocol.types import (
     TextDocumentContentChangePartial,
@@ -18,6 +18,7 @@ from kinlint.files.pathname import shown
 from kinlint.formats.recognition import with_text
 from kinlint.server.position_codec import MARK, PositionCodec
 from kinlint.text import SourceText
+from kinlint.uri_references import split_uri
 
 Change = TextDocumentContentChangePartial | TextDocumentContentChangeWholeDocument
 
@@ -111,7 +112,7 @@ class Buffers:
 
 def path_of(uri: str) -> Path:
     """The file of *uri*; of what is no file, such as a text without a name, one that is not."""
-    parts = urlsplit(uri)
+    parts = split_uri(uri)
     path = unquote(parts.path, errors="surrogateescape")
     if parts.scheme != "file":
         return absolute(path.strip("/").replace("/", "_") or "untitled")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
-from urllib.parse import urljoin
 
 from kinlint.terms import Term
+from kinlint.uri_references import resolve_uri
 
 _LEXICON = re.compile(
     r"""
@@ -98,10 +98,10 @@ def _prologue(found: Sequence[Token]) -> tuple[int, dict[str, str], str]:
     while at < len(found) and (word := found[at].text.upper()) in ("PREFIX", "BASE"):
         kinds = [each.kind for each in found[at + 1 : at + 3]]
         if word == "BASE" and kinds[:1] == ["iri"]:
-            base = urljoin(base, found[at + 1].text[1:-1])
+            base = resolve_uri(base, found[at + 1].text[1:-1])
             at += 2
         elif word == "PREFIX" and kinds == ["name", "iri"] and found[at + 1].text[-1] == ":":
-            known[found[at + 1].text[:-1]] = urljoin(base, found[at + 2].text[1:-1])
+            known[found[at + 1].text[:-1]] = resolve_uri(base, found[at + 2].text[1:-1])
             at += 3
         else:
             wanted = "an IRI" if word == "BASE" else "a prefix and an IRI"
@@ -129,7 +129,7 @@ def _full(found: Token, known: Mapping[str, str], base: str, at: int) -> str:
     if kind == "variable":
         return "?" + token[1:]
     if kind == "iri":
-        return f"<{urljoin(base, token[1:-1])}>" if base else token
+        return f"<{resolve_uri(base, token[1:-1])}>" if base else token
     if kind != "name":
         return token
     prefix, _, local = token.partition(":")

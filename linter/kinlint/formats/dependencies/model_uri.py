@@ -6,12 +6,13 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from kinlint.files.bounded_read import head
 from kinlint.files.environment import kind, listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
+from kinlint.uri_references import split_uri
 
 MANIFESTS = ("model.config", "manifest.xml")
 DEFAULT = "model.sdf"
@@ -35,7 +36,7 @@ def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | Miss
 
     The files of the chain include each other.
     """
-    scheme = urlsplit(uri).scheme if "://" in uri else ""
+    scheme = split_uri(uri).scheme if "://" in uri else ""
     if scheme not in LOCAL:
         return MissingModel("it is on the network")
     candidates = _candidates(uri, scheme, chain[-1].parent, packages)

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from kinlint.errors import SourceError
 from kinlint.files.bounded_read import Unreadable
@@ -23,6 +23,7 @@ from kinlint.formats.jsonld.context_resolver import Resolved, Resolver, absolute
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
+from kinlint.uri_references import split_uri
 
 LARGEST = 1 << 22
 MOST_FILES = 100
@@ -81,10 +82,7 @@ class LocalContexts:
         names = (reference, absolute_iri(reference, self.options.base))
         if any(self.options.contexts.document(each) is not None for each in names):
             return None
-        try:
-            parts = urlsplit(reference)
-        except ValueError:
-            return None
+        parts = split_uri(reference)
         if parts.scheme or parts.netloc or not parts.path:
             return None
         return absolute(near.parent / unquote(parts.path)).as_uri()
@@ -97,7 +95,7 @@ class LocalContexts:
         self.asked = True
         if iri not in self._known:
             try:
-                self._known[iri] = self._read(Path(unquote(urlsplit(iri).path)))
+                self._known[iri] = self._read(Path(unquote(split_uri(iri).path)))
             except (Unreadable, SourceError, ValueError) as error:
                 self._known[iri] = Unreadable(str(error))
         found = self._known[iri]

@@ -30,7 +30,7 @@ class References:
         include.
         """
         self._compared: dict[tuple[str, int], str | None] = {}
-        """What missing names are most like, by the name and the identity of a scope's names."""
+        """The most similar names of missing ones, by these and the identity of a scope's names."""
         for owner in dict.fromkeys((*scopes.own, *scopes.enclosing)):
             self._take(owner, inside=owner not in scopes.enclosing)
         for model, include in scopes.included.items():

@@ -9,13 +9,13 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
-from urllib.parse import urljoin
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.turtle.turtle_tokens import Token, Unread, tokens
 from kinlint.terms import RDF, RDF_TYPE, XSD, Term, iri, literal
 from kinlint.text import Span
+from kinlint.uri_references import resolve_uri
 
 FIRST, REST, NIL = iri(f"{RDF}first"), iri(f"{RDF}rest"), iri(f"{RDF}nil")
 
@@ -183,7 +183,9 @@ class Grammar:
         if token.kind != "iri":
             raise Unread(token.start)
         written = _unescaped(token.text[1:-1])
-        return written if re.match(r"[A-Za-z][\w+.-]*:", written) else urljoin(self.base, written)
+        return (
+            written if re.match(r"[A-Za-z][\w+.-]*:", written) else resolve_uri(self.base, written)
+        )
 
 
 def _unescaped(text: str) -> str:
