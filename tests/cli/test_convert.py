@@ -34,6 +34,7 @@ def test_to_standard_output(robot, capsys):
     said = json.loads(out)
     assert code == 0
     assert said["@context"][-1] == {"robot": "https://example.org/two%20parts#"}
+    assert said["@id"] == "robot:model"
     assert {"robot:link/a", "robot:joint/j", "robot:chain"} < {
         node["@id"] for node in said["@graph"]
     }
@@ -88,6 +89,86 @@ def test_namespace_that_is_none(robot, capsys, wrong):
 def test_formats(robot, capsys, arguments, beginning):
     assert convert(capsys, "robot.urdf", "-q", *arguments) == (0, "", "")
     assert (robot / arguments[1]).read_text(encoding="utf-8").startswith(beginning)
+
+
+@pytest.mark.parametrize("there", [True, False])
+@pytest.mark.parametrize(("name", "form"), [("parts", "jsonld"), ("parts.d/", "turtle")])
+def test_to_a_directory(robot, capsys, name, form, there):
+    if there:
+        (robot / name).mkdir()
+    arm = str(SAMPLES / "urdf" / "gripper.urdf")
+    assert convert(capsys, arm, "-o", name, "--to", form) == (0, "", "")
+    assert {path.stem for path in (robot / name).iterdir()} == {
+        *("skeleton", "spatial-relations", "coordinates", "kinematic-chain"),
+        *("dynamics", "actuation", "shapes"),
+    }
+    assert main([f"{name}/*", "--isolated", "--fail-on", "info"]) == 0
+    assert capsys.readouterr().out == "All checks passed!\n"
+
+
+def test_parts_are_the_whole(robot, capsys):
+    arm = str(SAMPLES / "urdf" / "six-axis.urdf")
+    whole = json.loads(convert(capsys, arm)[1])
+    convert(capsys, arm, "-o", "parts")
+    parts = [json.loads(path.read_text()) for path in sorted((robot / "parts").iterdir())]
+    assert [part["@id"] for part in parts] == [
+        "robot:" + path.stem for path in sorted((robot / "parts").iterdir())
+    ]
+    nodes = [node for part in parts for node in part["@graph"]]
+    assert len(nodes) == len(whole["@graph"])
+    assert all(node in whole["@graph"] for node in nodes)
+    contexts = {one for part in parts for one in part["@context"][:-1]}
+    assert contexts == set(whole["@context"][:-1])
+
+
+def test_a_directory_that_cannot_be_made(robot, capsys):
+    code, _, err = convert(capsys, "robot.urdf", "-o", "no/where/")
+    assert code == 2
+    assert "cannot make directory no/where" in err
+
+
+@pytest.mark.parametrize(
+    ("option", "key"),
+    [
+        ((), "direction-cosine-x"),
+        (("--rotation", "euler-angles"), "axes-sequence"),
+        (("--rotation", "quaternion"), "qw"),
+    ],
+)
+def test_rotation(robot, capsys, option, key):
+    text = ROBOT.replace("<child", '<origin xyz="1 0 0" rpy="0 0 0.5"/><child')
+    (robot / "robot.urdf").write_text(text, encoding="utf-8")
+    nodes = {
+        node["@id"]: node
+        for node in json.loads(convert(capsys, "robot.urdf", "-q", *option)[1])["@graph"]
+    }
+    assert key in nodes["robot:joint/j/pose/coordinates"]
+    assert nodes["robot:joint/j/pose/coordinates"]["x"] == 1.0
+
+
+MINIMAL = """<robot name="r"><link name="a"><inertial><origin xyz="0 0 0.1"/><mass value="2"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial><visual name="v">
+<origin xyz="0 0 0"/><geometry><mesh filename="package://p/v.stl"/></geometry></visual>
+<visual name="w"><origin xyz="0 1 0"/><geometry><sphere radius="1"/></geometry></visual></link>
+<link name="b"/><joint name="j" type="revolute"><parent link="a"/><child link="b"/>
+<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="2" velocity="3"/></joint></robot>"""
+
+
+def test_nothing_is_said_twice(robot, capsys):
+    (robot / "robot.urdf").write_text(MINIMAL, encoding="utf-8")
+    graph = json.loads(convert(capsys, "robot.urdf", "-q")[1])["@graph"]
+    nodes = {node["@id"].removeprefix("robot:"): node for node in graph}
+    assert nodes["link/a/visual/v"]["attached-to"] == "robot:link/a/frame"
+    assert "scale" not in nodes["link/a/visual/v"]
+    assert nodes["link/a/visual/w"]["attached-to"] == "robot:link/a/visual/w/frame"
+    assert nodes["joint/j"]["between-attachments"] == ["robot:link/a/frame", "robot:link/b/frame"]
+    assert nodes["joint/j"]["positive-direction"] == "robot:link/a/frame/z"
+    assert nodes["joint/j/common-axis"]["lines"] == ["robot:link/a/frame/z", "robot:link/b/frame/z"]
+    assert "vector-x" not in nodes["link/a/frame"]
+    assert set(nodes["link/a/inertia/coordinates"]["unit"]) == {"KiloGM", "M-KiloGM", "KiloGM-M2"}
+    assert nodes["link/a/centre-of-mass/position/coordinates"]["z"] == 0.1
+    assert (nodes["joint/j/force-limit"]["lower"], nodes["joint/j/force-limit"]["upper"]) == (-2, 2)
+    assert nodes["joint/j/velocity-limit"]["lower"] == -3
 
 
 def test_srdf_with_its_urdf(robot, capsys):

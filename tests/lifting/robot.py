@@ -151,8 +151,9 @@ class Robot:
     def has_kind(self, node: Term, kind: str) -> bool:
         return iri(kind) in self.out[node][RDF_TYPE]
 
-    def in_unit(self, node: Term, *names: str) -> None:
-        assert self.out[node][HAS_UNIT] == [iri(UNIT + name) for name in names], node
+    def in_unit(self, node: Term, name: str) -> None:
+        """Assert that one of the numbers of *node* is in the unit *name*."""
+        assert iri(UNIT + name) in self.out[node][HAS_UNIT], node
 
     @cached_property
     def bodies(self) -> dict[str, Term]:
@@ -185,14 +186,14 @@ class Robot:
             if self.has_kind(node, f"{COORD}VectorXYZ"):
                 self.in_unit(node, "M")
                 shifts.append(self._xyz(node))
-            else:
-                turns.append(self._turn(node))
+            if (turn := self._turn(node)) is not None:
+                turns.append(turn)
         return Motion(turns[0], *shifts) if turns and shifts else None
 
     def _xyz(self, node: Term) -> Vector:
         return vector(self.numbers(node, *(COORD + axis for axis in "xyz")))
 
-    def _turn(self, node: Term) -> Matrix:
+    def _turn(self, node: Term) -> Matrix | None:
         if self.has_kind(node, f"{KIN}EulerAngles"):
             self.in_unit(node, "RAD")
             assert self.has_kind(node, f"{KIN}Extrinsic")
@@ -202,6 +203,8 @@ class Robot:
             )
         if self.has_kind(node, f"{KIN}Quaternion"):
             return quaternion(*self.numbers(node, *(KIN + a for a in ("qx", "qy", "qz", "qw"))))
+        if not self.has_kind(node, f"{COORD}DirectionCosineXYZ"):
+            return None
         columns = [self.listed(node, f"{COORD}direction-cosine-{axis}") for axis in "xyz"]
         return transpose(matrix(columns))
 
@@ -218,12 +221,17 @@ class Robot:
         attached = self.values(node, f"{KC}between-attachments")
         if len(attached) != 2:
             return None
-        base, rider = attached if attached[0] in self.poses else reversed(attached)
+        base, rider = reversed(attached) if attached[1] in self.poses else attached
         directions = self.values(node, f"{KIN}positive-direction")
-        if directions and self.values(directions[0], f"{COORD}as-seen-by") == [rider]:
+        if directions and self._sees(rider, directions[0]):
             base, rider = rider, base
         axis = self._direction(directions[0], base) if directions else None
         return Joint(node, self.kinds(node), base, rider, axis)
+
+    def _sees(self, frame: Term, vector: Term) -> bool:
+        """Whether *vector* is of the basis of *frame*, or has its numbers by it."""
+        basis = (self.values(frame, f"{GEOM}vector-{axis}") for axis in "xyz")
+        return [vector] in basis or self.values(vector, f"{COORD}as-seen-by") == [frame]
 
     def _direction(self, vector: Term, frame: Term) -> Vector | None:
         """The components of *vector* seen by *frame*, of whose basis it may be."""
@@ -273,7 +281,7 @@ class Robot:
             turn = self.poses[seen_by][1].turn if seen_by in self.poses else IDENTITY
             tensor = self._tensor(tensors[0]) if tensors else (ZERO, ZERO, ZERO)
             own = Inertia(self.number(masses[0], f"{INERTIA}mass"), ZERO, tensor)
-            centre = centres[self.value(node, f"{BODY}about")]
+            centre = centres.get(self.value(node, f"{BODY}about"), ZERO)
             yield name(self.value(node, f"{BODY}of-body")), own.seen(Motion(turn, centre))
 
     def _tensor(self, node: Term) -> Matrix:
@@ -284,7 +292,7 @@ class Robot:
 
     @cached_property
     def _centres(self) -> Mapping[Term, Vector]:
-        """Where points are in their body: by a position, or as the origin of a frame."""
+        """Where points other than the origins of bodies are: by a position, or with a frame."""
         found = {}
         for relation in self.instances(f"{REL}Position"):
             for node in self.into[iri(f"{COORD}of-position")][relation]:

@@ -194,13 +194,13 @@ def add_reading_options(add: Callable[..., object]) -> None:
     add("--xacro-arg", metavar="NAME:=VALUE", **TEXTS, help="an argument for xacro files")
 
 
-def add_output_file(made: Parser) -> None:
-    """Add the option for the file that a command writes."""
+def add_output_file(made: Parser, metavar: str = "FILE", way: str = "write there") -> None:
+    """Add the option for the file that a command writes, in the *way* that its help tells."""
     made.add_argument(
         "-o",
         "--output-file",
         type=non_empty,
-        metavar="FILE",
+        metavar=metavar,
         default=STDOUT,
-        help="write there; -, the default, is standard output",
+        help=f"{way}; -, the default, is standard output",
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from argparse import ArgumentTypeError, Namespace
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from kinlint.cli import check_options as linting
@@ -14,6 +14,7 @@ from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
+from kinlint.conversion.rotations import ROTATIONS
 from kinlint.errors import UsageError
 from kinlint.formats import records
 from kinlint.project.discovery import Found, Search
@@ -22,12 +23,16 @@ from kinlint.project.layers import Layers
 WRITTEN = tuple(each for each in records.FORMATS if each.convertible)
 FORMATS = tuple(each.name for each in WRITTEN)
 SUFFIXES = {suffix: each.name for each in WRITTEN for suffix in each.suffixes}
+FIRST_SUFFIX = {each.name: each.suffixes[0] for each in WRITTEN}
+"""The end of the names of files of each format, where no name is given."""
 _NAMESPACE = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:[^\s<>\"{}|\\^`]*[#/:]")
 
 DESCRIPTION = """\
 Write a robot as composable JSON-LD: what its URDF, xacro or SDF says, and an SRDF given with it,
 with all frames, units and axes that the format leaves to its documentation. What has no place in
-the composable metamodels is told on standard error."""
+the composable metamodels is told on standard error. The output is a directory if it is one, or if
+its name ends with / or without a suffix; skeleton, spatial relations, coordinates, kinematic chain,
+dynamics, actuation and shapes are files of their own in it."""
 
 
 def parser() -> Parser:
@@ -37,12 +42,21 @@ def parser() -> Parser:
     )
     made.add_positionals("paths", "FILE", "the robot; several files are one model")
     add = made.add_argument
-    linting.add_output_file(made)
+    linting.add_output_file(
+        made, "FILE|DIR", "write there; into a directory, a file for each domain of the model"
+    )
     add(
         "--to",
         type=one_of(FORMATS),
         metavar="|".join(FORMATS),
         help="the format (default: by the end of the name of the output file, or jsonld)",
+    )
+    add(
+        "--rotation",
+        type=one_of(ROTATIONS),
+        metavar="|".join(ROTATIONS),
+        default=ROTATIONS[0],
+        help=f"how rotations are represented (default: {ROTATIONS[0]})",
     )
     add(
         "--namespace",
@@ -60,11 +74,15 @@ def run(arguments: Sequence[str]) -> int:
     options = parser().read(arguments)
     if not options.paths:
         raise UsageError("name the file of a robot to convert, or - for standard input")
-    form = options.to or SUFFIXES.get(Path(options.output_file).suffix.lower(), FORMATS[0])
+    output = options.output_file
+    form = options.to or SUFFIXES.get(Path(output).suffix.lower(), FORMATS[0])
     found, settings = _found(options)
-    _check(options.output_file, found)
+    if not found.inputs and not found.errors:
+        raise UsageError(f"no robot found in '{found.barren[0]}'")
+    _check([Path(output)] if output != STDOUT else [], found)
 
     from kinlint.conversion.composition import compose  # noqa: PLC0415
+    from kinlint.conversion.domain_files import split_by_domain  # noqa: PLC0415
     from kinlint.conversion.output import WRITERS  # noqa: PLC0415
     from kinlint.formats.dependencies.joined_documents import join_companions  # noqa: PLC0415
     from kinlint.formats.options import ReadOptions  # noqa: PLC0415
@@ -76,16 +94,44 @@ def run(arguments: Sequence[str]) -> int:
         raise error
     reading = ReadOptions.from_settings(settings)
     documents = join_companions([read(source, reading) for source in sources], settings.partner)
-    model = compose(documents, options.namespace)
-    text = WRITERS[form](model)
-    if options.output_file == STDOUT:
-        sys.stdout.write(text)
+    model = compose(documents, options.namespace, options.rotation)
+    write = WRITERS[form]
+    if output == STDOUT:
+        sys.stdout.write(write(model))
+    elif _is_directory(output):
+        parts = split_by_domain(model)
+        texts = {
+            Path(output, name + FIRST_SUFFIX[form]): write(part) for name, part in parts.items()
+        }
+        _check(texts, found)
+        _make_directory(Path(output))
+        _write(texts)
     else:
-        with replacing(Path(options.output_file)) as stream:
-            stream.write(text)
+        _write({Path(output): write(model)})
     if not options.quiet:
         sys.stderr.writelines(f"kinlint: left out: {loss}\n" for loss in model.losses)
     return 0
+
+
+def _is_directory(output: str) -> bool:
+    """Tell whether *output* names a directory, there or to be made."""
+    path = Path(output)
+    return path.is_dir() or (not path.exists() and (output.endswith("/") or not path.suffix))
+
+
+def _make_directory(path: Path) -> None:
+    """Make the directory at *path* if it is not there."""
+    try:
+        path.mkdir(exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"cannot make directory {path}: {error.strerror or error}") from None
+
+
+def _write(texts: Mapping[Path, str]) -> None:
+    """Write *texts* to their files."""
+    for path, text in texts.items():
+        with replacing(path) as stream:
+            stream.write(text)
 
 
 def _found(options: Namespace) -> tuple[Found, Settings]:
@@ -98,13 +144,12 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     return found, layers.settings(found.inputs)
 
 
-def _check(output: str, found: Found) -> None:
-    """Raise `UsageError` where nothing is to be read, or where it would be written over."""
-    if not found.inputs and not found.errors:
-        raise UsageError(f"no robot found in '{found.barren[0]}'")
+def _check(outputs: Iterable[Path], found: Found) -> None:
+    """Raise `UsageError` where one of *outputs* would take the place of what is read."""
     taken = {one.path.resolve() for one in found.inputs if one.path is not None}
-    if output != STDOUT and Path(output).resolve() in taken:
-        raise UsageError(f"-o: {output} is read in this run, and would be lost")
+    for path in outputs:
+        if path.resolve() in taken:
+            raise UsageError(f"-o: {path} is read in this run, and would be lost")
 
 
 def _namespace(text: str) -> str:

@@ -9,7 +9,9 @@ from urllib.parse import quote
 
 from kinlint.conversion.conversion_losses import Loss, conversion_losses
 from kinlint.conversion.expanded_nodes import Node, Order, Statements, absolute_iri, expanded_nodes
+from kinlint.conversion.graph_rewriting import rewritten
 from kinlint.conversion.published import contexts_for
+from kinlint.conversion.rotations import ROTATIONS
 from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
@@ -24,6 +26,9 @@ EXAMPLE = "https://example.org/"
 """Namespace of names for which none is given."""
 
 PREFIX = "robot"
+GRAPH = "model"
+"""Local name of the graph."""
+
 CONTAINS = tuple(f"<{each}" for each in ELEMENTS)
 """Prefixes of the properties that lead from an element to one within it."""
 NAME = iri(f"{ATTRIBUTE}name")
@@ -31,16 +36,31 @@ NAME = iri(f"{ATTRIBUTE}name")
 
 @dataclass(frozen=True)
 class Composition:
-    """A model as nodes of expanded JSON-LD, the contexts that say it, and what is not in it."""
+    """A model, or a part of one, as a named graph of nodes in expanded JSON-LD."""
 
+    name: str
+    """IRI of the graph."""
     nodes: Sequence[Node]
-    contexts: Sequence[str]
+    """Nodes in the order of the files that they come from."""
     namespaces: Mapping[str, str]
+    """Namespaces of the names of nodes, by prefix."""
     losses: Sequence[Loss]
+    """Losses of the conversion: parts of the files that the model does not have."""
+
+    @property
+    def contexts(self) -> tuple[str, ...]:
+        """The contexts that define the terms of the nodes."""
+        used: set[str] = set()
+        for node in self.nodes:
+            used.update(node["@type"])
+            used.update(key for key in node if key[0] != "@")
+        return contexts_for(used)
 
 
-def compose(documents: Sequence[Document], namespace: str | None = None) -> Composition:
-    """The model that *documents* describe together.
+def compose(
+    documents: Sequence[Document], namespace: str | None = None, rotation: str = ROTATIONS[0]
+) -> Composition:
+    """Return the model that *documents* describe together, rotations represented by *rotation*.
 
     Its names live under *namespace*, or under one for each robot. Raises `UsageError` where a
     document is none to be lifted, where nothing is, and where two things would have one name.
@@ -49,8 +69,8 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
     store = run_stages("lifting", Run(()), Inputs(documents))
-    lifted = list(store.lifted())
-    statements = Statements(lifted)
+    left_out = conversion_losses(documents, list(store.lifted()), Provenance(store))
+    statements = Statements(rewritten(store, rotation))
     if not statements.subjects:
         raise UsageError(f"{documents[0].source.name}: no links and joints, nothing to convert")
     names = {
@@ -59,8 +79,7 @@ def compose(documents: Sequence[Document], namespace: str | None = None) -> Comp
     }
     _distinct(statements, names)
     made = list(expanded_nodes(statements, Order(statements, documents), names))
-    left_out = conversion_losses(documents, lifted, Provenance(store))
-    return Composition(made, contexts_for(_terms(made)), _prefixes(names), left_out)
+    return Composition(f"{next(iter(names.values()))}{GRAPH}", made, _prefixes(names), left_out)
 
 
 def robot_name(document: Document) -> str:
@@ -86,15 +105,6 @@ def _distinct(statements: Statements, names: Mapping[str, str]) -> None:
         name = absolute_iri(subject, names)
         if taken.setdefault(name, subject) != subject:
             raise UsageError(f"two files both describe <{name}>: convert them one by one")
-
-
-def _terms(made: Sequence[Node]) -> set[str]:
-    """The properties and classes of nodes."""
-    found: set[str] = set()
-    for node in made:
-        found.update(node["@type"])
-        found.update(key for key in node if key[0] != "@")
-    return found
 
 
 def _prefixes(names: Mapping[str, str]) -> dict[str, str]:

@@ -24,12 +24,13 @@ from kinlint.terms import (
     literal_datatype,
     literal_value,
 )
-from kinlint.vocabulary import METAMODELS
+from kinlint.vocabulary import KIN, METAMODELS
 
 Node: TypeAlias = dict[str, Any]
 
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 GEOMETRY = f"{METAMODELS}geometry/structural-entities#"
+PARENT = iri(f"{KIN}parent-attachment")
 SIMPLICES = iri(f"{GEOMETRY}simplices")
 PARTS = tuple(iri(GEOMETRY + part) for part in ("origin", "vector-x", "vector-y", "vector-z"))
 CHAIN = f"{METAMODELS}kinematic-chain/structural-entities#"
@@ -53,11 +54,15 @@ class Statements:
     def __init__(self, triples: Iterable[Triple]) -> None:
         self.said: dict[Term, dict[Term, list[Term]]] = {}
         self.origins: dict[Term, list[Term]] = {}
+        self.parents: dict[Term, Term] = {}
+        """The attachment of each joint on its parent."""
         known = published_terms()
         for s, p, o in triples:
             if p == FROM:
                 self.origins.setdefault(s, []).append(o)
                 continue
+            if p == PARENT:
+                self.parents[s] = o
             term = o if p == RDF_TYPE else p
             if is_blank(s) or iri_value(term) in known:
                 self.said.setdefault(s, {}).setdefault(p, []).append(o)
@@ -122,13 +127,16 @@ class Order:
         return place, _natural(owner), _natural(node)
 
     def values(self, node: Term, values: Iterable[Term]) -> list[Term]:
-        """The *values* of a property of *node*: its own parts first."""
+        """Return the *values* of a property of *node*: its own parts first, then the parent's."""
         last = len(self.ranks)
         own = self.owner(node)
-        return sorted(
-            values,
-            key=lambda each: (self.owner(each) != own, self.ranks.get(each, last), each),
-        )
+        parent = self.statements.parents.get(own, own)[:-1]
+
+        def key(each: Term) -> tuple[bool, bool, int, Term]:
+            foreign = self.owner(each) != own
+            return foreign, not each.startswith(parent), self.ranks.get(each, last), each
+
+        return sorted(values, key=key)
 
 
 def _above(node: Term) -> Iterator[Term]:

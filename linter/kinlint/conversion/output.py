@@ -22,7 +22,8 @@ def jsonld(model: Composition) -> str:
     context: list[str | Mapping[str, str]] = [*model.contexts, dict(model.namespaces)]
     compact = {node["@id"]: node for node in framed(model.nodes, context, Contexts.bundled())}
     graph = [_arranged(compact[_compact(node["@id"], model.namespaces)]) for node in model.nodes]
-    return format_json({"@context": context, "@graph": graph}) + "\n"
+    named = {"@context": context, "@id": _compact(model.name, model.namespaces), "@graph": graph}
+    return format_json(named) + "\n"
 
 
 def _compact(iri: str, namespaces: Mapping[str, str]) -> str:
