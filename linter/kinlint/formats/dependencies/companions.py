@@ -11,12 +11,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
+from typing import NamedTuple
 
 from kinlint.configuration.settings import Settings
 from kinlint.errors import ConfigError, SourceError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import missing, real, shown
 from kinlint.formats.decoding import decode
+from kinlint.formats.dependencies.robot_collection import Robots, shared_directories
 from kinlint.formats.dependencies.robot_descriptions import Description, describe, may_be_srdf
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
@@ -62,6 +64,15 @@ def paired_among(
     return {name: pairing for name, pairing in found.items() if pairing is not None}
 
 
+class _Package(NamedTuple):
+    """The robots of a package."""
+
+    robots: Robots
+    """Those that are known."""
+    unknown: Robots
+    """Those that lie there and depend on arguments."""
+
+
 class _Shelf:
     """The robots of a run, and those in the directories near an SRDF.
 
@@ -76,6 +87,9 @@ class _Shelf:
         self.overlay = overlay
         self.borrowed: dict[Path, SourceText] = {}
         self._read: dict[Path, Description | None] = {each.path: each for each in self.given}
+        self._given = Robots(self.given)
+        self._named = Robots([each for each in self.given if each.source.named])
+        self._packages: dict[tuple[Path, bool], _Package] = {}
 
     def paired(self, source: SourceText, configured: Callable[[str], str | None]) -> SourceText:
         """Return *source* with its pairing, if it is an SRDF."""
@@ -89,8 +103,8 @@ class _Shelf:
         chosen, others, reason = self._choice(srdf)
         if not chosen:
             return source if self.overlay is None else replace(source, pairing=NONE)
-        known = frozenset[str]().union(*(each.names for each in others)) - chosen[0].names
-        if chosen[0].path not in {each.path for each in self.given}:
+        known = frozenset[str]().union(*{each.names for each in others}) - chosen[0].names
+        if chosen[0] not in self._given:
             self.borrowed[chosen[0].path] = chosen[0].source
         return replace(
             source,
@@ -107,39 +121,49 @@ class _Shelf:
         self, srdf: Description
     ) -> tuple[Sequence[Description], Sequence[Description], str]:
         """Return the URDF of *srdf*, others of its name, and the reason; several are a doubt."""
-        named = [each for each in self.given if each.source.named and srdf.source.named]
-        alone = named if len(named) == 1 else []
+        named = self._named if srdf.source.named else Robots(())
+        alone = named.every if len(named.every) == 1 else ()
         together = _of_stem(srdf, named) or [each for each in alone if _speaks_of(srdf, each)]
         if together:
-            others = [] if alone else _of_name(srdf, named)
+            others = () if alone else named.of_name(srdf)
             return together, _namesakes(srdf, together[0], others), TOGETHER
-        package = [*self._in_package(srdf)]
-        unknown = [each for each in package if each.varies and each not in self.given]
-        package = [each for each in package if each not in unknown]
-        if _of_stem(srdf, unknown) and not _of_stem(srdf, package):
-            return [], [], ""
-        known = _of_name(srdf, package)
+        package = self._package(srdf)
+        unknown = package.unknown.every
+        if _of_stem(srdf, package.unknown) and not _of_stem(srdf, package.robots):
+            return (), (), ""
+        known = package.robots.of_name(srdf)
         for found, reason in (
-            (_of_stem(srdf, package), "its file has the same name"),
-            ([] if unknown else _only(srdf, package), "it is the only one of its package"),
+            (_of_stem(srdf, package.robots), "its file has the same name"),
+            (() if unknown else _only(srdf, package.robots), "it is the only one of its package"),
         ):
             if found:
                 return found, _namesakes(srdf, found[0], known), reason
-        found = _of_name(srdf, named) or known
-        found = found or _of_name(srdf, self.given) or _of_name(srdf, self._in_others(srdf))
+        found = named.of_name(srdf) or known or self._given.of_name(srdf)
+        found = found or Robots([*self._in_others(srdf)]).of_name(srdf)
         if not found and alone:
-            return alone, [], TOGETHER
-        found.sort(key=lambda urdf: (-urdf.share_defined(srdf.names), str(urdf.path)))
-        return found, found[1:], "it describes the robot of that name"
+            return alone, (), TOGETHER
+        by_share = sorted(found, key=lambda urdf: (-urdf.share_defined(srdf.names), str(urdf.path)))
+        return by_share, by_share[1:], "it describes the robot of that name"
+
+    def _package(self, srdf: Description) -> _Package:
+        """Return the robots of the package of *srdf*."""
+        home = srdf.path.parent, srdf.source.name[:1] == "<"
+        found = self._packages.get(home)
+        if found is None:
+            every = [*self._in_package(srdf)]
+            unknown = [each for each in every if each.varies and each not in self._given]
+            known = [each for each in every if each not in unknown]
+            found = self._packages[home] = _Package(Robots(known), Robots(unknown))
+        return found
 
     def _in_package(self, srdf: Description) -> Iterator[Description]:
         """Yield the robots of the package of *srdf*: those given, and those that lie there."""
-        folders = [absolute(srdf.path.parent / folder) for folder in FOLDERS]
-        given = [each for each in self.given if each.path.parent in folders]
-        yield from given
+        folders = dict.fromkeys(absolute(srdf.path.parent / folder) for folder in FOLDERS)
+        given = Robots([each for each in self.given if each.path.parent in folders])
+        yield from given.every
         if self.overlay is None or srdf.source.name[:1] == "<":
             return
-        for folder in dict.fromkeys(folders):
+        for folder in folders:
             for pattern in PATTERNS:
                 yield from self._described(sorted(folder.glob(pattern)), given)
 
@@ -151,12 +175,10 @@ class _Shelf:
             return
         ways = (f"{folder}/{pattern}" for folder in NEIGHBOURS for pattern in PATTERNS)
         files = [path for way in ways for path in sorted(home.parent.glob(way))]
-        found = self._described(files[:MOST_FILES], ())
+        found = self._described(files[:MOST_FILES], Robots(()))
         yield from (each for each in found if not each.varies)
 
-    def _described(
-        self, paths: Iterable[Path], known: Sequence[Description]
-    ) -> Iterator[Description]:
+    def _described(self, paths: Iterable[Path], known: Robots) -> Iterator[Description]:
         """Yield what the files at *paths* describe; not those *known*."""
         for path in paths:
             if path not in self._read:
@@ -181,24 +203,17 @@ class _Shelf:
         return Pairing(name, "it is configured")
 
 
-def _of_stem(srdf: Description, urdfs: Sequence[Description]) -> list[Description]:
+def _of_stem(srdf: Description, urdfs: Robots) -> list[Description]:
     """Return the one of *urdfs* whose file is called like that of *srdf*; rather no xacro."""
-    found = [each for each in urdfs if each.stem == srdf.stem]
-    return sorted(found, key=lambda urdf: (urdf.generated, -_common(srdf, urdf)))[:1]
+    found = urdfs.by_stem.get(srdf.stem, ())
+    return sorted(found, key=lambda urdf: (urdf.generated, -shared_directories(srdf, urdf)))[:1]
 
 
-def _only(srdf: Description, urdfs: Sequence[Description]) -> list[Description]:
+def _only(srdf: Description, urdfs: Robots) -> Sequence[Description]:
     """Return the only one of *urdfs*, if it may be of the robot of *srdf*."""
-    plain = [each for each in urdfs if not each.generated] or list(urdfs)
+    plain = urdfs.plain or urdfs.every
     fits = len(plain) == 1 and (plain[0].robot == srdf.robot or srdf.resembles(plain[0]))
-    return plain if fits else []
-
-
-def _of_name(srdf: Description, urdfs: Iterable[Description]) -> list[Description]:
-    """Return those of *urdfs* that have the robot's name and most of its parts, no text twice."""
-    found = [each for each in urdfs if each.robot == srdf.robot and srdf.resembles(each)]
-    found.sort(key=lambda urdf: -_common(srdf, urdf))
-    return list({each.source.text: each for each in reversed(found)}.values())
+    return plain if fits else ()
 
 
 def _speaks_of(srdf: Description, urdf: Description) -> bool:
@@ -212,17 +227,6 @@ def _namesakes(
 ) -> list[Description]:
     """Return the others of *urdfs* if *chosen* has the name of the robot, as they do."""
     return [each for each in urdfs if each is not chosen and chosen.robot == srdf.robot]
-
-
-def _common(srdf: Description, urdf: Description) -> int:
-    """Return the number of directories that the files of both are in."""
-    steps = zip(srdf.path.parts, urdf.path.parts, strict=False)
-    count = 0
-    for one, other in steps:
-        if one != other:
-            break
-        count += 1
-    return count
 
 
 def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:

@@ -48,6 +48,15 @@ def group_sources(
     if len(forms) > 1 and any("$" in name for each in tied for name in each.robots):
         yield list(sources)
         return
+    groups = _joined(sources, tied)
+    found: dict[int, list[SourceText]] = {}
+    for index, source in enumerate(sources):
+        found.setdefault(groups.first(index), []).append(source)
+    yield from found.values()
+
+
+def _joined(sources: Sequence[SourceText], tied: Sequence[JoinKeys]) -> _Groups:
+    """Return the groups of *sources* by the names of robots and included files in *tied*."""
     groups = _Groups(len(sources))
     robots: dict[str, int] = {}
     users: dict[str, int] = {}
@@ -57,16 +66,14 @@ def group_sources(
             groups.join(index, robots.setdefault(name, index))
         for part in PurePath(source.name).parts[-3:]:
             files.setdefault(part, []).append(index)
-    mixed = [index for index, each in enumerate(tied) if each.format and each.format.expands_to]
     for index, each in enumerate(tied):
         for meant in each.included:
             groups.join(index, users.setdefault(meant, index))
-            for other in mixed if is_pattern(meant) else files.get(meant, ()):
-                groups.join(index, other)
-    found: dict[int, list[SourceText]] = {}
-    for index, source in enumerate(sources):
-        found.setdefault(groups.first(index), []).append(source)
-    yield from found.values()
+    mixed = [index for index, each in enumerate(tied) if each.format and each.format.expands_to]
+    for meant, index in users.items():
+        for other in mixed if is_pattern(meant) else files.get(meant, ()):
+            groups.join(index, other)
+    return groups
 
 
 class _Groups:
