@@ -68,9 +68,9 @@ class _Package(NamedTuple):
     """The robots of a package."""
 
     robots: Robots
-    """Those that are known."""
+    """The robots that are known."""
     unknown: Robots
-    """Those that lie there and depend on arguments."""
+    """The robots that lie there and depend on arguments."""
 
 
 class _Shelf:

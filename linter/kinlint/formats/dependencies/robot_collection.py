@@ -25,12 +25,12 @@ class Robots:
 
     @cached_property
     def plain(self) -> Sequence[Description]:
-        """Those that are no xacro."""
+        """The robots that are no xacro."""
         return [each for each in self.every if not each.generated]
 
     @cached_property
     def by_stem(self) -> dict[str, list[Description]]:
-        """Those of each stem."""
+        """The robots of each stem."""
         found: dict[str, list[Description]] = {}
         for each in self.every:
             found.setdefault(each.stem, []).append(each)
