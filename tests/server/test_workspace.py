@@ -277,3 +277,23 @@ async def test_the_server_ends_with_its_client(tmp_path, rules_cache):
     await child.wait()
 
     assert await asyncio.wait_for(client._server.wait(), 30) == 1
+
+
+async def test_a_part_in_turtle_is_read(editor):
+    """Turtle in the folder, open or not, may describe what a model only names."""
+    model = """{"@context": ["https://w3id.org/kinlint/composable.json", {"arm": "https://example.org/arm#"}],
+"@graph": [{"@id": "arm:tip", "@type": ["3D", "Frame"], "origin": "arm:tip-origin"},
+{"@id": "arm:lid", "@type": ["3D", "Point"]}]}"""
+    part = """@prefix arm: <https://example.org/arm#> .
+@prefix geom: <https://comp-rob2b.github.io/metamodels/geometry/structural-entities#> .
+arm:tip-origin a geom:3D, geom:Point .
+"""
+    editor.write("model.jsonld", model)
+    editor.write("part.ttl", part)
+    editor.open("model.jsonld")
+    assert "LD006" not in await editor.codes("model.jsonld")
+
+    editor.replace("model.jsonld", '"arm:tip-origin"', '"arm:tip-orgin"')
+    assert "LD006" in await editor.codes("model.jsonld", lambda codes: "LD006" in codes)
+    editor.replace("model.jsonld", '"arm:tip-orgin"', '"arm:tip-origin"')
+    assert "LD006" not in await editor.codes("model.jsonld", lambda codes: "LD006" not in codes)

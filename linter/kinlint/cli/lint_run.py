@@ -7,6 +7,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -86,9 +87,12 @@ class LintRun:
             inputs = self.found.inputs if bar is None else bar.reading(self.found.inputs)
             sources, errors = read_models(inputs, self.settings, self._passed)
             if self.found.turtle:
-                from kinlint.project.turtle_parts import turtle_parts  # noqa: PLC0415
+                from kinlint.formats.options import ReadOptions  # noqa: PLC0415
+                from kinlint.project.turtle_parts import TurtleParts, turtle_texts  # noqa: PLC0415
 
-                sources += turtle_parts(sources, self.found.turtle)
+                texts = list(turtle_texts(self.found.turtle))
+                reading = partial(ReadOptions.from_settings, self.settings)
+                sources += TurtleParts().find(sources, texts, reading)
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.settings import Settings
+from kinlint.files.pathname import shown
 from kinlint.finding import Finding
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Found, Input, may_be_jsonld
@@ -45,7 +46,10 @@ def merge_with_project(given: Found, project: Found) -> Found:
             errors.append(error)
             asides.add(error.name)
     inputs += [one for one in meant.values() if not _passed_over(one)]
-    return Found(inputs, errors, given.barren, asides=frozenset(asides))
+    named = {_identity(one) for one in given.inputs}
+    turtle = [path for path in project.turtle if os.path.realpath(path) not in named]
+    asides.update(map(shown, turtle))
+    return Found(inputs, errors, given.barren, turtle, frozenset(asides))
 
 
 def affecting_sources(

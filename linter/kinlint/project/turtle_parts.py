@@ -1,67 +1,127 @@
 """Finds Turtle files that are parts of a model: they describe names that it uses and does not.
 
-Turtle is as often shapes or vocabularies, so searches pass it over. This is decided from the texts,
-without expanding the models.
+Turtle is as often shapes or vocabularies, so searches pass it over.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
+from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.pathname import shown
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.records import BY_NAME
 from kinlint.formats.registry import decode, read
-from kinlint.terms import iri_value, is_iri
+from kinlint.terms import RDF_TYPE, Term, iri_value, is_iri
 from kinlint.text import SourceText
-from kinlint.vocabulary import KINLINT, METAMODELS, SH
+from kinlint.vocabulary import DOCUMENT_BASE, KINLINT, METAMODELS, SH, SRC
 
-_PREFIX = re.compile(r'"([\w.-]+)"\s*:\s*"([a-z][a-z0-9+.-]*:[^"\s]*[#/:])"')
-_IDENTIFIER = re.compile(r'"(?:@id|id)"\s*:\s*"([^"]+)"')
-_WORD = re.compile(r'"([\w.-]+:[^"\s/][^"\s]*)"')
-
-
-def turtle_parts(sources: Sequence[SourceText], passed_over: Iterable[Path]) -> list[SourceText]:
-    """Return those of the Turtle files *passed_over* that describe what *sources* only name."""
-    models = [each for each in sources if each.format == BY_NAME["jsonld"]]
-    missing = _missing(models) if models else frozenset()
-    if not missing:
-        return []
-    return [text for path in passed_over for text in _part(path, missing)]
+_VOCABULARIES = (DOCUMENT_BASE, METAMODELS, KINLINT, "http://qudt.org/", "http://www.w3.org/")
+_WORD = re.compile(r"[^\s\"'<>#/:,;]+")
+"""A word that may be a part of an IRI or of a prefixed name."""
 
 
-def _missing(models: Sequence[SourceText]) -> frozenset[str]:
-    """Return the IRIs of the own namespaces of *models* that these name and do not describe."""
-    named: set[str] = set()
-    described: set[str] = set()
-    for model in models:
-        prefixes = dict(_PREFIX.findall(model.text))
-        named.update(_expanded(_WORD.findall(model.text), prefixes))
-        described.update(_expanded(_IDENTIFIER.findall(model.text), prefixes))
-    return frozenset(
-        each for each in named - described if not each.startswith((METAMODELS, KINLINT))
-    )
+def turtle_texts(paths: Iterable[Path]) -> Iterator[SourceText]:
+    """Yield the texts of the Turtle files at *paths*, but for those that cannot be decoded."""
+    for path in paths:
+        try:
+            yield decode(shown(path), contents(path, path))
+        except (Unreadable, SourceError):
+            continue
 
 
-def _expanded(words: Iterable[str], prefixes: Mapping[str, str]) -> Iterator[str]:
-    for word in words:
-        prefix, _, name = word.partition(":")
-        if prefix in prefixes:
-            yield prefixes[prefix] + name
+class TurtleParts:
+    """Finder of parts, which decides anew where the words that matter have changed."""
+
+    def __init__(self) -> None:
+        self._read: dict[str, tuple[SourceText, Document | None]] = {}
+        self._verdict: tuple[object, frozenset[str]] = (None, frozenset())
+
+    def find(
+        self,
+        sources: Sequence[SourceText],
+        candidates: Iterable[SourceText],
+        options: Callable[[], ReadOptions],
+    ) -> list[SourceText]:
+        """Return those of the Turtle *candidates* that describe what *sources* only name.
+
+        What parts name themselves counts, too. One that has such a name and cannot be parsed is
+        among them, so that its reader tells the fault. *options* are those to read *sources* with.
+        """
+        models = [each for each in sources if each.format and not each.format.is_tree]
+        given = {each.name for each in sources}
+        turtle = [each for each in candidates if each.name not in given and SH not in each.text]
+        if not models or not turtle:
+            return []
+        own = {word for each in turtle for word in self._words(each)}
+        words = Counter(word for each in models for word in _WORD.findall(each.text) if word in own)
+        if not words:
+            return []
+        texts = tuple(each.text for each in turtle)
+        state = frozenset(words.items()), texts, tuple(each.name for each in models)
+        if state != self._verdict[0]:
+            self._verdict = state, frozenset(self._parts(models, turtle, options()))
+        return [each for each in turtle if each.name in self._verdict[1]]
+
+    def _parts(
+        self, models: Sequence[SourceText], turtle: Sequence[SourceText], options: ReadOptions
+    ) -> Iterator[str]:
+        """Yield the names of the parts among *turtle*."""
+        documents = [found for each in models if (found := _document(each, options)) is not None]
+        described = {node for each in documents for node in each.map.nodes}
+        missing = {name for each in documents for name in _named(each)} - described
+        waiting = {each.name: self._document(each) for each in turtle}
+        broken = [each for each in turtle if waiting[each.name] is None]
+        ends = {_end(name) for name in missing}
+        for each in broken:
+            del waiting[each.name]
+            if not ends.isdisjoint(_WORD.findall(each.text)):
+                yield each.name
+        while found := {
+            name: document
+            for name, document in waiting.items()
+            if document is not None and not missing.isdisjoint(document.map.nodes)
+        }:
+            yield from found
+            described.update(node for each in found.values() for node in each.map.nodes)
+            missing.update(name for each in found.values() for name in _named(each))
+            missing -= described
+            waiting = {name: each for name, each in waiting.items() if name not in found}
+
+    def _words(self, source: SourceText) -> Iterable[str]:
+        """Return the words of the names that *source* describes, or all of a broken one."""
+        document = self._document(source)
+        return _WORD.findall(source.text if document is None else " ".join(document.map.nodes))
+
+    def _document(self, source: SourceText) -> Document | None:
+        known = self._read.get(source.name)
+        if known is None or known[0] is not source:
+            known = source, _document(source, ReadOptions())
+            self._read[source.name] = known
+        return known[1]
 
 
-def _part(path: Path, missing: frozenset[str]) -> Iterator[SourceText]:
-    """Yield the text of the Turtle file at *path* if it describes something *missing*."""
+def _document(source: SourceText, options: ReadOptions) -> Document | None:
+    """Return *source* as it is read; None if it cannot be."""
     try:
-        source = decode(shown(path), contents(path, path))
-        if SH in source.text:
-            return
-        document = read(source, ReadOptions())
-    except (Unreadable, SourceError):
-        return
-    if any(is_iri(node) and iri_value(node) in missing for node in document.map.nodes):
-        yield source
+        return read(source, options)
+    except SourceError:
+        return None
+
+
+def _named(document: Document) -> Iterator[Term]:
+    """Yield what *document* refers to, but for terms of known vocabularies."""
+    for _, predicate, value in document.statements:
+        known = not is_iri(value) or iri_value(value).startswith(_VOCABULARIES)
+        if not known and predicate != RDF_TYPE and not predicate.startswith(f"<{SRC}"):
+            yield value
+
+
+def _end(node: Term) -> str:
+    """Return the last word of the IRI *node*."""
+    words = _WORD.findall(node)
+    return words[-1] if words else ""

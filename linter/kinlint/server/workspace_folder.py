@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinlint.configuration.project_trust import untrusted_message
@@ -12,11 +13,13 @@ from kinlint.errors import SourceError
 from kinlint.files.pathname import shown
 from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.dependencies.file_groups import JoinKeys, group_sources, join_keys
+from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import JSON
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
 from kinlint.project.model_detection import is_model
 from kinlint.project.reading import own_contexts
+from kinlint.project.turtle_parts import TurtleParts
 from kinlint.server.document_store import DocumentStore
 from kinlint.server.frozen_state import FrozenState
 from kinlint.text import SourceText
@@ -60,10 +63,17 @@ class WorkspaceFolder:
         self._own_contexts: dict[Path, Sequence[str]] = {}
         self._tied: dict[str, tuple[SourceText, JoinKeys]] = {}
         self._found: list[Input] = []
+        self._turtle: list[Input] = []
+        self._parts = TurtleParts()
         if not loose:
             found = Search(self._layers.exclusions).find([str(directory)])
             self._found = [
                 one for one in found.inputs if one.path and self._own(one.path, snapshot)
+            ]
+            self._turtle = [
+                Input(shown(path), path, named=False)
+                for path in found.turtle
+                if self._own(path, snapshot)
             ]
 
     def _own(self, path: Path, snapshot: FrozenState) -> bool:
@@ -95,12 +105,31 @@ class WorkspaceFolder:
                 continue
             if self._is_model(one, source):
                 sources.append(source)
+        if self._turtle and sources:
+            given.update((one.name, one) for one in self._turtle)
+            sources += self._turtle_parts(sources, documents)
         for group in group_sources(sources, self._ties) if sources else ():
             inputs = [given[source.name] for source in group]
             settings = self._of(inputs)
             paired = pair(group, settings, documents.overlay)
             own, more = paired[: len(group)], paired[len(group) :]
             yield Model(_paths(inputs), tuple(own), settings, tuple(more))
+
+    def _turtle_parts(
+        self, sources: Sequence[SourceText], documents: DocumentStore
+    ) -> Sequence[SourceText]:
+        """Return the Turtle files that describe what *sources* only name."""
+
+        def options() -> ReadOptions:
+            return replace(
+                ReadOptions.from_settings(self._of(self._found)), overlay=documents.overlay
+            )
+
+        texts = list[SourceText]()
+        for one in self._turtle:
+            with suppress(SourceError):
+                texts.append(documents.text(one))
+        return self._parts.find(sources, texts, options)
 
     def untrusted(self) -> list[str]:
         """Return the messages about configurations of which a part does not count."""
