@@ -81,16 +81,16 @@ class TurtleParts:
             del waiting[each.name]
             if not ends.isdisjoint(_WORD.findall(each.text)):
                 yield each.name
-        while found := {
+        while parts := {
             name: document
             for name, document in waiting.items()
             if document is not None and not missing.isdisjoint(document.map.nodes)
         }:
-            yield from found
-            described.update(node for each in found.values() for node in each.map.nodes)
-            missing.update(name for each in found.values() for name in _named(each))
+            yield from parts
+            described.update(node for each in parts.values() for node in each.map.nodes)
+            missing.update(name for each in parts.values() for name in _named(each))
             missing -= described
-            waiting = {name: each for name, each in waiting.items() if name not in found}
+            waiting = {name: each for name, each in waiting.items() if name not in parts}
 
     def _words(self, source: SourceText) -> Iterable[str]:
         """Return the words of the names that *source* describes, or all of a broken one."""
