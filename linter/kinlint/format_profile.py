@@ -25,8 +25,11 @@ class Symptom:
     """A symptom of an anti-pattern, such as AP1.1, what it is, and which properties show it."""
 
     number: str
+    """Number, such as `AP1.1`."""
     title: str
+    """Description in a few words."""
     shown_by: frozenset[Term]
+    """Properties that show it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +47,9 @@ class Shown:
     """A symptom in a document, with how many there are of each element or attribute showing it."""
 
     symptom: Symptom
+    """The symptom."""
     counts: tuple[tuple[str, int], ...]
+    """Names of elements and attributes that show it, with their numbers."""
 
 
 @cache

@@ -15,14 +15,18 @@ class Span(NamedTuple):
     """A half-open range of code points of a text: the only coordinate inside kinlint."""
 
     start: int
+    """Offset of the first code point."""
     end: int
+    """Offset behind the last code point."""
 
 
 class Position(NamedTuple):
     """A line and a column as people count them: from one, columns in code points."""
 
     line: int
+    """Line, from one."""
     column: int
+    """Column in code points, from one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +112,9 @@ class Location:
     """A span of a source; `start` and `end` are for those who print."""
 
     source: SourceText
+    """Text of the file."""
     span: Span
+    """Place in it."""
 
     @property
     def start(self) -> Position:

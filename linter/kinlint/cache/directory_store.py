@@ -26,9 +26,10 @@ ABANDONED = 3600.0
 
 @dataclass(frozen=True)
 class DirectoryStore:
-    """The texts in `folder`, which need not be there."""
+    """Texts that are kept in a directory."""
 
     folder: Path
+    """Directory of the texts; it is made with the first of them."""
 
     def get(self, key: str) -> str | None:
         """The text of *key* as it was put, if it is there and ours; it counts as new again."""

@@ -16,8 +16,11 @@ class Cleared:
     """Number of reports and compiled catalogues removed, and their size in bytes."""
 
     reports: int = 0
+    """Number of reports removed."""
     catalogues: int = 0
+    """Number of compiled catalogues removed."""
     size: int = 0
+    """Size of all of them in bytes."""
 
 
 def clear(directory: Path) -> Cleared:

@@ -21,7 +21,9 @@ class AskedFact(NamedTuple):
     """A fact that a rule file names."""
 
     name: str
+    """Name of the fact, without its prefix."""
     line: int
+    """Line in the rule file, counted from one."""
     for_repairs: bool
     """The fact stands in a repair, for which more facts are computed."""
 

@@ -40,11 +40,17 @@ class Outputs:
     copies: tuple[tuple[str, Path], ...] = ()
     """Further formats, each with its file."""
     color: When = "auto"
+    """Choice of when reports are coloured."""
     statistics: bool = False
+    """True if numbers of findings by rule are printed."""
     quiet: bool = False
+    """True if there is no summary."""
     silent: bool = False
+    """True if nothing is printed but errors."""
     verbose: bool = False
+    """True if the run is described, too."""
     show_fixes: bool = False
+    """True if the fixes that were made are listed."""
     only_fixes: bool = False
     """True if what was not fixed is omitted."""
     would: bool = False

@@ -23,7 +23,9 @@ class ConfigText:
     """The table of kinlint in a configuration file, and the whole text of the file."""
 
     values: Mapping[str, Any]
+    """Contents of the table of kinlint."""
     source: SourceText
+    """Whole text of the file."""
 
 
 def read(path: Path) -> ConfigText | None:

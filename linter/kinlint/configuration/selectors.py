@@ -27,6 +27,7 @@ class Catalogue:
     """The rules that selectors may name."""
 
     rules: Sequence[Rule]
+    """All rules of the run."""
 
     @cached_property
     def exact(self) -> Mapping[str, Rule]:

@@ -54,6 +54,7 @@ class Contexts:
     """Contexts by IRI under one release."""
 
     release: str
+    """Release of the metamodels whose contexts these are."""
     _further: Mapping[str, Document] = field(default_factory=dict, repr=False)
     _known: dict[str, Document | None] = field(default_factory=dict, repr=False, compare=False)
 

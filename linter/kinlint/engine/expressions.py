@@ -20,7 +20,9 @@ class Condition(NamedTuple):
     """Patterns that hold of a member of a class, and the same in words after "whatever"."""
 
     body: tuple[Pattern, ...]
+    """Patterns that hold of a member."""
     words: str
+    """The same in words."""
 
 
 class Expressions:

@@ -52,7 +52,9 @@ class Written(NamedTuple):
     """A triple of a document, spelled as there."""
 
     document: Document
+    """Document that contains the triple."""
     triple: Triple
+    """Triple, its numbers spelled as there."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,8 +19,11 @@ class Arrow(NamedTuple):
     """Numbers of a vector, the frame that sees them, and the node that states them."""
 
     vector: Vector
+    """Components of the vector."""
     seen_by: Term | None
+    """Frame whose axes the components are along; None if it is not stated."""
     source: Term
+    """Node that states the components."""
 
 
 class Bases:

@@ -31,8 +31,11 @@ class Written:
     """Number of a file: the node and the property that it is the value of."""
 
     node: Term
+    """Node that has the number."""
     entry: Term
+    """Property or cell of a list with the number."""
     value: float
+    """The number."""
 
 
 Row = tuple[Written, ...]

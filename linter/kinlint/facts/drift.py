@@ -47,7 +47,9 @@ class Description:
 
     form: str
     bodies: dict[str, Term] = field(default_factory=dict)
+    """Bodies by name."""
     joints: dict[str, Term] = field(default_factory=dict)
+    """Joints by name."""
 
 
 class DescriptionDrifts:

@@ -21,10 +21,15 @@ class Cycle:
     """Loop of relations that one relation closes."""
 
     members: dict[Term, None] = field(default_factory=dict)
+    """Relations of the loop, in its order."""
     sources: dict[Term, None] = field(default_factory=dict)
+    """Coordinates that state them."""
     length: int = 0
+    """Number of relations of the longest loop."""
     values: list[tuple[str, float]] = field(default_factory=list)
+    """Closing errors, by the name of the fact that states each."""
     cause: Term | None = None
+    """Relation that explains the errors of several loops; None if none does."""
 
     def extend(
         self,
@@ -73,7 +78,9 @@ class PositionLoop(NamedTuple):
     """Loop of positions, with the sum in m of the lengths of its relations."""
 
     circle: Loop
+    """The loop."""
     magnitude: float
+    """Sum of the lengths of its relations in m."""
 
 
 def position_loops(

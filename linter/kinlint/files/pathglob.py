@@ -22,7 +22,9 @@ class Glob:
     """
 
     root: Path
+    """Directory that the pattern is relative to."""
     pattern: str
+    """Pattern as written."""
 
     def covers(self, path: Path) -> bool:
         """Tell whether *path*, which is absolute, or a directory between it and `root` matches."""

@@ -51,7 +51,9 @@ class Locator:
     """The documents of a run, and the store that knows which of them says what."""
 
     documents: Sequence[Document]
+    """Documents of the run."""
     store: Store
+    """Store that tells which document contains a triple."""
 
     @cached_property
     def homes(self) -> Mapping[Term, list[Document]]:

@@ -35,6 +35,7 @@ class Candidate:
     """A change of texts because of a finding, and the change of graphs that it stands for."""
 
     finding: Finding
+    """Finding that the change is for."""
     repair: Repair
     """The title of the change, and how far it may be trusted."""
     title: str
@@ -73,9 +74,13 @@ class Generator(ABC):
     """Writes changes of *texts* because of what an examination found in them."""
 
     examination: Examination
+    """Examination with the findings."""
     texts: Texts
+    """Texts to change."""
     settings: Settings
+    """Settings of the run."""
     rulebook: Rulebook
+    """Rules of the run."""
     refused: list[Refusal] = field(default_factory=list)
     """The changes that could not be written, with the reasons."""
     _editors: dict[Term, Editor] = field(default_factory=dict)

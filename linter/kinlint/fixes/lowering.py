@@ -23,8 +23,11 @@ class Replacement(NamedTuple):
     """A triple of a document that gives way to another."""
 
     document: Document
+    """Document to change."""
     old: Triple
+    """Triple to remove."""
     new: Triple
+    """Triple to add in its place."""
 
 
 def lower_delta(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:

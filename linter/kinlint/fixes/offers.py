@@ -49,7 +49,9 @@ class Offers:
     """The candidates that hold, for the findings of an examination."""
 
     generator: Generator
+    """Generator of the candidates."""
     groups: Sequence[Group]
+    """Groups of texts in which candidates were tried."""
     verdicts: Mapping[Candidate, Verdict]
     """The candidates that were tried, with what their trials showed."""
     refused: Sequence[Refusal]

@@ -44,6 +44,7 @@ class RoundsResult:
     report: Report
     """The report on the changed texts."""
     texts: Sequence[SourceText]
+    """The given texts, changed."""
     changed: Sequence[tuple[SourceText, SourceText]]
     """The texts that changed, before and after; these may be such that others include."""
     restless: Sequence[str]
@@ -124,14 +125,21 @@ class Rounds:
     """Rounds of changes, from texts as they are at the *start* until nothing is left to change."""
 
     start: Texts
+    """Texts before the first round."""
     errors: Sequence[SourceError]
+    """Errors of files that could not be read."""
     analyzer: Analyzer
+    """Analyzer of all texts of the rounds."""
     generator: Callable[[Examination, Texts], Generator]
+    """Maker of a generator of changes from an examination and its texts."""
     least: Applicability
+    """Lowest applicability of the changes to make."""
     wanted: Sieve
+    """Filter of the findings to treat."""
     circles: FixCircles
     """The fixes that are not to be made, as they undo or feed each other."""
     phases: Phases
+    """Times of the phases of the run."""
     texts: Texts = field(init=False)
     """The texts after the rounds so far."""
     fixed: list[Finding] = field(init=False)

@@ -41,6 +41,7 @@ class Group:
     """Texts that say nothing of others, with the batches of candidates to try in them."""
 
     sources: Sequence[SourceText]
+    """Texts of the group."""
     documents: Sequence[Document]
     """The documents parsed from the texts."""
     batches: list[list[Candidate]] = field(default_factory=list)

@@ -39,9 +39,13 @@ class SourceLayer:
     """The statements about one document, with the places of the nodes they speak of."""
 
     document: Term
+    """Document that the statements are about."""
     blanks: BlankNodes
+    """Source of names for blank nodes."""
     triples: dict[Triple, Span] = field(default_factory=dict)
+    """Statements with their places."""
     nodes: dict[Term, NodeSpans] = field(default_factory=dict)
+    """Places of the nodes."""
     _graphs: set[Term] = field(default_factory=set)
 
     def state_file(self, form: str, name: str, whole: Span) -> None:

@@ -40,8 +40,11 @@ class Changes:
     """The changes of a store since its model was last analysed."""
 
     store: Store
+    """Store of the model."""
     removed: list[ox.Quad] = field(default_factory=list)
+    """Quads that are gone."""
     added: list[ox.Quad] = field(default_factory=list)
+    """Quads that are new."""
     properties: set[Term] = field(default_factory=set)
     """The properties of the triples that changed."""
     classes: set[Term] = field(default_factory=set)

@@ -51,8 +51,11 @@ class Edge:
     """A pattern of a query between two of its variables or terms."""
 
     subject: str
+    """Variable or term."""
     path: Path
+    """Path from subject to object."""
     object: str
+    """Variable or term."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,9 @@ class Reads:
     """The nodes and queries that a store was asked about."""
 
     nodes: set[Term] = field(default_factory=set)
+    """Nodes whose triples were read."""
     queries: set[str] = field(default_factory=set)
+    """Queries that were answered."""
 
     def meet(self, changes: Changes, nodes: set[Term]) -> bool:
         """Tell whether *changes*, which are about *nodes*, may answer otherwise."""

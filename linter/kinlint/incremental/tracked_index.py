@@ -22,7 +22,9 @@ class Reads:
     """Nodes, properties and classes that a part of the computation of facts has read."""
 
     properties: set[Term] = field(default_factory=set)
+    """Properties whose tables were read."""
     classes: set[Term] = field(default_factory=set)
+    """Classes whose instances were read."""
     nodes: set[Term] = field(default_factory=set)
     """The nodes of which it read all statements."""
     places: bool = False

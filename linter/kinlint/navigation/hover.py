@@ -17,10 +17,12 @@ MOST_RULES = 3
 
 
 class Hover(NamedTuple):
-    """Markdown about `span` of the text that was asked about."""
+    """Text to show for a place."""
 
     markdown: str
+    """Text to show."""
     span: Span
+    """Place that it is about."""
 
 
 def on_findings(findings: Sequence[Finding]) -> str:

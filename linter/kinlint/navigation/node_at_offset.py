@@ -20,7 +20,9 @@ class Around(NamedTuple):
     """A node that `span` of a text is about."""
 
     span: Span
+    """Place."""
     node: Term
+    """Node that the place is about."""
 
 
 class Surroundings:

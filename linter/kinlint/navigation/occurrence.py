@@ -28,5 +28,8 @@ class Occurrence(NamedTuple):
     """`entity` is named at `location`."""
 
     location: Location
+    """Place of the name."""
     entity: Entity
+    """Entity that is named."""
     role: Role
+    """Role of the name there."""

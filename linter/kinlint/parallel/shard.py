@@ -42,7 +42,9 @@ class Outcome(NamedTuple):
     """The report of a model, and what was looked up for it."""
 
     report: Report
+    """Report on the model."""
     record: Record
+    """Files and directories that were looked up for it."""
 
 
 def lint_shard(

@@ -52,7 +52,9 @@ class Kept(NamedTuple):
     """The stages of one model, with what was asked of them."""
 
     run: Run
+    """Stages of the model."""
     demand: Demand
+    """Rules, facts and terms that were asked for."""
 
     def checks(self, constraints: Iterable[Constraint]) -> bool:
         """Tell whether all *constraints*, of the same rulebook, are among those that are asked."""
@@ -68,6 +70,7 @@ class Examination:
     """
 
     report: Report
+    """The report."""
     documents: Sequence[Document]
     """All documents that were read, companions too."""
     store: Store

@@ -16,8 +16,11 @@ class AntiPattern(NamedTuple):
     """A way in which a robot description keeps others from building on it."""
 
     id: str
+    """Number, such as `AP1`."""
     name: str
+    """Name."""
     description: str
+    """Description, in a sentence or two."""
 
     @property
     def iri(self) -> str:

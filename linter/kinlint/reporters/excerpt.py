@@ -17,9 +17,13 @@ class Mark:
     """A place to underline: `^` for what a finding is about, `-` for what it speaks of."""
 
     location: Location
+    """Place to underline."""
     ink: Ink
+    """Colour."""
     label: str = ""
+    """Text behind the underline."""
     sign: str = "-"
+    """Character of the underline: `^` for the finding, `-` for places related to it."""
 
     @property
     def line(self) -> int:

@@ -16,7 +16,9 @@ class Fixable(NamedTuple):
     """Number of findings that `--fix` fixes, and how many more `--fix --unsafe-fixes` would."""
 
     now: int
+    """Number of findings that `--fix` fixes."""
     with_care: int
+    """Number of further findings that `--fix --unsafe-fixes` fixes."""
 
 
 def sign(finding: Finding, *, unsafe: bool | None = None) -> str:

@@ -28,9 +28,13 @@ class Parts(NamedTuple):
     """The findings and errors of a report that are annotated, and those that are not."""
 
     errors: tuple[SourceError, ...]
+    """Errors that are annotated."""
     findings: tuple[Finding, ...]
+    """Findings that are annotated."""
     more_errors: tuple[SourceError, ...]
+    """Errors that are not."""
     more_findings: tuple[Finding, ...]
+    """Findings that are not."""
 
 
 def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001

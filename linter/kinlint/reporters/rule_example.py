@@ -18,8 +18,11 @@ class MarkedText:
     """The text of an example without its marks, and the spans that were marked."""
 
     format: str
+    """Name of the format."""
     text: str
+    """Text without marks."""
     marks: tuple[Span, ...]
+    """Spans that were marked."""
 
     @property
     def longest_ticks(self) -> int:

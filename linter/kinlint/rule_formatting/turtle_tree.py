@@ -41,7 +41,9 @@ class Property:
     """A verb and its objects."""
 
     verb: str
+    """Verb, as written."""
     objects: tuple[Value, ...]
+    """Objects, in their order."""
     comments: tuple[str, ...] = ()
     """Comments before it, and among its objects."""
 
@@ -54,7 +56,9 @@ class Statement:
     """A subject with its properties, or a directive, which has none."""
 
     subject: Value
+    """Subject, or the directive."""
     properties: tuple[Property, ...] = ()
+    """Properties, in their order; none for a directive."""
     comments: tuple[str, ...] = ()
     """Comments before it."""
 

@@ -43,8 +43,11 @@ class MutationHarness:
     """The examples of a rule, read and closed, ready for any version of it."""
 
     rule: Rule
+    """The rule."""
     rulebook: Rulebook
+    """All rules, with the vocabulary."""
     examples: tuple[tuple[Sequence[Document], Store], ...]
+    """Documents of each example, with the store in which they are closed."""
 
     @classmethod
     def for_rule(

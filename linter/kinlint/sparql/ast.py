@@ -81,8 +81,11 @@ class Construct:
     """`CONSTRUCT { template } WHERE { … }`; `tail` are its modifiers."""
 
     template: Triples
+    """Triples to make of each solution."""
     group: Group
+    """Its WHERE."""
     tail: Expression
+    """Its modifiers."""
 
 
 @dataclass(frozen=True)
@@ -90,8 +93,11 @@ class Update:
     """`DELETE { removed } INSERT { added } WHERE { … }`: SPARQL 1.1 Update, section 3.1.3."""
 
     removed: Triples
+    """Template of the triples to delete."""
     added: Triples
+    """Template of the triples to insert."""
     group: Group
+    """Its WHERE."""
 
 
 Expression: TypeAlias = tuple["str | Group", ...]

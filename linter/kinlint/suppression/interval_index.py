@@ -14,14 +14,17 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class IntervalIndex(Generic[T]):
-    """Spans by their beginning, with what lies in each; `outer` is the number of the next larger.
+    """Spans that nest, each with a content.
 
     No span is longer than one that it begins in, but equal ones may come several times.
     """
 
     spans: Sequence[Span]
+    """Spans, by their beginning."""
     outer: Sequence[int]
+    """Index of the smallest span around each; -1 for none."""
     contents: Sequence[T]
+    """Content of each."""
 
     @classmethod
     def from_spans(cls, found: Iterable[tuple[Span, T]]) -> IntervalIndex[T]:

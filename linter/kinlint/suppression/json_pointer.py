@@ -16,7 +16,9 @@ class Place(NamedTuple):
     """The place of a value, and the same with the key in front of it, if any."""
 
     value: Span
+    """Place of the value."""
     member: Span
+    """The same with the key in front of it, if any."""
 
 
 def locate(text: str, pointer: str) -> Place | None:

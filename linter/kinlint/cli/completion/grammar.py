@@ -61,20 +61,26 @@ class Option:
 
 @dataclass(frozen=True)
 class Command:
-    """A subcommand: what it does, its options, and what else it takes."""
+    """A subcommand."""
 
     name: str
+    """Name of the subcommand."""
     text: str
+    """Description, in one line."""
     options: tuple[Option, ...]
+    """Options that it takes."""
     rest: Value | None = None
+    """Values that it takes besides options; None if it takes none."""
 
 
 @dataclass(frozen=True)
 class Words:
-    """All subcommands, of which the first is meant where none is named, and names of rules."""
+    """Words to complete."""
 
     commands: tuple[Command, ...]
+    """All subcommands; the first is meant where none is named."""
     rules: tuple[str, ...]
+    """Codes and names of all rules."""
 
 
 def words(rules: Iterable[str]) -> Words:

@@ -33,8 +33,11 @@ class Parameter:
     """A parameter of a component: the property that gives it, and its variable."""
 
     path: Term
+    """Property that gives the value (`sh:path`)."""
     variable: str
+    """Name of the SPARQL variable with the value."""
     optional: bool
+    """True if a shape may leave it out (`sh:optional`)."""
 
 
 def custom(scope: ShapeScope) -> Iterator[Violation]:

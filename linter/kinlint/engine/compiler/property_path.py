@@ -28,8 +28,11 @@ class Path:
     """A property path: a predicate, or an operator with its operands."""
 
     kind: Kind
+    """Operator, or that it is a predicate."""
     predicate: Term = ""
+    """Predicate; empty for an operator."""
     parts: tuple[Path, ...] = ()
+    """Operands of the operator."""
 
     @property
     def text(self) -> str:

@@ -25,8 +25,11 @@ class Dependencies:
     """The properties and classes that a query names, and whether it matches all of either."""
 
     terms: frozenset[Term]
+    """Properties and classes that the query names."""
     any_class: bool
+    """True if it matches instances of any class."""
     any_property: bool
+    """True if it matches any property."""
 
     @classmethod
     def from_constraint(cls, constraint: Constraint) -> Dependencies:

@@ -21,8 +21,11 @@ class Shape:
     """A node shape, or with a `path` a property shape."""
 
     graph: ShapesGraph
+    """Triples of all shapes."""
     node: Term
+    """Node that states the shape."""
     path: Path | None
+    """Path of a property shape; None for a node shape."""
 
     def values(self, name: str) -> list[Term]:
         """Return the values of a SHACL property of this shape, in the order of the text."""

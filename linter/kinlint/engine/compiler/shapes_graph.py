@@ -29,9 +29,13 @@ class ShapesFile:
     """
 
     name: str
+    """Name of the file."""
     triples: tuple[Triple, ...]
+    """Triples, in the order of the text."""
     prefixes: dict[str, str]
+    """Namespaces by prefix."""
     text: str = field(default="", repr=False)
+    """Text of the file."""
 
 
 @dataclass
@@ -39,6 +43,7 @@ class ShapesGraph:
     """The triples of several files, by subject and predicate."""
 
     files: tuple[ShapesFile, ...]
+    """Files in the order in which they were given."""
     _out: dict[Term, dict[Term, list[Term]]] = field(default_factory=dict, repr=False)
     _in: dict[tuple[Term, Term], list[Term]] = field(default_factory=dict, repr=False)
     _home: dict[Term, ShapesFile] = field(default_factory=dict, repr=False)

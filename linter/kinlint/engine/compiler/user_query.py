@@ -32,8 +32,11 @@ class Query:
     """An author's query that may be written inside another: no prologue, no prefixed names."""
 
     select: Select
+    """AST of the query."""
     variables: tuple[str, ...]
+    """Variables of its solutions."""
     premises: tuple[Triple, ...]
+    """Triple patterns that each solution matches, for derivations."""
     may_stay: bool
     """A path may lead from a pre-bound term to itself in no steps."""
 

@@ -42,12 +42,19 @@ class Record:
     """A result of pySHACL, with what its report leaves out."""
 
     shape: Node
+    """Shape that is violated (`sh:sourceShape`)."""
     component: Node
+    """Constraint component (`sh:sourceConstraintComponent`)."""
     focus: Node
+    """Focus node."""
     path: Node | None
+    """Result path; None if there is none."""
     value: Node | None
+    """Value node; None if there is none."""
     source: Node | None
+    """SPARQL-based constraint (`sh:sourceConstraint`); None for other components."""
     bindings: Mapping[str, Node] = field(default_factory=dict)
+    """Other variables of the solution, by name."""
 
 
 @contextmanager

@@ -16,8 +16,11 @@ class JoinKeys(NamedTuple):
     """Properties that may join a file to others: format, names of robots, included files."""
 
     format: Format | None
+    """Format of the file; None if it is not recognised."""
     robots: frozenset[str] = frozenset()
+    """Names of the robots that it describes."""
     included: tuple[str, ...] = ()
+    """Paths of the files that it includes."""
 
 
 def join_keys(source: SourceText) -> JoinKeys:

@@ -24,7 +24,9 @@ class Description:
     """A text that describes a robot: a URDF, or an SRDF about one."""
 
     source: SourceText
+    """The text."""
     kind: Format
+    """Its format."""
 
     @cached_property
     def mentions(self) -> Mentions:

@@ -102,5 +102,8 @@ class ParsedJson(NamedTuple):
     """A JSON text: its value, where that stands, and the objects with repeated keys."""
 
     value: Value
+    """The value."""
     span: Span
+    """Place of the value."""
     repeats: list[Object]
+    """Objects with repeated keys."""

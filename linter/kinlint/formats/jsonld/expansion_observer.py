@@ -13,7 +13,9 @@ class Slot(NamedTuple):
     """A property of a node: its term, how it is written, and where its values stand."""
 
     prop: Term | None
+    """Property; None if the key means none."""
     key: str
+    """Key, as it is written."""
     stands: Span
 
 

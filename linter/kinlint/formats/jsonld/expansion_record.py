@@ -23,20 +23,29 @@ class StrayValue(NamedTuple):
     """A value without effect: a would-be keyword where an IRI belongs, or a value of nothing."""
 
     kind: str
+    """Class of the source layer that states it."""
     span: Span
+    """Place of the value."""
     origin: Origin | None
     written: str
+    """The value as written."""
     reason: str
+    """Reason why it has no effect."""
     key: str | None = None
+    """Key that it is under; None if there is none."""
 
 
 class ContextProblem(NamedTuple):
     """A context that is missing or broken: its IRI if it has one, and where it is named."""
 
     kind: str
+    """Class of the source layer that states it."""
     context: str | None
+    """IRI of the context; None for one without."""
     reason: str
+    """Reason why the context cannot be used."""
     span: Span
+    """Place where the context is named."""
     meant: str | None = None
     """IRI of the context that is read in its place."""
 
@@ -45,10 +54,15 @@ class ShadowedTerm(NamedTuple):
     """A term of one context document that a later document in the same array redefines."""
 
     term: str
+    """The term."""
     context: str
+    """Context that defines it last."""
     shadowed: str
+    """Context that defined it before."""
     iri: str
+    """Meaning of the term now."""
     shadowed_iri: str
+    """Meaning of the term before."""
 
 
 class TermDefinition(NamedTuple):

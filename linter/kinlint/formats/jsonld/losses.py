@@ -25,7 +25,9 @@ class Detail(NamedTuple):
     """A further property of a loss: a name in the source vocabulary, and a term."""
 
     name: str
+    """Local name of the property in the source vocabulary."""
     value: Term
+    """Its value."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +35,13 @@ class Loss:
     """A loss of a *kind* of the source vocabulary, at the token that is lost."""
 
     kind: str
+    """Local name of the class in the source vocabulary."""
     span: Span
+    """Place of what is lost."""
     node: Term | None = None
+    """Node that it belonged to; None if there is none."""
     details: tuple[Detail, ...] = ()
+    """Further properties."""
 
     @property
     def relation(self) -> str:
@@ -70,9 +76,13 @@ class Nested(NamedTuple):
     """A node that is described within *depth* others."""
 
     span: Span
+    """Place of the object that describes the node."""
     node: Term
+    """The node."""
     depth: int
+    """Number of nodes around it."""
     slot: Slot
+    """Property that it is a value of."""
 
 
 class LossObserver:

@@ -42,6 +42,7 @@ class Frames:
     """The frames in *scopes*."""
 
     scopes: Scopes
+    """Scopes of the names."""
     circles: list[CircularReference] = field(default_factory=list)
     """The circles that were met on the way."""
     _bases: dict[SdfElement, Found] = field(default_factory=dict)

@@ -18,12 +18,17 @@ class SdfElement:
     node: Term
     """Its node in the graph."""
     tag: str
+    """Tag, without prefix."""
     parent: SdfElement | None
+    """Element around it; None for the root."""
     order: int = 0
     """Number of elements before it in the file."""
     attributes: dict[str, str] = field(default_factory=dict)
+    """Values of attributes by name."""
     children: list[SdfElement] = field(default_factory=list)
+    """Child elements in their order."""
     text: str = ""
+    """Text, with white space as written."""
     numbers: list[float] = field(default_factory=list)
     """Components of its text, if that is a vector."""
 

@@ -28,9 +28,13 @@ class Statement(NamedTuple):
     """A triple, and where its three terms are written."""
 
     subject: Term
+    """Subject."""
     predicate: Term
+    """Predicate."""
     value: Term
+    """Object."""
     places: tuple[Span, Span, Span]
+    """Places of subject, predicate and object."""
 
 
 @dataclass
@@ -38,11 +42,17 @@ class Grammar:
     """Reads a text into `statements`, in its order; `nodes` places what it describes."""
 
     text: str
+    """Text to read."""
     base: str
+    """IRI that relative IRIs are resolved against."""
     blanks: BlankNodes
+    """Source of names for blank nodes."""
     statements: list[Statement] = field(default_factory=list)
+    """Triples so far, in the order of the text."""
     nodes: dict[Term, NodeSpans] = field(default_factory=dict)
+    """Places of the nodes that the text describes."""
     prefixes: dict[str, str] = field(default_factory=dict)
+    """Namespaces by prefix, as far as declared."""
 
     def read(self) -> None:
         """Read everything.

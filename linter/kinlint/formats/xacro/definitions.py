@@ -39,9 +39,13 @@ class Macro:
     """A macro as it is written: its parameters with their places, and what its body names."""
 
     element: Element
+    """Element that defines the macro."""
     parameters: Mapping[str, Span]
+    """Places of its parameters by name."""
     defaults: str
+    """Default values, as they are written."""
     inside: list[Element] = field(default_factory=list)
+    """All elements of its body."""
 
     @cached_property
     def used_names(self) -> frozenset[str]:

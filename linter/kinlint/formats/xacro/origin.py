@@ -16,7 +16,9 @@ class AttributeSpans(NamedTuple):
     """The places of an attribute's name, and of its value without quotes."""
 
     name: Span
+    """Place of the name."""
     value: Span
+    """Place of the value, without quotes."""
 
 
 def attributes(text: str, start: int, end: int) -> dict[str, AttributeSpans]:
@@ -35,8 +37,11 @@ class Origin:
     """Text that wrote a node: `start` to `end` of `source`."""
 
     source: SourceText
+    """Text of the file."""
     start: int
+    """Offset of the first character."""
     end: int
+    """Offset behind the last character."""
     inside: int = 0
     """End of the start tag of an element; else that of the node."""
     closing: int = 0

@@ -16,7 +16,9 @@ class Slot:
     """A place for a value: an attribute, or the text of an element."""
 
     predicate: Term
+    """Property of the values."""
     reading: ValueReader
+    """Reader of the values."""
     _stem: str
     _components: list[Term] = field(default_factory=list)
 
@@ -38,7 +40,9 @@ class Lifetime:
     """The first version of a format that has something, and the last, as far as known."""
 
     since: str | None = None
+    """First version of the format that has it; None if unknown."""
     until: str | None = None
+    """Last version of the format that has it; None if it is current."""
 
 
 @dataclass(frozen=True, slots=True)

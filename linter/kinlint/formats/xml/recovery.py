@@ -56,7 +56,9 @@ class RecoveredText:
     """Text in a form that a parser accepts, and what was wrong with it."""
 
     text: str
+    """Text that a parser accepts."""
     flaws: Sequence[SyntaxFlaw] = ()
+    """Places that are not well-formed."""
     inserted: Sequence[int] = ()
     """Offsets of characters that the original lacks."""
     stands_for: Mapping[int, str] | None = None

@@ -37,9 +37,13 @@ class Diagnostic(NamedTuple):
     """Something to state of an element, at an attribute, at its text ("") or at its tag (None)."""
 
     kind: str
+    """Local name of the class in the source vocabulary."""
     number: int
+    """Number of the element, in document order."""
     place: str | None
+    """Attribute; empty for the text, None for the tag."""
     details: Mapping[str, str | int | bool | None]
+    """Further properties, by name."""
 
 
 @dataclass

@@ -70,9 +70,13 @@ class Tag(NamedTuple):
     """A start tag: its name, the names and values of its attributes, and where it ends."""
 
     name: Span
+    """Place of the name."""
     keys: dict[str, Span]
+    """Places of the names of attributes."""
     attributes: dict[str, Span]
+    """Places of the values of attributes, without quotes."""
     end: int
+    """Offset behind the tag."""
 
 
 class ElementPlaces:

@@ -130,7 +130,9 @@ class Form:
     """Form of a value in a schema: names of kinds, of which vectors may be several."""
 
     kinds: tuple[str, ...]
+    """Names of kinds; several are alternatives."""
     infinite: bool = False
+    """True if numbers may be infinite."""
 
 
 @cache

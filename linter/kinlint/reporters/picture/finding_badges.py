@@ -91,8 +91,11 @@ class Badge:
     """The mark of one part: the worst severity of its findings, and the codes of the worst."""
 
     severity: Severity
+    """Worst severity of the findings."""
     codes: tuple[str, ...]
+    """Codes of the worst findings."""
     more: int = 0
+    """Number of other codes."""
 
     def text(self, *, unicode: bool = True) -> str:
         """Sign and codes: `✖ TOP003, INE005`."""

@@ -28,8 +28,11 @@ class Place:
     """The middle of a shape, and the column it stands in."""
 
     x: float
+    """Distance of its middle from the left, in units of the drawing."""
     y: float
+    """Distance of its middle from the top, in units of the drawing."""
     column: int = 0
+    """Column of the drawing, counted from zero."""
 
 
 @dataclass(frozen=True, slots=True)

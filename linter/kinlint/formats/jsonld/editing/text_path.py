@@ -14,15 +14,20 @@ class Child(NamedTuple):
     """A member or an element: its place, and that of its value, which may be all of it."""
 
     whole: Span
+    """Place of the member or element."""
     value: Span
+    """Place of its value."""
     key: Key | None = None
+    """Key of a member; None for an element of an array."""
 
 
 class Seat(NamedTuple):
     """The position of a value: in an object under a key, or in an array at an index."""
 
     holder: Object | Array
+    """Object or array that contains the value."""
     at: Key | int
+    """Its key or index there."""
 
     @property
     def value(self) -> Any:

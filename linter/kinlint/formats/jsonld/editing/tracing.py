@@ -25,8 +25,11 @@ class ContextScope(NamedTuple):
     """The contexts at an object: around it, for its keys, and for the names of its types."""
 
     outer: Context
+    """Context around the object."""
     keys: Context
+    """Context that gives its keys their meaning."""
     types: Context
+    """Context that gives the names of its types their meaning."""
 
 
 class Tracing(Processor):
@@ -93,9 +96,12 @@ class Trace(NamedTuple):
     """A traced reading of a text: its JSON, the processor that expanded it, and the triples."""
 
     parsed: ParsedJson
+    """The JSON text."""
     processor: Tracing
+    """Processor that expanded it."""
     tracks: Tracks
     labels: Mapping[Term, str]
+    """Labels of blank nodes, as they are written."""
 
 
 def trace(source: SourceText, options: ReadOptions) -> Trace:

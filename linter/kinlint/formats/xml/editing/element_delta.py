@@ -18,7 +18,9 @@ class ValueChange:
     """Values that an element loses, and those that it gains."""
 
     removed: Slots = field(default_factory=dict)
+    """Values to remove, by slot."""
     added: Slots = field(default_factory=dict)
+    """Values to add, by slot."""
 
 
 @dataclass
@@ -26,12 +28,17 @@ class ElementChanges:
     """Changes of elements: deletion, other tags, new children, other values."""
 
     known: Mapping[Term, StatedElement]
+    """Elements of the text."""
     deleted: list[Term] = field(default_factory=list)
+    """Elements to delete."""
     renamed: dict[Term, str] = field(default_factory=dict)
+    """New tags of elements."""
     moved: set[Term] = field(default_factory=set)
+    """Elements to write below another parent."""
     children: dict[Term, list[tuple[str, Term]]] = field(default_factory=dict)
     """New nodes, or moved ones, with their tags."""
     values: dict[Term, ValueChange] = field(default_factory=dict)
+    """Changes of values, by element."""
 
     @classmethod
     def from_delta(cls, delta: Delta, known: Mapping[Term, StatedElement]) -> ElementChanges:

@@ -55,9 +55,13 @@ class StatedElement:
     """An element: where it stands, and the terms of its values by slot and number of component."""
 
     parent: Term
+    """Node of the element around it."""
     predicate: Term
+    """Property that leads to it, named by its tag."""
     slots: dict[str, dict[int, Term]] = field(default_factory=dict)
+    """Values by slot, and in that by number of component."""
     children: list[Term] = field(default_factory=list)
+    """Nodes of its child elements."""
 
     @property
     def tag(self) -> str:
