@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from kinlint.document import Document
 from kinlint.edits import Delta
 from kinlint.engine.literal_spelling import normal
-from kinlint.terms import RDF_TYPE, Term, Triple, iri, is_blank, is_literal
+from kinlint.terms import (
+    RDF_TYPE,
+    Term,
+    Triple,
+    iri,
+    iri_value,
+    is_blank,
+    is_literal,
+    literal_value,
+)
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
 FAR = 64
 """The radius of the neighbourhood that tells blank nodes apart, in steps."""
 
 OF_THE_TEXT = f"<{SRC}"
+_TERM, _NAMESPACE = iri(f"{SRC}term"), iri(f"{SRC}namespace")
+_PREFIXED = frozenset({_NAMESPACE, iri(f"{SRC}written")})
 LOST_OF = iri(f"{SRC}node")
 """Property from what is lost to the node that it is lost of."""
 
@@ -24,14 +35,18 @@ def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
 
     Blank nodes may be called otherwise, and numbers be spelled otherwise. If *delta* repairs what
     was lost in reading, nobody can tell beforehand what is found: then nothing may be missing,
-    but types that were none.
+    but types that were none. If it redefines a prefix, names move from one namespace to the other,
+    and nothing else may change.
     """
     if before.format.is_tree:
         from kinlint.formats.xml.editing.element_tree import changed, tree  # noqa: PLC0415
 
         return bool(changed(before, delta) == tree(after))
-    removed = set(delta.removed)
-    mending = any(_of_the_text(triple) for triple in (*delta.removed, *delta.added))
+    removed, moves = set(delta.removed), _moves(before, delta)
+    mending = any(
+        _of_the_text(triple) and triple[:2] not in moves
+        for triple in (*delta.removed, *delta.added)
+    )
     # A type may give keys a meaning that its node has lost.
     lossy = {node for _, _, node in before.saying(LOST_OF)}
     mending = mending or any(s in lossy and p == RDF_TYPE for s, p, _ in delta.added)
@@ -41,10 +56,40 @@ def is_exact_change(before: Document, after: Document, delta: Delta) -> bool:
         if triple not in removed and not (mending and _means_nothing(triple))
     }
     old.update(delta.added)
-    expected, found = map(_canonical, _differing(old, set(after.statements)))
+    new = set(after.statements)
+    if moves:
+        old, new = (_moved(each, [*moves.values()]) for each in (old, new))
+    expected, found = map(_canonical, _differing(old, new))
     if mending or any(map(_means_nothing, delta.removed)):
         return expected <= found
     return expected == found
+
+
+def _moves(before: Document, delta: Delta) -> dict[tuple[Term, Term], tuple[str, str]]:
+    """Return the beginnings of IRIs that *delta* redefines by a prefix, with the new ones.
+
+    The keys are the definition and the property that it changes.
+    """
+    new = {triple[:2]: literal_value(triple[2]) for triple in delta.added if triple[1] in _PREFIXED}
+    terms = {node: literal_value(term) for node, _, term in before.saying(_TERM)} if new else {}
+    return {
+        (s, p): (literal_value(o) if p == _NAMESPACE else f"{terms[s]}:", new[s, p])
+        for s, p, o in delta.removed
+        if (s, p) in new and s in terms
+    }
+
+
+def _moved(statements: Iterable[Triple], moves: Sequence[tuple[str, str]]) -> set[Triple]:
+    """Return *statements* of the model with the namespaces that *moves* give their names."""
+
+    def moved(term: Term) -> Term:
+        for old, new in moves:
+            if term.startswith(f"<{old}"):
+                return iri(f"{new}{iri_value(term)[len(old) :]}")
+        return term
+
+    said = (triple for triple in statements if not _of_the_text(triple))
+    return {(moved(s), moved(p), moved(o)) for s, p, o in said}
 
 
 def _differing(one: set[Triple], other: set[Triple]) -> tuple[set[Triple], set[Triple]]:

@@ -12,8 +12,8 @@ from kinlint.terms import Term, Triple, iri_value, is_iri, literal_value
 from kinlint.text import Span
 from kinlint.vocabulary import SRC
 
-_KEY, _CONTEXT = src("key"), src("context")
-_WRITTEN = frozenset({_KEY, _CONTEXT, src("written")})
+_KEY, _CONTEXT, _NAMESPACE = src("key"), src("context"), src("namespace")
+_WRITTEN = frozenset({_KEY, _CONTEXT, _NAMESPACE, src("written")})
 
 
 def edit_source_layer(plan: EditPlan) -> None:
@@ -49,7 +49,8 @@ def _change(plan: EditPlan, triple: Triple, new: Term | None) -> None:
     if plan.document.location(spans.whole).source is not plan.document.source:
         raise NotExpressible("it is written in a context file")
     if new is not None:
-        plan.changes.rename(spans.whole, _text(new))
+        span = _iri_of_term(plan, spans.whole) if triple[1] == _NAMESPACE else spans.whole
+        plan.changes.rename(span, _text(new))
         return
     seat = (
         _key_at(plan, spans.whole)
@@ -61,6 +62,17 @@ def _change(plan: EditPlan, triple: Triple, new: Term | None) -> None:
     if isinstance(seat.holder, Object) and isinstance(seat.at, Key):
         _spare(plan, seat.holder, seat.at)
     plan.changes.remove(seat)
+
+
+def _iri_of_term(plan: EditPlan, span: Span) -> Span:
+    """Return the place of the IRI in the term definition at *span*, a string or an object."""
+    definition = plan.places.tree.container_at(span.start)
+    if not isinstance(definition, Object) or definition.span != span:
+        return span
+    token = definition.key("@id")
+    if token is None or not isinstance(definition[token], str):
+        raise NotExpressible("the term has no IRI of its own")
+    return token.value_span
 
 
 def _spare(plan: EditPlan, holder: Object, key: Key) -> None:

@@ -1,0 +1,91 @@
+"""A slip in a namespace is mended at the prefix, in one place, and changes nothing else."""
+
+import pytest
+
+COMPOSABLE = '"https://w3id.org/kinlint/composable.json"'
+CHAIN = "https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities"
+UNIT = "http://qudt.org/vocab/unit/"
+ONLY = ("--fix-only", "--unsafe-fixes", "--select", "LD009,LD015,LD031")
+
+
+def model(context, graph):
+    """Return a model with *context* after that of all metamodels."""
+    return f'{{"@context": [{COMPOSABLE}, {context}],\n "@graph": [{graph}]}}\n'
+
+
+JOINTS = '{"@id": "ex:elbow", "@type": "k:Joint"}, {"@id": "ex:wrist", "@type": ["k:Joint"]}'
+COORDINATES = (
+    '{"@id": "ex:tip", "@type": "PositionCoordinate", "qudt-schema:unit": {"@id": "u:M"}},'
+    '{"@id": "ex:top", "@type": "PositionCoordinate", "qudt-schema:unit": {"@id": "u:MilliM"}}'
+)
+SLIPS = {
+    "http for https": (f'"http{CHAIN[5:]}#"', f'"{CHAIN}#"', JOINTS),
+    "slash for hash": (f'"{CHAIN}/"', f'"{CHAIN}#"', JOINTS),
+    "name of the context file": (f'"{CHAIN}.json#"', f'"{CHAIN}#"', JOINTS),
+    "no delimiter": (f'"{CHAIN}"', f'"{CHAIN}#"', JOINTS),
+    "a term definition": (
+        f'{{"@id": "{CHAIN}/", "@prefix": true}}',
+        f'{{"@id": "{CHAIN}#", "@prefix": true}}',
+        JOINTS,
+    ),
+}
+UNITS = {
+    "a plural of units": ('"http://qudt.org/vocab/units/"', f'"{UNIT}"', COORDINATES),
+    "https for http": ('"https://qudt.org/vocab/unit/"', f'"{UNIT}"', COORDINATES),
+}
+
+
+@pytest.mark.parametrize("slip", [*SLIPS, *UNITS])
+@pytest.mark.parametrize("place", ["{}", "{}, {{}}", '{{"far": "urn:far:"}}, {}'])
+def test_a_prefix_is_mended_where_it_is_defined(slip, place, kinlint, write) -> None:
+    """Every other byte stays, however often the prefix is used."""
+    wrong, right, graph = {**SLIPS, **UNITS}[slip]
+    prefix = "k" if slip in SLIPS else "u"
+
+    def text(namespace):
+        own = f'{{"ex": "https://example.org/arm#", "{prefix}": {namespace}}}'
+        return model(place.format(own), graph)
+
+    path = write("arm.jsonld", text(wrong))
+
+    kinlint("arm.jsonld", *ONLY)
+
+    assert path.read_text() == text(right)
+    assert kinlint("arm.jsonld", "--select", "LD009,LD015")[0] == 0
+
+
+def test_a_term_that_uses_the_prefix_moves_with_it(kinlint, write) -> None:
+    """And a whole IRI of the wrong namespace, which the prefix does not reach, apart from it."""
+    own = f'{{"ex": "https://example.org/arm#", "k": "{CHAIN}/", "Link": "k:Joint"}}'
+    graph = '{"@id": "ex:elbow", "@type": "Link"}, {"@id": "ex:wrist", "@type": "%s"}'
+    path = write("arm.jsonld", model(own, graph % f"{CHAIN}/Joint"))
+
+    kinlint("arm.jsonld", *ONLY)
+
+    text = path.read_text()
+    assert f'"k": "{CHAIN}#", "Link": "k:Joint"' in text
+    assert f"{CHAIN}/" not in text
+
+
+def test_the_prefix_of_one_file_becomes_that_of_the_others(kinlint, write) -> None:
+    """The names of the file are then those that the others refer to."""
+    ours, theirs = (f'{{"ex": "https://example.org/arm{end}"}}' for end in "/#")
+    tip = '{"@id": "ex:tip", "@type": ["3D", "Point"]}'
+    frame = '{"@id": "ex:tool", "@type": ["3D", "Frame"], "origin": "ex:tip"}'
+    path = write("points.jsonld", model(ours, tip))
+    write("frames.jsonld", model(theirs, frame))
+
+    kinlint(".", *ONLY)
+
+    assert path.read_text() == model(theirs, tip)
+
+
+def test_a_prefix_of_a_context_file_is_not_rewritten_elsewhere(kinlint, write) -> None:
+    """The uses are left as they are, or mended one by one."""
+    shared = f'{{"@context": {{"ex": "https://example.org/arm#", "k": "{CHAIN}/"}}}}'
+    context = write("names.json", shared)
+    write("arm.jsonld", model('"./names.json"', JOINTS))
+
+    kinlint("arm.jsonld", *ONLY)
+
+    assert context.read_text() == shared
