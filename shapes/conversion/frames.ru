@@ -24,6 +24,8 @@ INSERT {
     }
     FILTER NOT EXISTS { ?numbers kin:qw ?real . FILTER (ABS(?real) != 1) }
     FILTER NOT EXISTS { ?pose geom-rel:with-respect-to ?other . FILTER (?other != ?base) }
+    # A joint of a body with itself keeps two attachments.
+    FILTER NOT EXISTS { ?owner kin:parent-body ?body ; kin:child-body ?body }
 } ;
 
 # A frame that stands in a circle of such is replaced by none.

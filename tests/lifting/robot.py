@@ -195,12 +195,13 @@ class Robot:
 
     def _turn(self, node: Term) -> Matrix | None:
         if self.has_kind(node, f"{KIN}EulerAngles"):
-            self.in_unit(node, "RAD")
             assert self.has_kind(node, f"{KIN}Extrinsic")
             assert literal_value(self.value(node, f"{KIN}axes-sequence")) == "xyz"
-            return roll_pitch_yaw(
-                *self.numbers(node, *(KIN + a for a in ("alpha", "beta", "gamma")))
-            )
+            angles = self.numbers(node, *(KIN + a for a in ("alpha", "beta", "gamma")))
+            if iri(f"{UNIT}DEG") in self.out[node][HAS_UNIT]:
+                return roll_pitch_yaw(*map(math.radians, angles))
+            self.in_unit(node, "RAD")
+            return roll_pitch_yaw(*angles)
         if self.has_kind(node, f"{KIN}Quaternion"):
             return quaternion(*self.numbers(node, *(KIN + a for a in ("qx", "qy", "qz", "qw"))))
         if not self.has_kind(node, f"{COORD}DirectionCosineXYZ"):
