@@ -13,8 +13,9 @@ from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.finding import Finding, Fix
 from kinlint.fixes.generator import Candidate, Generator
-from kinlint.ignoring.comments import ELEMENT, comment_edit
-from kinlint.ignoring.ignore_statements import append_statement, ignore_delta
+from kinlint.formats.appended_statements import append_statements
+from kinlint.formats.xml.comment_edit import ELEMENT, comment_edit
+from kinlint.ignoring.ignore_statements import ignore_delta
 from kinlint.rule import Applicability, Repair
 from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.suppression.suppression_faults import FAULTS
@@ -82,29 +83,31 @@ class SuppressionGenerator(Generator):
 
         Raises `NotExpressible` if that cannot be written.
         """
-        codes: dict[Site, dict[str, None]] = {}
+        codes: dict[Site, set[str]] = {}
         for finding in findings:
             for each in finding.members or (finding,):
-                codes.setdefault(self._site(each), {})[each.rule.code] = None
+                codes.setdefault(self._site(each), set()).add(each.rule.code)
         sources: dict[Path, SourceText] = {}
         edits: dict[Path, list[Edit]] = {}
         nodes: dict[Term, dict[Term, list[str]]] = {}
         deltas: dict[Term, Delta] = {}
+
+        def write(graph: Term, source: SourceText, change: Delta, made: Iterable[Edit]) -> None:
+            path = self.writable_path(self.documents[graph], source)
+            sources[path], deltas[graph] = source, change
+            edits.setdefault(path, []).extend(made)
+
         for site, own in codes.items():
             if site.element is None:
                 nodes.setdefault(site.graph, {})[site.node] = sorted(own)
-                continue
-            source, span = site.element.source, site.element.span
-            path = self.writable_path(self.documents[site.graph], source)
-            sources[path] = source
-            edits.setdefault(path, []).append(comment_edit(source, span, sorted(own), self.reason))
-            deltas[site.graph] = Delta()
+            else:
+                source, span = site.element.source, site.element.span
+                made = comment_edit(source, span, sorted(own), self.reason)
+                write(site.graph, source, Delta(), [made])
         for graph, codes_of in nodes.items():
             document = self.documents[graph]
-            path = self.writable_path(document, document.source)
-            deltas[graph] = ignore_delta(document, codes_of, self.reason)
-            sources[path] = document.source
-            edits.setdefault(path, []).extend(self._statements(document, deltas[graph]))
+            change = ignore_delta(document, codes_of, self.reason)
+            write(graph, document.source, change, self._statements(document, change))
         joined = {path: _joined(made) for path, made in edits.items()}
         meant = Delta(added=tuple(triple for each in deltas.values() for triple in each.added))
         return Candidate(
@@ -160,7 +163,7 @@ class SuppressionGenerator(Generator):
         if not change:
             return ()
         if document.format.appendable:
-            return [append_statement(document, change)]
+            return [append_statements(document, change)]
         return self.editor(document).edits(change)
 
     @cached_property
