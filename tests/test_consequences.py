@@ -70,6 +70,7 @@ CASCADES: dict[str, tuple[Edit, str]] = {
     "prefix without its #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}"'), "LD015"),
     "prefix with / for #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}/"'), "LD031"),
     "prefix of another robot": (("coordinates", f'"{NAMES}"', f'"{NAMES[:-2]}#"'), "LD031"),
+    "graph without its @": (("skeleton", '"@graph"', '"graph"'), "LD001"),
     "context that is not loaded": (
         ("coordinates", f'"{BASE}/geometry/coordinates.json",', ""),
         "LD030",

@@ -125,3 +125,16 @@ def test_json_that_cannot_be_parsed_is_a_model_if_it_might_be():
     assert not is_model(decode("a.json", b'{"@context": "https://schema.org", "a": '))
     deep = f'{{"@context": "https://schema.org", "a": "{GEOMETRY}", "b": {"[" * 900 + "]" * 900}}}'
     assert not is_model(decode("a.json", deep.encode()))
+
+
+def test_json_in_utf_16_is_told(kinlint, write):
+    """A search does not pass it over, as if it were no model."""
+    text = (
+        '{"@context": "https://w3id.org/kinlint/composable.json", "@id": "urn:a", "@type": "Point"}'
+    )
+    write("arm.json", "").write_bytes(text.encode("utf-16"))
+
+    code, out, err = kinlint(".")
+
+    assert code == 2
+    assert "UTF-16" in out + err

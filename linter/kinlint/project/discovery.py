@@ -27,6 +27,8 @@ HEAD = 1 << 16
 TURTLE = BY_NAME["turtle"].suffixes[0]
 KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
 """Keys by which JSON is JSON-LD."""
+WIDE = (b"\xff\xfe", b"\xfe\xff")
+"""The beginnings of files in UTF-16, as editors on Windows write them."""
 LONGEST = max(map(len, KEYWORDS))
 
 
@@ -171,6 +173,9 @@ def may_be_jsonld(path: Path) -> bool:
         return False
     with path.open("rb") as stream:
         head = stream.read(HEAD)
+        if head.startswith(WIDE):
+            # Its reader says that it is not UTF-8.
+            return any(keyword in head.replace(b"\0", b"") for keyword in KEYWORDS)
         if head.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] not in (b"{", b"["):
             return False
         while not any(keyword in head for keyword in KEYWORDS):

@@ -13,6 +13,8 @@ from kinlint.suggestion import slips
 
 SHORT = 4
 """Length of words in which one edit is as much as a slip can be."""
+KEYWORDS = frozenset({"@graph", "@id", "@included", "@reverse", "@type", "@value", "@list", "@set"})
+"""Keywords of JSON-LD, which are often written without their @."""
 _CLASS = re.compile(r"[A-Z0-9][^#/:]*$")
 
 Terms = Mapping[str, Any]
@@ -32,7 +34,9 @@ def is_prefix(meaning: Any) -> bool:
 
 
 def nearest_property(key: str, terms: Terms, taken: Collection[str]) -> str | None:
-    """Return the property that *key* was meant to be; none of those *taken* in its object."""
+    """Return the property or keyword that *key* was meant to be, none *taken* in its object."""
+    if (keyword := f"@{key}") in KEYWORDS and keyword not in taken:
+        return keyword
     names = (
         term
         for term, meaning in terms.items()

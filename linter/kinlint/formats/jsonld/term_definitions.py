@@ -9,6 +9,7 @@ from typing import Any
 
 from kinlint.formats.jsonld.expansion_record import DroppedKey, ExpansionRecord
 from kinlint.formats.jsonld.losses import Detail, Loss, text_details
+from kinlint.formats.jsonld.resemblance import KEYWORDS
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.terms import iri
 
@@ -37,7 +38,9 @@ def definitions(record: ExpansionRecord, triples: Triples) -> Iterator[Loss]:
 def mentioned(drop: DroppedKey) -> Iterator[Detail]:
     """Yield the entities that the lost value of a key names, as far as prefixes say which."""
     terms = drop.resolution.terms
-    for text in islice(strings(drop.origin.element.get(drop.key)), MENTIONED):
+    # A graph under another key is the whole file.
+    most = None if f"@{drop.key}" in KEYWORDS else MENTIONED
+    for text in islice(strings(drop.origin.element.get(drop.key)), most):
         prefix, colon, rest = text.partition(":")
         meaning = terms.get(prefix) if colon else None
         if meaning and not rest.startswith("//") and ABSOLUTE.match(text):
