@@ -8,19 +8,25 @@ from kinlint.facts.fact_statements import fact
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.source_layer import DESCRIBED, src
-from kinlint.terms import Term, Triple, is_iri
+from kinlint.terms import Term, Triple, iri, is_iri
+from kinlint.vocabulary import RDFS
 
 UNREAD = (src("UnresolvedContext"), src("InvalidContext"))
 """Kinds of contexts that could not be read."""
 
 
 def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
-    """Yield the inferred types of classes that the ontology wants stated with others.
+    """Yield the inferred types of classes that the ontology wants stated.
 
     Nothing is said of a node whose types an unread context may state, nor of a class that the
     release of the contexts in use does not have.
     """
-    kinds = {kind for _, several in scan.table(kin("statedWith")).items() for kind in several}
+    kinds = {
+        kind
+        for property in (kin("statedWith"), iri(f"{RDFS}domain"), iri(f"{RDFS}range"))
+        for _, several in scan.table(property).items()
+        for kind in several
+    }
     described, releases = scan.table(DESCRIBED), scan.table(kin("inRelease"))
     uncertain, used = _uncertain(scan), _releases(scan)
     for kind in sorted(filter(is_iri, kinds)):
