@@ -23,8 +23,8 @@ def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
     """
     kinds = {
         kind
-        for property in (kin("statedWith"), iri(f"{RDFS}domain"), iri(f"{RDFS}range"))
-        for _, several in scan.table(property).items()
+        for asking in (kin("statedWith"), iri(f"{RDFS}domain"), iri(f"{RDFS}range"))
+        for _, several in scan.table(asking).items()
         for kind in several
     }
     described, releases = scan.table(DESCRIBED), scan.table(kin("inRelease"))
