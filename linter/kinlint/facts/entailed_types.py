@@ -16,17 +16,16 @@ UNREAD = (src("UnresolvedContext"), src("InvalidContext"))
 
 
 def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
-    """Yield the inferred types of classes that the ontology wants stated.
+    """Yield the inferred types of published classes that the ontology wants stated.
 
     Nothing is said of a node whose types an unread context may state, nor of a class that the
     release of the contexts in use does not have.
     """
-    kinds = {
-        kind
-        for asking in (kin("statedWith"), iri(f"{RDFS}domain"), iri(f"{RDFS}range"))
-        for _, several in scan.table(asking).items()
-        for kind in several
-    }
+    kinds = {kind for _, several in scan.table(kin("statedWith")).items() for kind in several}
+    published = scan.table(iri(f"{RDFS}isDefinedBy"))
+    for side in ("domain", "range"):
+        for _, several in scan.table(iri(f"{RDFS}{side}")).items():
+            kinds.update(kind for kind in several if published.values(kind))
     described, releases = scan.table(DESCRIBED), scan.table(kin("inRelease"))
     uncertain, used = _uncertain(scan), _releases(scan)
     for kind in sorted(filter(is_iri, kinds)):
