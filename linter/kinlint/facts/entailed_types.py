@@ -23,9 +23,13 @@ def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
     """
     kinds = {kind for _, several in scan.table(kin("statedWith")).items() for kind in several}
     published = scan.table(iri(f"{RDFS}isDefinedBy"))
-    for side in ("domain", "range"):
-        for _, several in scan.table(iri(f"{RDFS}{side}")).items():
-            kinds.update(kind for kind in several if published.values(kind))
+    kinds |= {
+        kind
+        for side in ("domain", "range")
+        for _, several in scan.table(iri(f"{RDFS}{side}")).items()
+        for kind in several
+        if published.values(kind)
+    }
     described, releases = scan.table(DESCRIBED), scan.table(kin("inRelease"))
     uncertain, used = _uncertain(scan), _releases(scan)
     for kind in sorted(filter(is_iri, kinds)):
