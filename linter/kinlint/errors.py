@@ -4,7 +4,8 @@
     ├── UsageError          an option, selector, configuration key or path is wrong
     │   └── ConfigError     ... in a configuration file
     ├── SourceError         a file cannot be read as what it claims to be
-    │   └── InternalError   ... because of an error in kinlint
+    │   ├── InternalError   ... because of an error in kinlint
+    │   └── FileTimeout     ... within the time that it may take
     └── RuleInvalid         a rule or shapes file is not what it must be
 
 A defect of a robot is never an exception: it is a `Finding`.
@@ -59,6 +60,10 @@ class InternalError(SourceError):
         """Return what to tell of *error*, which linting the file *name* ended in."""
         text = " ".join(f"{type(error).__name__}: {error}".split())
         return cls(name, f"error in kinlint itself: {text}; 'kinlint --report-bug {name}' helps us")
+
+
+class FileTimeout(SourceError):
+    """A file was given up because it took too long, or ended the process that linted it."""
 
 
 class RuleInvalid(KinlintError):

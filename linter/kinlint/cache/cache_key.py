@@ -38,7 +38,7 @@ class CacheKeys:
     _known: dict[int, str] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
-        wide = replace(self.settings, files={}, cache=None, verbose=False)
+        wide = replace(self.settings, files={}, cache=None, verbose=False, file_timeout=None)
         extra: Sequence[Extra] = (
             *wide.context_directories,
             *wide.extra_contexts.items(),

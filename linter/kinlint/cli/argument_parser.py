@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from kinlint.configuration.value_kinds import unknown_message
+from kinlint.configuration.value_kinds import LONGEST, unknown_message
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
@@ -113,6 +113,17 @@ def comma_list(text: str) -> list[str]:
     if not parts:
         raise argparse.ArgumentTypeError(f"expected a value, got '{text}'")
     return parts
+
+
+def seconds(text: str) -> float:
+    """A type for arguments that are a number of seconds from 0 up."""
+    try:
+        found = float(text)
+    except ValueError:
+        found = -1.0
+    if not 0 <= found < LONGEST:
+        raise argparse.ArgumentTypeError(f"expected a number of seconds, got '{text}'")
+    return found
 
 
 def count(text: str) -> int:

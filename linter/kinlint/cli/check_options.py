@@ -6,7 +6,7 @@ from argparse import BooleanOptionalAction
 from collections.abc import Callable
 from typing import Any
 
-from kinlint.cli.argument_parser import Parser, comma_list, count, non_empty, one_of
+from kinlint.cli.argument_parser import Parser, comma_list, count, non_empty, one_of, seconds
 from kinlint.cli.commands import COMMANDS
 from kinlint.configuration.keys import (
     ENGINES,
@@ -125,6 +125,7 @@ def _files(made: Parser) -> None:
     add("--report-bug", metavar="DIR", help="write what makes kinlint fail to DIR, without names")
     add("--watch", "-w", **FLAG, help="lint again whenever something changes, until Ctrl-C")
     add("--jobs", "-j", type=count, metavar="N", default=1, help="processes; 0: one for each CPU")
+    add("--file-timeout", type=seconds, metavar="S", help="report files that take longer; 0: never")
     add("--show-files", **FLAG, help="show what would be linted, and stop")
 
 

@@ -101,10 +101,26 @@ class LintRun:
             self.paired[:] = (each for each in sources if each.pairing is not None)
             return sources, [*self.found.errors, *errors]
 
+    def _read_in_time(self, options: Namespace) -> tuple[list[SourceText], list[SourceError]]:
+        """What `_read` returns, less what takes longer than a file may."""
+        sources, failed = self._read()
+        if self.settings.file_timeout is None:
+            return sources, failed
+        from kinlint.errors import FileTimeout  # noqa: PLC0415
+        from kinlint.parallel.runner import ParallelRunner  # noqa: PLC0415
+        from kinlint.parallel.shard import Job  # noqa: PLC0415
+
+        jobs = options.jobs or os.cpu_count() or 1
+        tried = ParallelRunner(Job(self.settings, self.book, fixing=True), jobs)
+        found = tried.report(sources, failed).errors
+        late = [each for each in found if isinstance(each, FileTimeout)]
+        names = {each.name for each in late}
+        return [each for each in sources if each.name not in names], [*failed, *late]
+
     def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:
         from kinlint.cli import fix_files  # noqa: PLC0415  most runs change nothing
 
-        sources, failed = self._read()
+        sources, failed = self._read_in_time(options)
         inputs = self.found.inputs
         least = fix_files.least_applicability(self.settings)
         streamed = {one.name for one in inputs if one.path is None}
@@ -134,7 +150,7 @@ class LintRun:
         from kinlint.cli.add_ignore import add_ignores  # noqa: PLC0415  most runs write nothing
         from kinlint.fixes.offers import accept_all  # noqa: PLC0415
 
-        sources, failed = self._read()
+        sources, failed = self._read_in_time(options)
         return add_ignores(
             options, sources, failed, self.found, self.settings, self.book, wanted or accept_all,
             self.phases,

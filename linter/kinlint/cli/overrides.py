@@ -50,6 +50,7 @@ def overrides(options: Namespace) -> Config:
             fail_on=options.fail_on,
             contexts=options.contexts,
             partial=options.partial,
+            file_timeout=options.file_timeout,
             engine=options.engine,
             packages=tuple(_packages(options.package or ())),
             xacro_args=tuple(_xacro_args(options.xacro_arg or ())),

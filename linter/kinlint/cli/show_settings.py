@@ -30,6 +30,7 @@ def pages(
             yield f"{name} = {shown(path)}\n"
     yield f"engine = {settings.engine}\n"
     yield f"partial = {str(settings.partial).lower()}\n"
+    yield f"file-timeout = {settings.file_timeout or 0:g}\n"
     yield from (f"{key} = {value}\n" for key, value in run.items())
     unsafe = "hint" if settings.unsafe_fixes is None else str(settings.unsafe_fixes).lower()
     yield f"unsafe-fixes = {unsafe}\n"

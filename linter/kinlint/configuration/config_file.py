@@ -79,6 +79,8 @@ class Config:
     rules: tuple[Path, ...] | None = None
     shapes: tuple[Path, ...] | None = None
     partial: bool | None = None
+    file_timeout: float | None = None
+    """Seconds that each file may take; 0 for no limit."""
     engine: str | None = None
     baseline: Path | None = None
     home: Path | None = None
@@ -140,6 +142,7 @@ def parse_config(
         rules=_paths(said.get("rules"), root),
         shapes=_paths(said.get("shapes"), root),
         partial=said.get("partial"),
+        file_timeout=said.get("file-timeout"),
         engine=said.get("engine"),
         baseline=_path(said["baseline"], root) if said.get("baseline") else None,
         home=None if source is None else root,

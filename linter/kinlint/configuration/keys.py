@@ -12,6 +12,7 @@ from typing import Any
 from kinlint.configuration.value_kinds import (
     ONE_OR_MORE,
     SCALAR,
+    SECONDS,
     STRING,
     STRINGS,
     SWITCH,
@@ -215,6 +216,13 @@ KEYS: Mapping[str, Key] = {
         "false",
         "Whether the files are a part of a model, so that others may say more.",
         "partial = true",
+    ),
+    "file-timeout": Key(
+        SECONDS,
+        "0",
+        "Seconds after which a file is given up and reported, so that the others are linted;"
+        " 0 is no limit.",
+        "file-timeout = 60",
     ),
     "engine": Key(one_of(ENGINES), '"oxigraph"', "What checks the rules.", 'engine = "pyshacl"'),
     "packages": Key(

@@ -101,6 +101,8 @@ class Settings:
     """The SHACL engine."""
     partial: bool = False
     """True if the files are a part of a model."""
+    file_timeout: float | None = None
+    """Seconds that each file may take; None for no limit."""
     cache: Path | None = None
     """Directory of kept reports; None keeps none."""
     ignore_suppressions: bool = False

@@ -110,10 +110,18 @@ def _scalar(value: object) -> str:
     )
 
 
+def _seconds(value: object) -> str:
+    number = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < LONGEST
+    return "" if number else expected_message("a number of seconds from 0 up", value)
+
+
+LONGEST = 1e9
+"""Seconds beyond which a limit is none that a clock can hold."""
 _TEXT = {"type": "string"}
 _LIST = {"type": "array", "items": _TEXT}
 STRING = Kind("a string", _string, _TEXT)
 STRINGS = Kind("a list of strings", _strings, _LIST)
 ONE_OR_MORE = Kind("a string or a list of strings", _one_or_more, {"anyOf": [_TEXT, _LIST]})
 SWITCH = Kind("true or false", _switch, {"type": "boolean"})
+SECONDS = Kind("a number of seconds", _seconds, {"type": "number", "minimum": 0})
 SCALAR = Kind("a string, a number or a boolean", _scalar, {"type": ["string", "number", "boolean"]})

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 from kinlint.cache.report_cache import ReportCache
-from kinlint.errors import InternalError, SourceError
+from kinlint.errors import FileTimeout, InternalError, SourceError
 from kinlint.parallel import processes, shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_into_shares
@@ -83,7 +83,9 @@ class ParallelRunner:
         left = [number for number in range(len(models)) if number not in found]
         for number, outcome in self._linted([models[n] for n in left], failed):
             found[left[number]] = outcome.report
-            failures = (isinstance(error, InternalError) for error in outcome.report.errors)
+            failures = (
+                isinstance(error, (InternalError, FileTimeout)) for error in outcome.report.errors
+            )
             if self.memory is not None and not any(failures):
                 self.memory.keep(models[left[number]], *outcome, complete=not failed)
         return [found[number] for number in range(len(models))], recalled
@@ -102,7 +104,12 @@ class ParallelRunner:
             for model in left[number]:
                 self._advance(model, failed)
 
-        if self.jobs > 1 and len(left) > 1:
+        if left and (seconds := self.job.settings.file_timeout):
+            from kinlint.parallel.timed_processes import TimedProcesses  # noqa: PLC0415  few runs
+
+            with self.phases.phase("linting"):
+                TimedProcesses(self.job, failed, self.jobs, seconds).lint(left, done)
+        elif self.jobs > 1 and len(left) > 1:
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
         for number, each in enumerate(left):

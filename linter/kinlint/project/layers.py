@@ -97,6 +97,7 @@ class Layers:
         return Settings(
             **wide,
             unsafe_fixes=project.unsafe_fixes,
+            file_timeout=project.file_timeout or None,
             default=_file(project, self.here),
             files={
                 one.name: _file(self.config_for(governing_directory(one)), _path(one))

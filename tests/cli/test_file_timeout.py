@@ -1,0 +1,156 @@
+"""A file that takes too long is reported, and makes no others wait."""
+
+import json
+import os
+import time
+from multiprocessing import active_children
+from pathlib import Path
+
+import pytest
+
+from kinlint.cli.main import main
+from kinlint.configuration.keys import KEYS
+from kinlint.parallel import shard
+
+LIMIT = "1.5"
+GOOD = '<robot name="r"><link name="a"/><lnk name="b"/></robot>'
+
+
+def forever():
+    """Wait in native code, where no signal handler of Python runs."""
+    time.sleep(3600)
+
+
+@pytest.fixture
+def here(tmp_path, rules_cache, monkeypatch):
+    """Robots, and a linter that never answers where a text says so."""
+    monkeypatch.chdir(tmp_path)
+    lint = shard.lint_shard
+
+    def stubborn(models, *arguments):
+        texts = [source.text for model in models for source in model]
+        if any("FOREVER" in each for each in texts):
+            forever()
+        if any("CRASH" in each for each in texts):
+            os._exit(9)
+        if len(texts) == 2 and all("SLOW TOGETHER" in each for each in texts):
+            forever()
+        return lint(models, *arguments)
+
+    monkeypatch.setattr(shard, "lint_shard", stubborn)
+    for number in range(3):
+        (tmp_path / f"r{number}.urdf").write_text(GOOD)
+    return tmp_path
+
+
+def said(capsys, *arguments):
+    """The exit code, and the places and codes of findings and errors."""
+    capsys.readouterr()
+    code = main([".", "--isolated", "--no-cache", "--output-format", "json", *arguments])
+    report = json.loads(capsys.readouterr().out)
+    found = [(Path(each["filename"]).name, each["code"], each["message"]) for each in report]
+    return code, [each for each in found if each[1]], [each for each in found if not each[1]]
+
+
+@pytest.mark.parametrize("jobs", ["1", "3"])
+def test_one_error_and_the_findings_of_the_others(here, capsys, jobs):
+    """Whatever it is busy with, in one process or several; none of them is left."""
+    (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
+    without, findings, _ = said(capsys, "--exclude", "evil.urdf")
+    assert (without, bool(findings)) == (1, True)
+
+    code, found, errors = said(capsys, "--file-timeout", LIMIT, "-j", jobs)
+
+    assert (code, found) == (2, findings)
+    assert [name for name, *_ in errors] == ["evil.urdf"]
+    assert f"not linted within {LIMIT} s (--file-timeout)" in errors[0][2]
+    assert not active_children()
+
+
+def test_a_limit_that_holds_changes_nothing(here, capsys):
+    """Not one finding."""
+    assert said(capsys, "--file-timeout", "300") == said(capsys)
+
+
+def test_a_slow_file_of_a_model_is_as_good_as_unreadable(here, capsys):
+    """The other files of the model are judged without it."""
+    for number in range(3):
+        (here / f"r{number}.urdf").unlink()
+    node = '{"@context": {"ex": "https://x.example/"}, "@id": "ex:%s", "ex:p": "x", "%s": 1}'
+    (here / "good.jsonld").write_text(node % ("a", "nothing"))
+    (here / "evil.jsonld").write_text(node % ("b", "FOREVER"))
+
+    code, found, errors = said(capsys, "--file-timeout", LIMIT)
+
+    assert code == 2
+    assert {name for name, *_ in found} == {"good.jsonld"}
+    assert [name for name, *_ in errors] == ["evil.jsonld"]
+
+
+def test_files_that_are_slow_only_together_are_all_reported(here, capsys):
+    """None of them is to blame alone."""
+    for name in ("a", "b"):
+        text = '{"@context": {}, "@id": "https://x.example/%s", "SLOW TOGETHER": 1}'
+        (here / f"{name}.jsonld").write_text(text % name)
+
+    code, _, errors = said(capsys, "--file-timeout", "1")
+
+    assert code == 2
+    assert [name for name, *_ in errors] == ["a.jsonld", "b.jsonld"]
+    assert all("judged with 1 other" in message for _, _, message in errors)
+
+
+def test_a_process_that_ends_is_reported(here, capsys):
+    """Such as one that the system kills because of its memory."""
+    (here / "evil.urdf").write_text(GOOD.replace("r", "CRASH"))
+
+    code, found, errors = said(capsys, "--file-timeout", "30")
+
+    assert (code, bool(found)) == (2, True)
+    assert [name for name, *_ in errors] == ["evil.urdf"]
+    assert "ended with 9" in errors[0][2]
+
+
+def test_what_is_too_slow_is_not_fixed(here, capsys):
+    """The others are."""
+    (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
+    before = (here / "evil.urdf").read_bytes()
+
+    code, _, errors = said(capsys, "--file-timeout", LIMIT, "--fix", "--unsafe-fixes")
+
+    assert (code, [name for name, *_ in errors]) == (2, ["evil.urdf"])
+    assert (here / "evil.urdf").read_bytes() == before
+    assert all("<lnk" not in (here / f"r{number}.urdf").read_text() for number in range(3))
+
+
+def test_a_file_that_was_too_slow_is_tried_again(here, capsys, monkeypatch):
+    """It is not among the reports that are kept."""
+    evil = here / "evil.urdf"
+    evil.write_text(GOOD.replace("r", "FOREVER"))
+    main([".", "--isolated", "-q", "--file-timeout", LIMIT])
+    monkeypatch.undo()
+    monkeypatch.chdir(here)
+    capsys.readouterr()
+    assert main([".", "--isolated", "--output-format", "json", "--file-timeout", "300"]) == 1
+
+
+def test_the_configuration_sets_it(here, capsys):
+    """The command line wins, also with 0, which is no limit."""
+    (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
+    (here / "kinlint.toml").write_text("file-timeout = 1\n")
+    assert main([".", "-q", "--no-cache"]) == 2
+    assert "within 1 s" in capsys.readouterr().out
+    for given, told in (
+        ((), "1"),
+        (("--file-timeout", "0"), "0"),
+        (("--file-timeout=7.5",), "7.5"),
+    ):
+        main([".", "--show-settings", *given])
+        assert f"file-timeout = {told}\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("value", [True, -1, "60", float("nan"), float("inf"), 1e12])
+def test_a_limit_is_a_number_of_seconds(value):
+    """From 0 up, and one that a clock can hold."""
+    assert KEYS["file-timeout"].kind.problem(value)
+    assert not KEYS["file-timeout"].kind.problem(0.5)
