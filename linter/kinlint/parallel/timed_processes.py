@@ -25,7 +25,7 @@ from kinlint.report import Report
 from kinlint.text import SourceText
 
 Answer: TypeAlias = list[Outcome] | str
-"""What came of a task: outcomes, or why there are none."""
+"""Outcomes of a task, or why there are none."""
 
 
 @dataclass
@@ -34,7 +34,7 @@ class _Task:
 
     models: Sequence[Model]
     done: Callable[[Answer], None]
-    """A function of what comes of them."""
+    """A function of the outcomes, or of why there are none."""
     errors: Sequence[SourceError] = ()
     """The errors in other files of the same model."""
 
