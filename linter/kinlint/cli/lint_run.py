@@ -102,7 +102,7 @@ class LintRun:
             return sources, [*self.found.errors, *errors]
 
     def _read_in_time(self, options: Namespace) -> tuple[list[SourceText], list[SourceError]]:
-        """Return the texts and errors of `_read`, less the texts that take longer than a file may."""
+        """Return the texts and errors of `_read`, less the texts that take too long."""
         sources, failed = self._read()
         if self.settings.file_timeout is None:
             return sources, failed
