@@ -80,7 +80,6 @@ class Config:
     shapes: tuple[Path, ...] | None = None
     partial: bool | None = None
     file_timeout: float | None = None
-    """Seconds that each file may take; 0 for no limit."""
     engine: str | None = None
     baseline: Path | None = None
     home: Path | None = None
