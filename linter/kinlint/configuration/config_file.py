@@ -251,10 +251,9 @@ class Configs:
             return self.fixed
         if directory not in self._nearest:
             found = _in(directory, self.restrict)
-            above = directory.parent
-            self._nearest[directory] = found or (
-                None if above == directory else self.nearest(above)
-            )
+            if found is None and (above := directory.parent) != directory:
+                found = self.nearest(above)
+            self._nearest[directory] = found
         return self._nearest[directory]
 
 
@@ -277,8 +276,7 @@ def file_above(directory: Path) -> Path | None:
 
 def load_config(path: Path) -> Config:
     """The configuration in the file at *path*, which must have one."""
-    said = read(path)
-    if said is None:
+    if (said := read(path)) is None:
         raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
     return _extended(path, said, ())
 
@@ -295,8 +293,7 @@ def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
     if not base.is_file():
         cause = "not a file" if base.exists() else missing(base)
         raise ConfigError(f"{origin}: {shown(base)}: {cause}")
-    more = read(base)
-    if more is None:
+    if (more := read(base)) is None:
         raise ConfigError(f"{origin}: {shown(base)} has no [tool.kinlint]")
     below = _extended(base, more, (*seen, path))
     return replace(below.extended_by(config), origin=config.origin)
