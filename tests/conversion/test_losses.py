@@ -41,6 +41,18 @@ def test_elements_and_attributes_that_are_not_lifted():
     assert found["'link/@type'"] == "1: no reader gives it a meaning"
 
 
+def test_root_that_stands_still():
+    nothing = """<inertial><mass value="0"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0"
+        izz="1"/></inertial>"""
+    moved = '<joint name="j" type="prismatic"><parent link="b"/><child link="a"/></joint>'
+    assert lost(f'<link name="b">{nothing}</link>{moved}') == {
+        "'link/inertial'": "1: the root stands still and has no mass"
+    }
+    assert lost(f'<link name="b">{nothing}</link>{moved.replace("prismatic", "fixed")}') == {}
+    turned = moved.replace("parent", "x").replace("child", "parent").replace("x link", "child link")
+    assert lost(f'<link name="b">{nothing}</link>{turned}') == {}
+
+
 def test_what_has_no_meaning_for_its_joint():
     found = lost(
         """<link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/>
@@ -83,6 +95,13 @@ def test_sdf():
         "model.sdf",
     )
     assert set(found) == {"'model/static'", "'link/sensor'"}
+
+
+def test_nothing_is_said_of_where_a_sensor_is():
+    text = """<sdf version="1.9"><model name="m"><link name="a"><sensor name="s" type="imu">
+        <pose>1 0 0 0 0 0</pose></sensor></link></model></sdf>"""
+    nodes = compose([document(text, "model.sdf")]).nodes
+    assert [each["@id"] for each in nodes if "sensor" in str(each)] == []
 
 
 def test_what_is_to_be_included_and_is_not_there():

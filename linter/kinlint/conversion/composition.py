@@ -19,8 +19,8 @@ from kinlint.formats.records import ELEMENTS
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Inputs
 from kinlint.pipeline.stages import run_stages
-from kinlint.terms import Term, iri, iri_value, is_literal, literal_value
-from kinlint.vocabulary import ATTRIBUTE
+from kinlint.terms import RDF_TYPE, Term, iri, iri_value, is_literal, literal_value
+from kinlint.vocabulary import ATTRIBUTE, METAMODELS
 
 EXAMPLE = "https://example.org/"
 """Namespace of names for which none is given."""
@@ -32,6 +32,8 @@ GRAPH = "model"
 CONTAINS = tuple(f"<{each}" for each in ELEMENTS)
 """Prefixes of the properties that lead from an element to one within it."""
 NAME = iri(f"{ATTRIBUTE}name")
+INERTIA = iri(f"{METAMODELS}newtonian-rigid-body-dynamics/structural-entities#RigidBodyInertia")
+STILL = "the root stands still and has no mass"
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,8 @@ def compose(
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
     store = run_stages("lifting", Run(()), Inputs(documents))
-    left_out = conversion_losses(documents, list(store.lifted()), Provenance(store))
+    lifted = list(store.lifted())
+    left_out = conversion_losses(documents, lifted, Provenance(store))
     statements = Statements(rewritten(store, rotation))
     if not statements.subjects:
         raise UsageError(f"{documents[0].source.name}: no links and joints, nothing to convert")
@@ -78,6 +81,9 @@ def compose(
         for each in documents
     }
     _distinct(statements, names)
+    inertias = {s for s, p, o in lifted if p == RDF_TYPE and o == INERTIA}
+    if still := len(inertias.difference(statements.said)):
+        left_out.append(Loss("'link/inertial'", still, STILL))
     made = list(expanded_nodes(statements, Order(statements, documents), names))
     return Composition(f"{next(iter(names.values()))}{GRAPH}", made, _prefixes(names), left_out)
 
