@@ -83,8 +83,16 @@ class ActiveContexts:
         if any(isinstance(entry, Mapping) and "@propagate" in entry for entry in local[1:]):
             return self._entry(active_ctx, local, process, options, flags)
         owners: dict[str, str] = {}
+        loaded: set[Text] = set()
         for entry, site in _entries(local):
             self.site = site or self.site
+            if entry is None:
+                loaded.clear()
+            elif isinstance(entry, Text):
+                place = self._place(entry, entry.span)
+                if entry in loaded:
+                    self.record.problem(ContextProblem("RepeatedContext", entry, "", place))
+                loaded.add(entry)
             result = self._entry(active_ctx, entry, process, options, flags)
             if isinstance(entry, Text) and len(local) > 1:
                 self._compare(active_ctx, result, entry, options, owners)

@@ -36,14 +36,14 @@ class StrayValue(NamedTuple):
 
 
 class ContextProblem(NamedTuple):
-    """A context that is missing or broken: its IRI if it has one, and where it is named."""
+    """A context that is missing, broken or repeated: its IRI if it has one, and its place."""
 
     kind: str
     """Class of the source layer that states it."""
     context: str | None
     """IRI of the context; None for one without."""
     reason: str
-    """Reason why the context cannot be used."""
+    """Reason why the context cannot be used, if it cannot."""
     span: Span
     """Place where the context is named."""
     meant: str | None = None
