@@ -83,21 +83,24 @@ class ActiveContexts:
         if any(isinstance(entry, Mapping) and "@propagate" in entry for entry in local[1:]):
             return self._entry(active_ctx, local, process, options, flags)
         owners: dict[str, str] = {}
-        loaded: set[Text] = set()
+        loaded = set[str]()
         for entry, site in _entries(local):
             self.site = site or self.site
-            if entry is None:
-                loaded.clear()
-            elif isinstance(entry, Text):
-                place = self._place(entry, entry.span)
-                if entry in loaded:
-                    self.record.problem(ContextProblem("RepeatedContext", entry, "", place))
-                loaded.add(entry)
+            self._note_repetition(entry, loaded)
             result = self._entry(active_ctx, entry, process, options, flags)
             if isinstance(entry, Text) and len(local) > 1:
                 self._compare(active_ctx, result, entry, options, owners)
             active_ctx = result
         return active_ctx
+
+    def _note_repetition(self, entry: Any, loaded: set[str]) -> None:
+        """Record *entry* of an array if it is among the contexts *loaded* by the array before."""
+        if entry is None:
+            loaded.clear()
+        elif isinstance(entry, Text):
+            if entry in loaded:
+                self.record.problem(ContextProblem("RepeatedContext", entry, "", entry.span))
+            loaded.add(entry)
 
     def _entry(
         self, active: Context, entry: Any, process: _Process, options: Any, flags: dict[str, Any]
