@@ -20,8 +20,11 @@ class Made(NamedTuple):
     """A triple of a template; an object that is a list is one term, `( ?x ?y )`."""
 
     subject: str
+    """Subject, as in the template."""
     predicate: str
+    """Predicate, as in the template."""
     object: str
+    """Object, as in the template."""
 
     @property
     def term(self) -> Term | None:

@@ -75,6 +75,7 @@ class Provenance:
     """The origins of what was lifted in a store, as it is when they are first asked for."""
 
     store: Store
+    """The store."""
     _solutions: dict[str, Mapping[tuple[str, Term], Sequence[Row]]] = field(default_factory=dict)
 
     def trace(self, triple: Triple) -> Trace:

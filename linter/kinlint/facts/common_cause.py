@@ -32,6 +32,7 @@ class Miss(NamedTuple):
     """Closing error of a loop, by the index of its closing edge, as numbers that are added up."""
 
     edge: int
+    """Index of the closing edge."""
     odd: tuple[float, ...]
     even: tuple[float, ...] = ()
 

@@ -39,7 +39,9 @@ class JointTrees:
     """Edges in the order in which they were given, and the bodies that trees begin with."""
 
     edges: Sequence[Edge] = ()
+    """Edges from parent to child, in the order in which they were given."""
     roots: Sequence[Term] = field(default=())
+    """Bodies that trees begin with."""
 
 
 def arrange_joints(bodies: Sequence[Term], edges: Sequence[Edge]) -> JointTrees:

@@ -29,6 +29,7 @@ class Missing:
     """A file that is not there, though the place for it is; `resembles` is what may be meant."""
 
     resembles: str | None = None
+    """Name of a similar file in that place; None if there is none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +37,7 @@ class UnknownPackage:
     """No package, or model, of this name is known."""
 
     name: str
+    """Name of the package or model."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +45,7 @@ class AbsentDirectory:
     """The files of this kind are not here at all: their directory is not, or it has none."""
 
     name: str
+    """The directory, as it is referred to."""
 
 
 Fault: TypeAlias = Missing | UnknownPackage | AbsentDirectory
@@ -53,6 +56,7 @@ class References:
     """Looks up what files name; remembers what it saw, so it is to be used for one run."""
 
     packages: Packages
+    """Packages and models that are known."""
     _names: dict[Path, Mapping[str, bool]] = field(default_factory=dict)
     _below: dict[Path, Mapping[str, list[str]]] = field(default_factory=dict)
     _faults: dict[tuple[str, Path], Fault | None] = field(default_factory=dict)

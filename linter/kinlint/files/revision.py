@@ -28,6 +28,7 @@ class Repository:
     """A working tree of git; `top` is the directory that it begins in, links followed."""
 
     top: Path
+    """Top directory of the working tree, links followed."""
 
     @classmethod
     def from_directory(cls, directory: Path) -> Repository:

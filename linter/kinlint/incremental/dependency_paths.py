@@ -63,6 +63,7 @@ class PatternPath:
     """A pattern of a query, and how the target is reached from it."""
 
     edge: Edge
+    """The pattern."""
     from_object: bool
     """True if the way begins at the object of the pattern; else at its subject."""
     steps: tuple[tuple[Path, bool], ...] | None

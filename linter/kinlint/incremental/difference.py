@@ -15,7 +15,9 @@ class Difference(NamedTuple):
     """The statements to remove from a list, and to add, to have another."""
 
     removed: frozenset[Triple]
+    """Statements to remove."""
     added: frozenset[Triple]
+    """Statements to add."""
 
     def __bool__(self) -> bool:
         return bool(self.removed or self.added)

@@ -19,7 +19,9 @@ class Restriction:
     """A variable that each solution binds, and how each pattern of the query leads to it."""
 
     root: str
+    """The variable."""
     pattern_paths: tuple[PatternPath, ...]
+    """Path from each pattern to the variable."""
 
 
 def find_restriction(group: Group) -> Restriction | None:

@@ -22,8 +22,11 @@ class Member(NamedTuple):
     """A key with its value, in an object; `outer` is the member that the object is in."""
 
     key: Key
+    """Key, with its place."""
     value: Any
+    """The value."""
     object: Object
+    """Object that contains the member."""
     outer: Member | None
     """None at the top."""
 

@@ -37,7 +37,9 @@ class FixPreview:
     """Writes fixes beneath excerpts whose line numbers take `gutter` columns."""
 
     style: Style
+    """Colours."""
     gutter: int
+    """Number of columns of line numbers."""
 
     def block(self, finding: Finding) -> Iterator[str]:
         """The lines that tell of the fixes of *finding*; nothing if there are none."""

@@ -32,7 +32,9 @@ class Piece(NamedTuple):
     """A token or comment of a line, and whether a space stands before it."""
 
     text: str
+    """Text of the token or comment."""
     spaced: bool
+    """True if a space precedes it."""
 
 
 def laid_out(query: str, width: int) -> Iterator[str]:

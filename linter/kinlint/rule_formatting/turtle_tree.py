@@ -71,6 +71,7 @@ class Turtle:
     """A text that is read: its prefixes, its statements, and the names that stand in it."""
 
     text: str
+    """The text."""
     prefixes: dict[str, str] = field(default_factory=dict)
     """The IRI of each prefix, with its brackets."""
 
@@ -84,6 +85,7 @@ class Turtle:
     """Comments after the last statement."""
 
     statements: list[Statement] = field(default_factory=list)
+    """Statements in their order."""
 
     def __post_init__(self) -> None:
         """Read the text, which has to be Turtle: whether it is so is not found out here."""

@@ -22,6 +22,7 @@ class DocumentStore:
     """The texts at one moment, of which equal ones stay the same objects from one to the next."""
 
     snapshot: FrozenState
+    """Open texts and files at one moment."""
     _kept: dict[Path, tuple[Stamp, SourceText | SourceError]] = field(default_factory=dict)
     _seen: set[Path] = field(default_factory=set)
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)

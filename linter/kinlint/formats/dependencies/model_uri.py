@@ -29,6 +29,7 @@ class MissingModel:
     """Why there is no file to include."""
 
     reason: str
+    """The reason, in words."""
 
 
 def locate(uri: str, chain: tuple[Path, ...], packages: Packages) -> Path | MissingModel:

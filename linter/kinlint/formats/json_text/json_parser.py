@@ -50,7 +50,9 @@ class ArrayElement(NamedTuple):
     """Element of an array."""
 
     value: Any
+    """The value."""
     span: Span
+    """Its place."""
     repeats: list[Object]
     """Objects in it with repeated keys."""
     closing: bool = False

@@ -76,7 +76,9 @@ class Member(NamedTuple):
     """Occurrence of a key with its value."""
 
     key: Key
+    """Key, with its place."""
     value: Any
+    """The value."""
 
 
 class Object(Placed, dict[str, Any]):

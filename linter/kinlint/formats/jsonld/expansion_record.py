@@ -15,8 +15,10 @@ class DroppedKey(NamedTuple):
     """A key that no context in force maps, and what it means instead."""
 
     key: Text
+    """The key, with its place."""
     origin: Origin
     resolution: Resolution
+    """Result of resolving it as an IRI."""
 
 
 class StrayValue(NamedTuple):

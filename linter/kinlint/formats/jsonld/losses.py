@@ -68,7 +68,9 @@ class LostType:
     """A loss of a type, with what another release is asked about it."""
 
     loss: Loss
+    """The loss."""
     written: Iri
+    """The type as written."""
     origin: Origin | None
 
 

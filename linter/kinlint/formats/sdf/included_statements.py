@@ -26,6 +26,7 @@ class IncludedDocument:
     """Document that another includes."""
 
     document: Document
+    """The document."""
     include: Term
     """Node of the `include`."""
     onto: Term

@@ -31,9 +31,11 @@ class SdfScope:
     """Names of one world or model, with those of models that are merged into it."""
 
     element: SdfElement
+    """The world or model."""
     outer: SdfScope | None = None
     """Enclosing scope."""
     names: dict[str, SdfElement] = field(default_factory=dict)
+    """Elements by name."""
     unread: set[str | None] = field(default_factory=set)
     """Names of included models from files that cannot be read; None stands for one whose name is in
     the file."""
@@ -54,6 +56,7 @@ class Scopes:
     """Scopes of a file."""
 
     world: SdfElement
+    """The outermost element."""
     own: dict[SdfElement, SdfScope] = field(default_factory=dict)
     """Scope of the inside of each world and model."""
     enclosing: dict[SdfElement, SdfScope] = field(default_factory=dict)

@@ -38,9 +38,13 @@ class Token(NamedTuple):
     """A token, its kind (a group of the expression above) and its place."""
 
     kind: str
+    """Name of the group of the expression above that matches it."""
     text: str
+    """Text of the token."""
     start: int
+    """Offset of the first character."""
     end: int
+    """Offset behind the last character."""
 
     @property
     def span(self) -> Span:

@@ -111,7 +111,9 @@ class Expansion:
     includes: list[tuple[Element, SourceText]] = field(default_factory=list)
     """Elements that had files included, each with one of them."""
     remarks: list[Remark] = field(default_factory=list)
+    """Warnings of xacro."""
     fault: Fault | None = None
+    """Error that ended the expansion; None if it succeeded."""
 
 
 def message(error: BaseException) -> str:

@@ -56,11 +56,15 @@ class Session:
     """Expansion of the main file of `pieces` with `arguments`."""
 
     pieces: Pieces
+    """Files of the expansion, the main one first."""
     arguments: Mapping[str, str]
+    """Values of arguments by name."""
     packages: Packages
+    """Packages that `$(find)` looks up."""
     variables: Collection[str] = ()
     """Environment variables that the files may ask for, besides those of ROS."""
     bounds: Limits = field(default_factory=Limits)
+    """Limits of the work that it may do."""
 
     def __post_init__(self) -> None:
         self._xacro = _package()

@@ -20,7 +20,9 @@ class MappedRange(NamedTuple):
     at: int
     """Offset in the expanded text."""
     start: int
+    """Offset of its first character in the source."""
     end: int
+    """Offset behind its last character in the source."""
     exact: bool
     """True if both are equal character by character."""
 
@@ -30,6 +32,7 @@ class MappedText:
     """Expanded text with the ranges that wrote it."""
 
     text: str
+    """The expanded text."""
     leaves: tuple[MappedRange, ...]
     """Ranges that cover all of it, in order."""
 

@@ -49,7 +49,9 @@ class TextEvaluator:
     """Evaluates texts of one expansion; `substitute` knows what `$(…)` stands for."""
 
     bounds: Limits
+    """Limits of the work that expressions may do."""
     substitute: Callable[[str], str]
+    """Returns the value of a `$(…)`."""
 
     def evaluate(self, text: str, symbols: Any) -> Any:
         """Return the value of *text* with *symbols*; of any type if it is one expression."""

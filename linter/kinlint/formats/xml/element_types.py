@@ -74,7 +74,9 @@ class ElementType:
     predicate: Term
     """Property from the parent to the element."""
     attributes: dict[str, Slot] = field(default_factory=dict)
+    """Slots of attributes, by name."""
     children: dict[str, ElementType] = field(default_factory=dict, repr=False)
+    """Types of child elements, by tag."""
     once: frozenset[str] = frozenset()
     """Tags of children that may occur once."""
     required: tuple[str, ...] = ()
@@ -102,7 +104,9 @@ class ElementType:
     display_only: bool = False
     """True if it and what is in it only matter for display."""
     lifetime: Lifetime | None = None
+    """Versions of the format that have the element; None for all."""
     lifetimes: dict[str, Lifetime] = field(default_factory=dict)
+    """Versions that have an attribute, by name; others are in all."""
     dated: bool = False
     """True if not every version of the format has it, or one of its attributes."""
     checked: bool = False

@@ -21,11 +21,13 @@ class NameUse(NamedTuple):
     """Reference of an element by name."""
 
     element: Term
+    """Element that refers."""
     place: Term
     """Property with the name."""
     value: Term
     """The name."""
     reference: Reference
+    """Reference, as the schema declares it."""
 
     @property
     def text(self) -> str:

@@ -51,8 +51,11 @@ class Diagnostics:
     """Diagnostics so far. `scopes` are the prefixes that open elements declare."""
 
     schema: Schema
+    """Schema of the format."""
     notes: list[Diagnostic] = field(default_factory=list)
+    """Diagnostics so far."""
     scopes: dict[int, list[str]] = field(default_factory=dict)
+    """Prefixes that open elements declare, by number of element."""
     _declared: dict[str, int] = field(default_factory=dict)
     _undeclared: set[str] = field(default_factory=set)
     _orders: dict[tuple[int, str], int] = field(default_factory=dict)

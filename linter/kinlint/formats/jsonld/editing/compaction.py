@@ -19,7 +19,9 @@ class Member(NamedTuple):
     """A key, and the JSON of one value under it."""
 
     key: str
+    """The key."""
     value: Any
+    """JSON of the value."""
 
 
 class Compaction:

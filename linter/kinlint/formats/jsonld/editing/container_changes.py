@@ -55,8 +55,11 @@ class ContainerChanges:
     """
 
     text: str
+    """The text to change."""
     tree: TextTree
+    """Its values with their places."""
     style: Style
+    """Its indentation and line ends."""
     cut: DeletedRanges = field(default_factory=DeletedRanges)
     """Removed ranges."""
     lasting: set[int] = field(default_factory=set)

@@ -34,8 +34,11 @@ class ContainerLayout:
     """Lays out changes of `text`, whose outermost value is `root`, in its `style`."""
 
     text: str
+    """The text to change."""
     root: Any
+    """Its outermost value."""
     style: Style
+    """Its indentation and line ends."""
 
     def wrapped(self, span: Span, before: Sequence[Any], after: Sequence[Any]) -> list[Edit]:
         """Return the edits that make an array of the value at *span* and other values."""

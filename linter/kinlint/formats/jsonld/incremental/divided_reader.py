@@ -53,8 +53,11 @@ class Reading:
     """A document, and what it takes to read it again."""
 
     options: ReadOptions
+    """Options of reading."""
     division: Division
+    """Parts of the text."""
     assembly: Assembly
+    """Document made of them."""
 
     @property
     def document(self) -> Document:

@@ -165,7 +165,9 @@ class Assembly:
     """A document, and those of its parts that have blank nodes, `named`."""
 
     document: Document
+    """The document."""
     named: Named
+    """Parts with blank nodes."""
     blanks: BlankNodes
     """The labels of its blank nodes."""
     aside: Sequence[Term]

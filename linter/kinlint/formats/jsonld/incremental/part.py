@@ -46,6 +46,7 @@ class PartNotes:
     """Statements of the source layer about a part, pending until the whole file is read."""
 
     losses: tuple[Loss, ...] = ()
+    """Losses in the part."""
     values: tuple[tuple[str, Loss], ...] = ()
     """Losses by the value written there; void if it is among the identifiers of the file."""
     identifiers: frozenset[str] = frozenset()

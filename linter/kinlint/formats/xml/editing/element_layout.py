@@ -24,8 +24,11 @@ class Attribute(NamedTuple):
     """An attribute of a start tag: its name, the place of that, and of its value inside quotes."""
 
     name: str
+    """The name."""
     key: Span
+    """Place of the name."""
     value: Span
+    """Place of the value, without quotes."""
 
     @property
     def end(self) -> int:

@@ -23,6 +23,7 @@ class Site(NamedTuple):
     """Place of an element in a text."""
 
     layout: ElementLayout
+    """Layout of the text."""
     number: int
     """Number of the element in the text."""
     begin: int

@@ -24,6 +24,7 @@ class NewElements:
     """Writer of new and moved elements."""
 
     sites: Sites
+    """Places of the elements of the text."""
     changes: ElementChanges
     """Changes that ask for them."""
     kept: frozenset[str]

@@ -61,8 +61,11 @@ class Rewriting:
     """Change of a value in `text` from `old` to `new`."""
 
     text: str
+    """Text of the value."""
     old: Values
+    """Values that it has."""
     new: Values
+    """Values that it is to have."""
     kept: frozenset[str]
     """Spellings that stay."""
     write: Callable[[str], str]

@@ -39,7 +39,9 @@ class StartTag:
     """Start tag of an element."""
 
     layout: ElementLayout
+    """Layout of the text."""
     number: int
+    """Number of the element, in document order."""
     slots: Slots
     """Values of its attributes."""
     kept: frozenset[str]
