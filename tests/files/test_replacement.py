@@ -82,3 +82,84 @@ def test_a_pipe_is_written_to(tmp_path):
         with os.fdopen(start, "wb"), replacement(Path(f"/dev/fd/{start}")) as stream:
             stream.write(b"said")
         assert reader.read() == b"said"
+
+
+def test_what_a_killed_process_left_goes_with_the_next_replacement(tmp_path):
+    """What another process is writing at the moment stays."""
+    target = tmp_path / "arm.urdf"
+    target.write_bytes(b"old")
+    writer = subprocess.Popen(
+        [sys.executable, "-c", WRITER.replace("for _", "sys.stdin.read(1)\n        for _"),
+         str(target), "1"],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+    )  # fmt: skip
+    writer.stdout.readline()
+    while len(list(tmp_path.iterdir())) == 1:
+        time.sleep(0.01)
+    for _ in range(2):
+        with replacement(target) as stream:
+            stream.write(b"new")
+        assert len(list(tmp_path.iterdir())) == 2
+    writer.kill()
+    writer.communicate()
+    assert len(list(tmp_path.iterdir())) == 2
+
+    with replacement(target) as stream:
+        stream.write(b"newer")
+
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {"arm.urdf": b"newer"}
+
+
+def test_other_hard_links_keep_the_old_content(tmp_path):
+    """Of one file by two names, the one that is replaced changes."""
+    target, other = tmp_path / "arm.urdf", tmp_path / "other.urdf"
+    target.write_bytes(b"old")
+    other.hardlink_to(target)
+    with replacement(target) as stream:
+        stream.write(b"new")
+
+    assert (target.read_bytes(), other.read_bytes()) == (b"new", b"old")
+
+
+def test_a_name_may_be_as_long_as_the_system_allows(tmp_path):
+    """What is written first has a shorter one."""
+    target = tmp_path / ("x" * 250 + ".urdf")
+    with replacement(target) as stream:
+        stream.write(b"new")
+
+    assert target.read_bytes() == b"new"
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no limits of files here")
+def test_a_full_disk_leaves_the_file_as_it_was(tmp_path):
+    """A limit of the size of files stands for it."""
+    target = tmp_path / "arm.urdf"
+    target.write_bytes(b"a" * 2000)
+    limited = f"import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n{WRITER}"
+    limited = f"import signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n{limited}"
+    done = subprocess.run(
+        [sys.executable, "-c", limited, str(target), "2"], capture_output=True, check=False
+    )
+
+    assert b"OSError" in done.stderr
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {
+        "arm.urdf": b"a" * 2000
+    }
+
+
+def test_two_at_once_leave_one_content_or_the_other(tmp_path):
+    """And nothing beside it."""
+    target = tmp_path / "arm.urdf"
+    target.write_bytes(b"a" * 200_000)
+    code = WRITER.replace('"ab" * 100_000', '"ab" * 40')
+    writers = [
+        subprocess.Popen([sys.executable, "-c", code, str(target), "200"], stdout=subprocess.PIPE)
+        for _ in range(2)
+    ]
+    while any(each.poll() is None for each in writers):
+        assert target.read_bytes() in (b"a" * 200_000, b"b" * 200_000)
+    for each in writers:
+        each.communicate()
+        assert each.returncode == 0
+
+    assert [each.name for each in tmp_path.iterdir()] == ["arm.urdf"]
