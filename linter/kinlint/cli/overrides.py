@@ -12,13 +12,12 @@ from typing import Any
 from kinlint.configuration.config_file import (
     Config,
     Configs,
-    PerFile,
     XacroArgument,
     load_config,
     parse_config,
-    per_file,
 )
 from kinlint.configuration.keys import KEYS, SEVERITIES
+from kinlint.configuration.per_file_ignores import PerFile, per_file
 from kinlint.configuration.project_trust import ProjectTrust
 from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError

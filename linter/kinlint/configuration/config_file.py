@@ -15,28 +15,16 @@ from typing import Any
 
 from kinlint.configuration.config_text import ConfigText, quoted_key_span, read
 from kinlint.configuration.keys import check
+from kinlint.configuration.per_file_ignores import PerFile, per_file
 from kinlint.configuration.settings import Choice
 from kinlint.configuration.value_kinds import ALIASES
 from kinlint.errors import ConfigError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import missing, shown
 from kinlint.rule import Severity
-from kinlint.text import SourceText, Span
+from kinlint.text import SourceText
 
 NAMES = (".kinlint.toml", "kinlint.toml", "pyproject.toml")
-
-
-@dataclass(frozen=True, slots=True)
-class PerFile:
-    """An entry of `per-file-ignores`: selectors for files, a place in files, or an entity."""
-
-    key: str
-    origin: str
-    glob: Glob
-    selectors: tuple[str, ...]
-    pointer: str | None = None
-    iri: str | None = None
-    place: tuple[SourceText, Span] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,23 +212,12 @@ def _per_file(
     )
 
 
-def per_file(key: str, selectors: tuple[str, ...], origin: str, root: Path) -> PerFile:
-    """Parse *key*: `<iri>`, `glob#/json/pointer`, `glob` or `!glob`."""
-    if key.startswith("<") and key.endswith(">"):
-        return PerFile(key, origin, Glob(root, "/**"), selectors, iri=key[1:-1])
-    pattern, mark, pointer = key.partition("#/")
-    place = f"/{pointer}" if mark else None
-    return PerFile(key, origin, Glob(root, pattern), selectors, pointer=place)
-
-
 @dataclass
 class Configs:
-    """The configuration that governs a directory, each file read once.
-
-    With `fixed`, that one governs everywhere.
-    """
+    """The configuration that governs a directory, each file read once."""
 
     fixed: Config | None = None
+    """Configuration that governs every directory; None if each is governed by its own files."""
     restrict: Callable[[Config], Config] = lambda config: config
     """Returns what counts of the configuration of a project."""
     _nearest: dict[Path, Config | None] = field(default_factory=dict)
