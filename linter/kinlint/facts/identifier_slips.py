@@ -39,13 +39,24 @@ class IdentifierSlips:
         self._documents = [each for each in scan.documents if _names_by_iri(each.format)]
 
     def resemblances(self) -> Iterator[Triple]:
-        """Yield undescribed identifiers and undeclared terms with the one they resemble."""
-        for strange, known in self._compared():
-            if (found := only_near(split(strange)[1], known)) is not None:
+        """Yield undescribed identifiers and undeclared terms with the one they resemble.
+
+        A term that one other namespace declares by the same name was meant to be that.
+        """
+        for strange, known, role in self._compared():
+            name = split(strange)[1]
+            same = [
+                names[name]
+                for (_, other), names in self._declared.items()
+                if other == role and name in names
+            ]
+            if len(same) == 1:
+                yield strange, fact("slip-for"), same[0]
+            elif (found := only_near(name, known)) is not None:
                 yield strange, fact("slip-for"), known[found]
 
-    def _compared(self) -> Iterator[tuple[Term, Names]]:
-        """Yield unknown identifiers and terms, each with those that it could be a slip for."""
+    def _compared(self) -> Iterator[tuple[Term, Names, Role | None]]:
+        """Yield unknown identifiers and terms, what each could be a slip for, and its role."""
         described: dict[str, Names] = {}
         for document in self._documents:
             for node in document.map.nodes:
@@ -61,7 +72,7 @@ class IdentifierSlips:
             space, name = split(term)
             known = declared.get((space, role)) if role else described.get(space)
             if known and name not in known:
-                strange.append((term, known))
+                strange.append((term, known, role))
         yield from strange[:LOOKED_UP]
 
     @cached_property
