@@ -49,6 +49,13 @@ def test_what_is_damaged_is_not_there(entries, damage):
     assert entries.get("b") == TEXT
 
 
+def test_an_entry_passes_for_no_other(entries):
+    """Whole as it is."""
+    entries.put("a", TEXT)
+    (entries.folder / "report-b.json").write_bytes(_file(entries).read_bytes())
+    assert (entries.get("a"), entries.get("b")) == (TEXT, None)
+
+
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
 def test_what_others_wrote_is_not_there(entries, monkeypatch):
     """Whole as it may be."""

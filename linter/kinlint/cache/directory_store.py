@@ -38,7 +38,7 @@ class DirectoryStore:
                 if not _ours(os.fstat(stream.fileno())):
                     return None
                 digest, _, data = stream.read().partition(b"\n")
-            if sha256(data).hexdigest().encode() != digest:
+            if _digest(key, data) != digest:
                 return None
             text = data.decode()
         except (OSError, ValueError):
@@ -55,7 +55,7 @@ class DirectoryStore:
             handle, name = tempfile.mkstemp(UNDONE, BEGIN, self.folder)
             try:
                 with os.fdopen(handle, "wb") as stream:
-                    stream.write(sha256(data).hexdigest().encode() + b"\n" + data)
+                    stream.write(_digest(key, data) + b"\n" + data)
                 Path(name).replace(self._path(key))
             except BaseException:
                 Path(name).unlink(missing_ok=True)
@@ -99,6 +99,11 @@ class DirectoryStore:
                     continue
                 with suppress(FileNotFoundError):
                     yield Path(each.path), each.stat(follow_symlinks=False)
+
+
+def _digest(key: str, data: bytes) -> bytes:
+    """Return a digest that *data* has under *key* only, so that no entry passes for another."""
+    return sha256(f"{key}\n".encode() + data).hexdigest().encode()
 
 
 def _ours(about: os.stat_result) -> bool:

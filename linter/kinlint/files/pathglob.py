@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import re
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
+from pathlib import Path, PurePath, PureWindowsPath
 
 MAGIC = re.compile(r"[*?\[{]")
 
@@ -18,25 +19,26 @@ class Glob:
 
     One without a slash matches a file or directory of that name at any depth, one with a slash
     the path from `root`. `*` stays within a name, `**` spans directories, `{a,b}` is either. A
-    leading `!` turns the pattern round.
+    leading `!` turns the pattern round. Composed and decomposed letters are the same, and on
+    Windows large and small ones.
     """
 
-    root: Path
+    root: PurePath
     """Directory that the pattern is relative to."""
     pattern: str
     """Pattern as written."""
 
-    def covers(self, path: Path) -> bool:
+    def covers(self, path: PurePath) -> bool:
         """Tell whether *path*, which is absolute, or a directory between it and `root` matches."""
         below = [each for each in path.parents if each.is_relative_to(self.root)]
         return any(map(self._found, (path, *below))) is not self.pattern.startswith("!")
 
-    def matches(self, path: Path) -> bool:
+    def matches(self, path: PurePath) -> bool:
         """Tell whether *path* itself matches."""
         return self._found(path) is not self.pattern.startswith("!")
 
-    def _found(self, path: Path) -> bool:
-        return bool(self._regex.fullmatch(path.name if self._named else path.as_posix()))
+    def _found(self, path: PurePath) -> bool:
+        return bool(self._regex.fullmatch(_composed(path.name if self._named else path.as_posix())))
 
     @cached_property
     def _named(self) -> bool:
@@ -44,19 +46,23 @@ class Glob:
 
     @cached_property
     def _plain(self) -> str:
-        return self.pattern.removeprefix("!").removeprefix("./").rstrip("/")
+        return _composed(self.pattern.removeprefix("!").removeprefix("./").rstrip("/"))
 
     @cached_property
     def _regex(self) -> re.Pattern[str]:
-        if self._named:
-            return re.compile(translate(self._plain), re.DOTALL)
         root, below = self.root, self._plain
-        if Path(below).is_absolute():
-            return re.compile(translate(below), re.DOTALL)
+        flags = re.DOTALL | (re.IGNORECASE if isinstance(root, PureWindowsPath) else 0)
+        if self._named or type(root)(below).is_absolute():
+            return re.compile(translate(below), flags)
         while below.startswith("../"):
             root, below = root.parent, below[3:]
-        start = re.escape(root.as_posix().rstrip("/"))
-        return re.compile(f"{start}/{translate(below)}", re.DOTALL)
+        start = re.escape(_composed(root.as_posix().rstrip("/")))
+        return re.compile(f"{start}/{translate(below)}", flags)
+
+
+def _composed(text: str) -> str:
+    """Return *text* in normal form C, since macOS may give names in form D."""
+    return text if text.isascii() else unicodedata.normalize("NFC", text)
 
 
 def translate(pattern: str) -> str:
