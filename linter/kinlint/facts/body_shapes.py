@@ -18,6 +18,8 @@ COLLISION = kin("CollisionGeometry")
 KINDS = tuple(kin(name) for name in ("Box", "Sphere", "Cylinder", "Capsule"))
 BOX, SPHERE, CYLINDER = KINDS[:3]
 MESH = kin("mesh")
+REACH = 4.0
+"""Distance in m beyond which no mesh of a link extends from where it is placed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +126,24 @@ class BodyShapes:
             if middle is not None
         ]
         return min(gaps) if len(gaps) == len(known) else None
+
+    def distance(self, body: Term, point: Vector) -> tuple[float, float] | None:
+        """Return the distance in m from *point* to the nearest shape of *body*, and its error.
+
+        Shapes are bounding balls, and those of unknown size points, so that the error is the size
+        that they may have: that of the others, or else `REACH`. None without a placed shape.
+        """
+        nodes = self.references.get(body, ())
+        shapes = {node: self._shape(node) for node in nodes}
+        sizes = {node: shape.extent for node, shape in shapes.items() if shape is not None}
+        gaps = [
+            length(subtract(point, middle)) - sizes.get(node, 0.0) / 2.0
+            for node in nodes
+            if (middle := self._middle(node)) is not None
+        ]
+        if not gaps or len(gaps) < len(nodes):
+            return None
+        return min(gaps), max(sizes.values(), default=REACH) if len(sizes) < len(nodes) else 0.0
 
     def sole(self, body: Term) -> Shape | None:
         """Return the only collision shape of *body*, or else its only visual one.

@@ -142,9 +142,10 @@ KINDS = (
     ),
     FactKind(
         "mass_distribution",
-        {"astray": (*inputs.SIZES, geom("RigidBody"))},
+        dict.fromkeys(("astray", "remote"), (*inputs.SIZES, kin("mesh"), geom("RigidBody"))),
         lambda own: com_outside(own.assemblies, own.geometries, own.placements),
         ("assemblies", "geometries", "placements"),
+        ("remote-error",),
     ),
     FactKind(
         "parallel_axis",

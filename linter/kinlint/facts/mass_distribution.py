@@ -17,11 +17,19 @@ from kinlint.terms import Triple
 def com_outside(
     assemblies: Assemblies, geometries: BodyShapes, placements: Placements
 ) -> Iterator[Triple]:
-    """Yield the distance in m of each centre of mass outside all shapes of its body."""
+    """Yield how far, in m, each centre of mass is from the shapes of its body, if outside of them.
+
+    `astray` only where the sizes of all shapes are known; otherwise `remote` has an error.
+    """
     for body, centre in sorted(placements.centres.items()):
-        gap = geometries.outside(body, centre) if assemblies.masses.get(body, 0.0) > 0.0 else None
+        if assemblies.masses.get(body, 0.0) <= 0.0:
+            continue
+        gap = geometries.outside(body, centre)
         if gap is not None and gap > 0.0:
             yield from numbers(body, [("astray", gap)])
+        away = geometries.distance(body, centre)
+        if away is not None and away[0] > 0.0:
+            yield from numbers(body, [("remote", away[0]), ("remote-error", away[1])])
 
 
 def proportions(
