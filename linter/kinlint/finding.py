@@ -124,6 +124,8 @@ class Finding:
     """Reason for the suppression; None if the finding is not suppressed."""
     group: tuple[str, ...] = ()
     """Values shared with the findings grouped with it (`Rule.group_by`)."""
+    extent: float = 0.0
+    """How bad it is among those of its group (`Rule.worst`)."""
     members: tuple[Finding, ...] = ()
     """The findings grouped in this one."""
     consequences: tuple[Finding, ...] = ()

@@ -168,6 +168,8 @@ class Rule:
     """Variables whose values make one finding of many places in a file; `file` groups all of a
     file.
     """
+    worst: str = ""
+    """Variable whose greatest value makes a finding the one that its group shows; empty if none."""
     explains: tuple[str, ...] = ()
     """Queries for what a finding of it makes uncertain, so that other findings follow from it."""
     optional: bool = False

@@ -87,6 +87,7 @@ class _RuleReader:
             targets=self.values(kl("target")),
             severity_for=tuple(sorted(self.severity_for(self.subject), key=astuple)),
             group_by=self.values(kl("groupBy")),
+            worst=self.value(kl("worst")),
             explains=read_explanations(self.graph, self.subject),
             optional=self.value(kl("optional")) in TRUE,
             also=tuple(sorted(self.also(), reverse=True)),

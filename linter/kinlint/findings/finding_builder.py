@@ -195,6 +195,7 @@ def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
         arguments=tuple(words.values()),
         meant=tuple(_meant(terms.get(name), display) for name in words),
         group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
+        extent=_size(terms.get(rule.worst)),
     )
 
 
@@ -202,6 +203,14 @@ def _number(term: Term | None) -> int:
     """Return the whole number that *term* is, else 0."""
     value = literal_value(term) if term is not None and is_literal(term) else ""
     return int(value) if value.isdecimal() else 0
+
+
+def _size(term: Term | None) -> float:
+    """Return the size of the number that *term* is, else 0."""
+    try:
+        return abs(float(literal_value(term))) if term is not None and is_literal(term) else 0.0
+    except ValueError:
+        return 0.0
 
 
 def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:

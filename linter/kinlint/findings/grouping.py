@@ -23,7 +23,7 @@ def grouped(
 ) -> list[Finding]:
     """Return *findings* with each group as one, which has the others as related.
 
-    That is the first by place of the most severe ones.
+    That is the worst (`Rule.worst`) of the most severe ones, the first by place of equals.
 
     A group lies in one model and is what one rule finds there with the same values of the variables
     that the rule groups by. Suppressed places make groups of their own. What is reported goes
@@ -64,7 +64,7 @@ def _model(finding: Finding) -> str:
 
 
 def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) -> Finding:
-    members = sorted(group, key=lambda finding: (-finding.severity, finding.sort_key))
+    members = sorted(group, key=lambda each: (-each.severity, -each.extent, each.sort_key))
     consequences = tuple(one for each in members for one in each.consequences)
     first, others = detailed(members[0]), members[1:]
     first = replace(first, members=tuple(members), consequences=consequences)

@@ -144,6 +144,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "whole_model": rule.whole_model,
         "optional": rule.optional,
         "group_by": list(rule.group_by),
+        "worst": rule.worst or None,
         "since": rule.since,
         "url": rule.iri,
         "links": list(rule.links),

@@ -242,12 +242,14 @@ def messages(rule: Rule) -> Iterator[str]:
 
 
 def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
-    """Yield variables that a rule groups by and none of its queries has."""
+    """Yield variables that a rule groups by, or orders a group by, and none of its queries has."""
     queries = [each.select for each in rulebook.constraints if each.owner == rule.iri]
     known = {"?file"}.union(*(tokens(query, {}) for query in queries))
     for name in rule.group_by:
         if queries and f"?{name}" not in known:
             yield f"it groups by ?{name}, which is in none of its queries"
+    if rule.worst and f"?{rule.worst}" not in known:
+        yield f"its kl:worst is ?{rule.worst}, which is in none of its queries"
 
 
 def form(rule: Rule) -> Iterator[str]:
