@@ -13,7 +13,7 @@ from typing import NamedTuple
 import real_models
 from consumers import Motion, Reading, reading
 from data import locate_data
-from real_robots import BESIDE, FORMATS
+from real_robots import FORMATS, paired
 from support.linting import book
 
 from kinlint.configuration.settings import FileSettings, Settings
@@ -84,10 +84,10 @@ def shares(form: str) -> list[Share]:
         return list(_models())
     home = locate_data("robots")
     files = sorted(each for each in (home / form).rglob("*") if each.suffix in FORMATS[form])
-    groups = list(group_sources([_text(each) for each in files]))
-    beside = [replace(_text(home / name), companion=True) for name in BESIDE.get(form, ())]
+    texts = [_text(each) for each in files]
+    groups = list(group_sources(paired(texts, home) if form == "srdf" else texts))
     parts = (list(chain.from_iterable(groups[at::SHARES])) for at in range(SHARES))
-    return [Share(form, home / form, [*part, *beside]) for part in parts if part]
+    return [Share(form, home / form, part) for part in map(list, parts) if part]
 
 
 def _models() -> Iterator[Share]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -18,10 +18,11 @@ from data import locate_data
 from support.linting import lint
 
 from kinlint.finding import Finding
+from kinlint.formats.dependencies.companions import NONE
 from kinlint.formats.registry import decode
 from kinlint.report import Report
 from kinlint.rule import Rule, Severity
-from kinlint.text import SourceText
+from kinlint.text import Pairing, SourceText
 
 FORMATS = {
     "urdf": (".urdf",),
@@ -31,8 +32,12 @@ FORMATS = {
 }
 """The formats of the robots in the data, with the suffixes of their files."""
 
-BESIDE = {"srdf": ("urdf/moveit_resources/fanuc_description/urdf/fanuc.urdf",)}
-"""What the files of a format are read with."""
+OWN = {
+    "srdf/moveit_resources/fanuc_moveit_config/config/fanuc.srdf": (
+        "urdf/moveit_resources/fanuc_description/urdf/fanuc.urdf"
+    )
+}
+"""The URDF of each SRDF whose own one is among the robots; the others are read without any."""
 SUITES = (
     "kdl_parser/",
     "robot_state_publisher/",
@@ -72,13 +77,26 @@ def report(form: str) -> Report:
     root = locate_data("robots")
     files = sorted(each for each in (root / form).rglob("*") if each.suffix in FORMATS[form])
     sources = [decode(str(file), file.read_bytes()) for file in files]
-    beside = map(_companion, BESIDE.get(form, ()))
-    return lint([*sources, *beside])
+    return lint(paired(sources, root) if form == "srdf" else sources)
 
 
-def _companion(name: str) -> SourceText:
-    file = locate_data("robots", name)
-    return replace(decode(str(file), file.read_bytes()), companion=True)
+def paired(sources: Iterable[SourceText], root: Path) -> list[SourceText]:
+    """Return *sources*, of files below *root*, in which each SRDF has its own URDF, with these.
+
+    Names are those of files from *root* on, or absolute.
+    """
+    found = []
+    for each in sources:
+        name = str(each.name).removeprefix(f"{root}/")
+        own = OWN.get(name)
+        if own is None:
+            found.append(replace(each, pairing=NONE))
+            continue
+        partner = each.name.removesuffix(name) + own
+        text = decode(partner, (root / own).read_bytes())
+        found.append(replace(each, pairing=Pairing(partner, "it is its own")))
+        found.append(replace(text, companion=True))
+    return found
 
 
 def short(name: str) -> str:
