@@ -125,7 +125,7 @@ class Finding:
     group: tuple[str, ...] = ()
     """Values shared with the findings grouped with it (`Rule.group_by`)."""
     extent: float = 0.0
-    """How bad it is among those of its group (`Rule.worst`)."""
+    """Size of the number that orders its group (`Rule.worst`)."""
     members: tuple[Finding, ...] = ()
     """The findings grouped in this one."""
     consequences: tuple[Finding, ...] = ()
