@@ -98,3 +98,13 @@ def test_other_turtle_is_passed_over(kinlint, write) -> None:
     assert code == 1
     assert "1 file" in out
     assert ".ttl" not in out + err
+
+
+def test_turtle_alone_is_told(kinlint, write) -> None:
+    """A directory with nothing but models in Turtle does not pass as clean."""
+    write("skeleton.ttl", f"{HEAD}arm:tip-origin a geom:Point .")
+
+    code, _, err = kinlint(".", *FLAGS)
+
+    assert code == 2
+    assert "skeleton.ttl was not checked" in err

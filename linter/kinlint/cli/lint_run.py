@@ -21,6 +21,7 @@ from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.text import SourceText
+from kinlint.vocabulary import METAMODELS, SH
 
 if TYPE_CHECKING:
     from kinlint.fixes.offers import Sieve
@@ -93,6 +94,10 @@ class LintRun:
                 texts = list(turtle_texts(self.found.turtle))
                 reading = partial(ReadOptions.from_settings, self.settings)
                 sources += TurtleParts().find(sources, texts, reading)
+                if not sources:
+                    why = "Turtle without a model that it is part of is read only where it is named"
+                    models = (one for one in texts if METAMODELS in one.text and SH not in one.text)
+                    self._passed.extend(SourceError(each.name, why) for each in models)
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 
