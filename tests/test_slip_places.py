@@ -168,12 +168,12 @@ SLIPS = {
         {"upper-top": {"vector-x": "r:upper-top-origin"}},
     ),
     "a pose without the kind of its offset": (
-        "UNI002",
+        "UNI020",
         ("pose-upper-top", "quantity-kind"),
         {"pose-upper-top": {"quantity-kind": "Angle"}},
     ),
     "a pose without the kind of its rotation": (
-        "UNI002",
+        "UNI020",
         ("pose-upper-top", "quantity-kind"),
         {"pose-upper-top": {"quantity-kind": ["Length"]}},
     ),

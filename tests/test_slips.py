@@ -26,7 +26,7 @@ SLIPS = {
         {"common-axis": "rob:pose-link1-joint1-wrt-link1-root"},
     ),
     "an axis along two vectors of a frame": (
-        "FRM023",
+        "FRM043",
         "joint1-common-axis",
         {"lines": ["rob:link1-joint1-z", "rob:link1-joint1-x", "rob:link2-root-z"]},
     ),
