@@ -20,6 +20,11 @@ SOON = 90
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 
 
+def _interruptible():
+    """Let SIGINT end the process, also where the shell runs the tests in the background."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 class Session:
     """A watching process, whose rounds of output are taken one by one."""
 
@@ -31,6 +36,7 @@ class Session:
             text=True,
             bufsize=1,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "KINLINT_TRACEBACK": "1"},
+            preexec_fn=_interruptible,
         )
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self._read, daemon=True)
