@@ -36,7 +36,7 @@ class Session:
             text=True,
             bufsize=1,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "KINLINT_TRACEBACK": "1"},
-            preexec_fn=_interruptible,
+            preexec_fn=_interruptible,  # noqa: PLW1509  no other thread runs then
         )
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self._read, daemon=True)
