@@ -105,7 +105,7 @@ def test_without_processes_one_does_it(robots, capsys, monkeypatch):
 def test_a_process_that_dies_is_no_reason_to_fail(robots, capsys, monkeypatch):
     """One does it then."""
     one = _said(capsys, ".", "-j", "1")
-    monkeypatch.setattr(processes, "_begin", _die)
+    monkeypatch.setattr(processes, "begin", _die)
     assert _said(capsys, ".", "-j", "3") == one
 
 
