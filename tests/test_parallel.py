@@ -136,7 +136,12 @@ def test_who_ends_the_run_ends_all_of_it(robots, capsys, number, code):
         (robots / f"long{each}.urdf").write_text(f'<robot name="long{each}">{many}</robot>')
     command = [sys.executable, "-m", "kinlint", ".", "-j", "3", "-q", "--isolated"]
     run = subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+        # A shell may run the tests in the background, where SIGINT is ignored.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # noqa: PLW1509
     )
     children = Path(f"/proc/{run.pid}/task/{run.pid}/children")
     if not children.exists():
