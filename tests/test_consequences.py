@@ -137,6 +137,16 @@ def test_what_an_unread_file_describes_follows_from_it(lint_edited: Callable[...
     assert f"{len(error.consequences)} other findings follow from this" in error.cause
 
 
+def test_of_two_causes_the_first_has_the_consequences(lint_edited: Callable[..., Report]) -> None:
+    """Whatever order the store answers in, which differs between processes."""
+    types = '"PoseCoordinate", "VectorXYZ"'
+    report = lint_edited(("coordinates", types, '"PoseCoordinat", "VectorXY"'))
+    told = [each for each in report.findings if each.rule.code == "LD003"]
+    first, second = sorted(told, key=lambda each: each.sort_key)
+    assert first.consequences
+    assert not second.consequences
+
+
 INDEPENDENT: dict[str, tuple[Edit, str]] = {
     "zero axis": (("coordinates", "[ 1.0, 0.0, 0.0 ]", "[ 0.0, 0.0, 0.0 ]"), "FRM004"),
     "reference to nothing": (

@@ -164,6 +164,9 @@ def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) 
                     way = row.get(THROUGH)
                     for at in about.agreeing(row):
                         found.add(suspect, Suspicion(at, () if way is None else (way,)))
+    # Rows have no order: of several causes it is the one that is told first.
+    for suspicions in (*found.terms.values(), *found.namespaces.values()):
+        suspicions.sort(key=lambda each: findings[each.cause].sort_key)
     return found
 
 
