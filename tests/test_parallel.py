@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from support.interrupts import accept_interrupts
 
 from kinlint.cli.main import main
 from kinlint.formats.dependencies.file_groups import group_sources
@@ -105,7 +106,7 @@ def test_without_processes_one_does_it(robots, capsys, monkeypatch):
 def test_a_process_that_dies_is_no_reason_to_fail(robots, capsys, monkeypatch):
     """One does it then."""
     one = _said(capsys, ".", "-j", "1")
-    monkeypatch.setattr(processes, "begin", _die)
+    monkeypatch.setattr(processes, "_begin", _die)
     assert _said(capsys, ".", "-j", "3") == one
 
 
@@ -140,8 +141,7 @@ def test_who_ends_the_run_ends_all_of_it(robots, capsys, number, code):
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         start_new_session=True,
-        # A shell may run the tests in the background, where SIGINT is ignored.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # noqa: PLW1509
+        preexec_fn=accept_interrupts,  # noqa: PLW1509  no other thread runs then
     )
     children = Path(f"/proc/{run.pid}/task/{run.pid}/children")
     if not children.exists():

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pyoxigraph as ox
 import pytest
-from support.linting import findings
+from support.linting import findings, told
 
 from kinlint import resources
 
@@ -23,9 +23,7 @@ CONTEXT = """
 def found(*nodes: str, rule: str) -> list[str]:
     """The messages of *rule* about a model of *nodes*, whose frames nobody describes."""
     text = f'{{ {CONTEXT}, "@graph": [ {", ".join(nodes)} ] }}'
-    told = findings(text, "arm.jsonld")
-    every = [each for finding in told for each in (finding, *finding.consequences)]
-    return [finding.message for finding in every if finding.rule.code == rule]
+    return [each.message for each in told(text, "arm.jsonld") if each.rule.code == rule]
 
 
 def cosines(x: str, y: str, z: str) -> str:

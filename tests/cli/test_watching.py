@@ -10,6 +10,7 @@ import sys
 import threading
 
 import pytest
+from support.interrupts import accept_interrupts
 
 from kinlint.cli.watch import CLEAR
 
@@ -18,11 +19,6 @@ WAITING = "Watching for changes"
 SOON = 90
 """Seconds after which nothing comes any more, on the slowest of machines."""
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
-
-
-def _interruptible():
-    """Let SIGINT end the process, also where the shell runs the tests in the background."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 class Session:
@@ -36,7 +32,7 @@ class Session:
             text=True,
             bufsize=1,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "KINLINT_TRACEBACK": "1"},
-            preexec_fn=_interruptible,  # noqa: PLW1509  no other thread runs then
+            preexec_fn=accept_interrupts,  # noqa: PLW1509  no other thread runs then
         )
         self.lines = queue.Queue()
         self.reader = threading.Thread(target=self._read, daemon=True)

@@ -12,7 +12,7 @@ import pytest
 from data import locate_data
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.linting import book, lint
+from support.linting import book, told
 
 from kinlint import resources
 from kinlint.engine.reference.owl import owlrl_complaints
@@ -78,9 +78,7 @@ def turtle(text: str) -> tuple[Triple, ...]:
 
 def contradictions(*sources: SourceText) -> list[Finding]:
     """What is told of contradictions in *sources*, or follows from what is told."""
-    told = lint(sources).findings
-    every = [each for finding in told for each in (finding, *finding.consequences)]
-    return [finding for finding in every if finding.rule.code in ("LD012", "LD019")]
+    return [each for each in told(sources) if each.rule.code in ("LD012", "LD019")]
 
 
 @cache

@@ -62,13 +62,12 @@ def test_twice_the_model_is_read_twice_as_much() -> None:
 
 
 def test_a_model_of_something_else_costs_a_few_scans() -> None:
-    """None of which finds anything that belongs to it, and one looks at the name of each node."""
-    other, found = reads(store_of(*({"@id": f"ex:n{n}", "@type": "Affine"} for n in range(51))))
+    """None of which finds anything that belongs to it."""
+    other, found = reads(store_of(*({"@id": f"ex:n{n}", "@type": "Affine"} for n in range(50))))
     empty, _ = reads(store_of({"@id": "ex:n", "@type": "Affine"}))
 
     assert found == 0
-    assert other["patterns"] == empty["patterns"]
-    assert other["quads"] - empty["quads"] == 50
+    assert other == empty
 
 
 def test_a_run_without_files_computes_nothing() -> None:

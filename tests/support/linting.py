@@ -70,6 +70,15 @@ def findings(files: Files, name: str = ARM, **options: Any) -> tuple[Finding, ..
     return report.findings
 
 
+def told(files: Files, name: str = ARM, **options: Any) -> list[Finding]:
+    """Return `findings` of *files*, each before what follows from it."""
+    return [
+        each
+        for finding in findings(files, name, **options)
+        for each in (finding, *finding.consequences)
+    ]
+
+
 def codes(files: Files, name: str = ARM, **options: Any) -> list[str]:
     """Return the code of each of `findings`, in their order."""
     return [finding.rule.code for finding in findings(files, name, **options)]

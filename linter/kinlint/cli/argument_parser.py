@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from kinlint.configuration.value_kinds import LONGEST, unknown_message
+from kinlint.configuration.value_kinds import SECONDS, unknown_message
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
@@ -121,7 +121,7 @@ def seconds(text: str) -> float:
         found = float(text)
     except ValueError:
         found = -1.0
-    if not 0 <= found < LONGEST:
+    if SECONDS.problem(found):
         raise argparse.ArgumentTypeError(f"expected a number of seconds, got '{text}'")
     return found
 

@@ -28,6 +28,11 @@ if TYPE_CHECKING:
     from kinlint.parallel.runner import ParallelRunner
 
 
+def process_count(options: Namespace) -> int:
+    """Return the number of processes that *options* ask for, else that of processors."""
+    return options.jobs or os.cpu_count() or 1
+
+
 @dataclass(frozen=True)
 class LintRun:
     """A lint run as options ask for it."""
@@ -67,8 +72,7 @@ class LintRun:
             report = self._mended(options, wanted)
         else:
             fixing = outputs.tells_fixes
-            jobs = options.jobs or os.cpu_count() or 1
-            report = self.linted(jobs, fixing=fixing, wanted=wanted)
+            report = self.linted(process_count(options), fixing=fixing, wanted=wanted)
         if asides:
             report = project_mode.without_asides(report, asides, new)
         return replace(
@@ -115,8 +119,8 @@ class LintRun:
         from kinlint.parallel.runner import ParallelRunner  # noqa: PLC0415
         from kinlint.parallel.shard import Job  # noqa: PLC0415
 
-        jobs = options.jobs or os.cpu_count() or 1
-        tried = ParallelRunner(Job(self.settings, self.book, fixing=True), jobs)
+        job = Job(self.settings, self.book, fixing=True)
+        tried = ParallelRunner(job, process_count(options))
         found = tried.report(sources, failed).errors
         late = [each for each in found if isinstance(each, FileTimeout)]
         names = {each.name for each in late}

@@ -12,7 +12,7 @@ from pathlib import Path
 from kinlint.baseline.entry_identity import Names, entry_of, relative
 from kinlint.baseline.ledger import Ledger
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.cli.lint_run import LintRun
+from kinlint.cli.lint_run import LintRun, process_count
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real
@@ -63,7 +63,7 @@ class FindingsAtRevision:
                 homes.append(Input(str(path), then, named=False))
             settings = self._moved(self.settings_of(Found(homes)), root)
             run = LintRun(settings, Found(inputs), self.book, Phases())
-            report = run.linted(options.jobs or os.cpu_count() or 1, fixing=False)
+            report = run.linted(process_count(options), fixing=False)
             names = Names(root, renamed)
             if not options.silent:
                 self._warn(report.errors, names)

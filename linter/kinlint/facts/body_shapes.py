@@ -111,27 +111,12 @@ class BodyShapes:
         )
         return 2.0 * max(reaches)
 
-    def outside(self, body: Term, point: Vector) -> float | None:
-        """Return the distance in m from *point* to the nearest bounding ball of a shape of *body*.
-
-        Negative inside a ball; None unless all shapes are known.
-        """
-        shapes = [self._shape(node) for node in self.references.get(body, ())]
-        known = [(shape, self._middle(shape.node)) for shape in shapes if shape is not None]
-        if not known or len(known) < len(shapes):
-            return None
-        gaps = [
-            length(subtract(point, middle)) - shape.extent / 2.0
-            for shape, middle in known
-            if middle is not None
-        ]
-        return min(gaps) if len(gaps) == len(known) else None
-
-    def distance(self, body: Term, point: Vector) -> tuple[float, float] | None:
+    def distance(self, body: Term, point: Vector) -> tuple[float, float | None] | None:
         """Return the distance in m from *point* to the nearest shape of *body*, and its error.
 
-        Shapes are bounding balls, and those of unknown size points, so that the error is the size
-        that they may have: that of the others, or else `REACH`. None without a placed shape.
+        Shapes are bounding balls, inside of which it is negative, and those of unknown size points,
+        so that the error is the size that they may have: that of the others, or else `REACH`. There
+        is no error where all sizes are known, and no distance without shapes that are all placed.
         """
         nodes = self.references.get(body, ())
         shapes = {node: self._shape(node) for node in nodes}
@@ -143,7 +128,8 @@ class BodyShapes:
         ]
         if not gaps or len(gaps) < len(nodes):
             return None
-        return min(gaps), max(sizes.values(), default=REACH) if len(sizes) < len(nodes) else 0.0
+        error = max(sizes.values(), default=REACH) if len(sizes) < len(nodes) else None
+        return min(gaps), error
 
     def sole(self, body: Term) -> Shape | None:
         """Return the only collision shape of *body*, or else its only visual one.

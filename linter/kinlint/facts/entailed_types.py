@@ -30,11 +30,14 @@ def entailed_types(scan: PredicateIndex) -> Iterator[Triple]:
         for kind in several
         if published.values(kind)
     }
+    inferred = {kind: scan.inferred(kind) for kind in sorted(filter(is_iri, kinds))}
+    if not any(inferred.values()):
+        return
     described, releases = scan.table(DESCRIBED), scan.table(kin("inRelease"))
     uncertain, used = _uncertain(scan), _releases(scan)
-    for kind in sorted(filter(is_iri, kinds)):
+    for kind, nodes in inferred.items():
         known = set(releases.values(kind))
-        for node in sorted(scan.inferred(kind)):
+        for node in sorted(nodes):
             documents = described.values(node)
             lacking = any(
                 known and used.get(each) and known.isdisjoint(used[each]) for each in documents

@@ -24,12 +24,12 @@ def com_outside(
     for body, centre in sorted(placements.centres.items()):
         if assemblies.masses.get(body, 0.0) <= 0.0:
             continue
-        gap = geometries.outside(body, centre)
-        if gap is not None and gap > 0.0:
+        gap, error = geometries.distance(body, centre) or (0.0, None)
+        if gap <= 0.0:
+            continue
+        if error is None:
             yield from numbers(body, [("astray", gap)])
-        away = geometries.distance(body, centre)
-        if away is not None and away[0] > 0.0:
-            yield from numbers(body, [("remote", away[0]), ("remote-error", away[1])])
+        yield from numbers(body, [("remote", gap), ("remote-error", error or 0.0)])
 
 
 def proportions(

@@ -43,7 +43,7 @@ def lint_in_processes(
         from concurrent.futures.process import BrokenProcessPool  # noqa: PLC0415
 
         pool = ProcessPoolExecutor(
-            min(processes, len(shares)), initializer=begin, initargs=(job, errors)
+            min(processes, len(shares)), initializer=_begin, initargs=(job, errors)
         )
     except (ImportError, NotImplementedError, OSError, ValueError):
         return False
@@ -61,10 +61,14 @@ def lint_in_processes(
     return True
 
 
-def begin(job: Job, errors: Sequence[SourceError]) -> None:
+def _begin(job: Job, errors: Sequence[SourceError]) -> None:
+    depend_on_parent()
+    _jobs.append((job, errors))
+
+
+def depend_on_parent() -> None:
     """Leave interrupts to the process that began this one, and end when it ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _jobs.append((job, errors))
     Thread(target=_outlive_nobody, daemon=True).start()
 
 

@@ -227,7 +227,7 @@ def _given_up(reasons: Mapping[str, str], model: Model) -> Outcome:
 
 def _work(pipe: Connection, job: Job, errors: Sequence[SourceError]) -> None:
     """Answer tasks until there are no more."""
-    processes.begin(job, errors)
+    processes.depend_on_parent()
     with suppress(EOFError, OSError):
         while True:
             models, more = pipe.recv()

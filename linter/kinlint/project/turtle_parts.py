@@ -39,6 +39,8 @@ class TurtleParts:
 
     def __init__(self) -> None:
         self._read: dict[str, tuple[SourceText, Document | None]] = {}
+        self._own: set[str] = set()
+        self._used: dict[str, tuple[SourceText, frozenset[tuple[str, int]]]] = {}
         self._verdict: tuple[object, frozenset[str]] = (None, frozenset())
 
     def find(
@@ -58,11 +60,12 @@ class TurtleParts:
         if not models or not turtle:
             return []
         own = {word for each in turtle for word in self._words(each)}
-        words = Counter(word for each in models for word in _WORD.findall(each.text) if word in own)
-        if not words:
+        if own != self._own:
+            self._own, self._used = own, {}
+        words = tuple(map(self._own_words, models))
+        if not any(words):
             return []
-        texts = tuple(each.text for each in turtle)
-        state = frozenset(words.items()), texts, tuple(each.name for each in models)
+        state = words, tuple(each.text for each in turtle), tuple(each.name for each in models)
         if state != self._verdict[0]:
             self._verdict = state, frozenset(self._parts(models, turtle, options()))
         return [each for each in turtle if each.name in self._verdict[1]]
@@ -96,6 +99,14 @@ class TurtleParts:
         """Return the words of the names that *source* describes, or all of a broken one."""
         document = self._document(source)
         return _WORD.findall(source.text if document is None else " ".join(document.map.nodes))
+
+    def _own_words(self, source: SourceText) -> frozenset[tuple[str, int]]:
+        """Return the words of Turtle files that the model *source* has, with their numbers."""
+        known = self._used.get(source.name)
+        if known is None or known[0] is not source:
+            found = Counter(word for word in _WORD.findall(source.text) if word in self._own)
+            known = self._used[source.name] = source, frozenset(found.items())
+        return known[1]
 
     def _document(self, source: SourceText) -> Document | None:
         known = self._read.get(source.name)

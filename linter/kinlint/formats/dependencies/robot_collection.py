@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 
 from kinlint.formats.dependencies.robot_descriptions import Description
@@ -31,16 +31,16 @@ class Robots:
     @cached_property
     def by_stem(self) -> dict[str, list[Description]]:
         """The robots of each stem."""
-        found: dict[str, list[Description]] = {}
-        for each in self.every:
-            found.setdefault(each.stem, []).append(each)
-        return found
+        return self._by(lambda each: each.stem)
 
     @cached_property
     def _by_robot(self) -> dict[str, list[Description]]:
+        return self._by(lambda each: each.robot)
+
+    def _by(self, key: Callable[[Description], str]) -> dict[str, list[Description]]:
         found: dict[str, list[Description]] = {}
         for each in self.every:
-            found.setdefault(each.robot, []).append(each)
+            found.setdefault(key(each), []).append(each)
         return found
 
     def of_name(self, srdf: Description) -> Sequence[Description]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from typing import Any, cast
 
@@ -31,14 +32,26 @@ class Resolved:
         """Do nothing; see `get_processed`."""
 
 
-def entries(context: Any) -> list[Any]:
-    """Return the entries of *context*: an IRI, a context, null, an array, or what contains them."""
-    if isinstance(context, Mapping) and "@context" in context:
-        context = context["@context"]
-    return context if isinstance(context, list) else [context]
+class EntryResolver(ABC):
+    """Resolves contexts entry by entry, as PyLD asks its ContextResolver to."""
+
+    def resolve(
+        self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
+    ) -> list[Resolved]:
+        """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
+        if isinstance(context, Mapping) and "@context" in context:
+            context = context["@context"]
+        entries = context if isinstance(context, list) else [context]
+        return [found for entry in entries for found in self._entry(active, entry, base, chain)]
+
+    @abstractmethod
+    def _entry(
+        self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]
+    ) -> list[Resolved]:
+        """Return the contexts that *entry* of an array stands for."""
 
 
-class Resolver:
+class Resolver(EntryResolver):
     """Stands in for PyLD's ContextResolver.
 
     *strict* raises for an unknown context, as the specification demands; otherwise an
@@ -50,13 +63,6 @@ class Resolver:
         self._strict = strict
         self._remote: dict[str, list[Resolved]] = {}
         self._documents: dict[tuple[str, str], Any] = {}
-
-    def resolve(
-        self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
-    ) -> list[Resolved]:
-        """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
-        every = entries(context)
-        return [found for entry in every for found in self._entry(active, entry, base, chain)]
 
     def _entry(
         self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]

@@ -19,7 +19,12 @@ from kinlint.files.pathname import real, shown
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
-from kinlint.formats.jsonld.context_resolver import Resolved, Resolver, absolute_iri, entries
+from kinlint.formats.jsonld.context_resolver import (
+    EntryResolver,
+    Resolved,
+    Resolver,
+    absolute_iri,
+)
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
@@ -151,19 +156,12 @@ def _moved(token: Text, value: str) -> Text:
     return made
 
 
-class LocalResolver:
+class LocalResolver(EntryResolver):
     """Stands in for PyLD's ContextResolver: resolves files, and leaves the rest to *shared*."""
 
     def __init__(self, near: LocalContexts, shared: Resolver) -> None:
         self._near = near
         self._shared = shared
-
-    def resolve(
-        self, active: Mapping[str, Any], context: Any, base: str, chain: tuple[str, ...] = ()
-    ) -> list[Resolved]:
-        """Return the contexts that *context* (an IRI, a context, null or an array) stands for."""
-        every = entries(context)
-        return [found for entry in every for found in self._entry(active, entry, base, chain)]
 
     def _entry(
         self, active: Mapping[str, Any], entry: Any, base: str, chain: tuple[str, ...]
