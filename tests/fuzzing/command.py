@@ -7,12 +7,16 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from itertools import count
+from pathlib import Path
 from time import monotonic
 
 from fuzzing.corpus import SUFFIXES
-from fuzzing.trial import fault, made
+from fuzzing.trial import Input, fault, made, reduced
 
-EVERY = 1000
+TOGETHER = 40
+"""Inputs that are linted as one model, which costs little more than one of them."""
+EVERY = 100
+"""Models after which a line is written."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -21,32 +25,55 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--hours", type=float, default=1 / 60, help="how long (default: a minute)")
     parser.add_argument("--format", choices=SUFFIXES, action="append", help="only this format")
     parser.add_argument("--seed", type=int, default=0, help="the first number")
-    parser.add_argument("--only", action="store_true", help="this seed and no other, with its text")
+    parser.add_argument("--only", type=int, nargs="+", help="these as one model, with their texts")
     options = parser.parse_args(arguments)
     forms = options.format or list(SUFFIXES)
     if options.only:
         for form in forms:
-            given = made(form, options.seed)
-            sys.stdout.buffer.write(given.content)
-            sys.stderr.write(f"{given.name}: {fault(given) or 'answered'}\n")
+            given = [made(form, seed) for seed in options.only]
+            sys.stdout.buffer.write(b"\n".join(each.content for each in given))
+            sys.stderr.write(f"{form}: {fault(*given) or 'answered'}\n")
         return 0
-    import resource  # noqa: PLC0415  not on every system
+    return _fuzz(forms, options.seed, monotonic() + 3600 * options.hours)
 
-    until, tried, failed = monotonic() + 3600 * options.hours, 0, Counter[str]()
-    for seed in count(options.seed):
+
+def _fuzz(forms: Sequence[str], first: int, until: float) -> int:
+    """Lint the inputs from the number *first*: all in models, and the first of each by itself."""
+    tried, failed = 0, Counter[str]()
+    for model in count():
+        start = first + model * TOGETHER
         for form in forms:
-            found = fault(made(form, seed))
-            tried += 1
-            if found is not None:
-                last = found.rstrip().rpartition("\n")[2]
-                failed[last] += 1
-                if failed[last] == 1:
-                    sys.stdout.write(f"{form} {seed}: {found}\n")
-            if tried % EVERY == 0:
-                memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-                sys.stdout.write(f"{tried} inputs, {failed.total()} faults, {memory} MB\n")
-            sys.stdout.flush()
+            given = [made(form, seed) for seed in range(start, start + TOGETHER)]
+            for some in (given[:1], given):
+                found = fault(*some)
+                if found is not None:
+                    _tell(found, some, failed)
+            tried += TOGETHER
+        if model % EVERY == 0:
+            sys.stdout.write(f"{tried} inputs, {failed.total()} faults, {_memory()} MB\n")
+        sys.stdout.flush()
         if monotonic() > until:
             break
-    sys.stdout.write(f"{tried} inputs from seed {options.seed}, {failed.total()} faults\n")
+    sys.stdout.write(f"{tried} inputs from seed {first}, {failed.total()} faults\n")
     return 1 if failed else 0
+
+
+def _tell(found: str, given: Sequence[Input], failed: Counter[str]) -> None:
+    """Write what *given* led to, and which of them do, if it is new."""
+    lines = found.rstrip().splitlines()
+    where = next((line for line in reversed(lines) if line.startswith("  File ")), "")
+    kind = where + lines[-1].partition(":")[0]
+    failed[kind] += 1
+    if failed[kind] == 1:
+        few = reduced(given)
+        seeds = " ".join(str(each.seed) for each in few)
+        sys.stdout.write(f"{few[0].form} {seeds}: {fault(*few) or found}\n")
+
+
+def _memory() -> int:
+    """Return the resident memory of this process in MB, or 0 where the system does not tell."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    except OSError:
+        return 0
+    return pages * 4096 // 2**20

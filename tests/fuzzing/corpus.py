@@ -17,7 +17,9 @@ SUFFIXES = {
 }
 """Suffixes of the files that each format is fuzzed with."""
 LARGEST = 30_000
-"""Maximum size of a file, in bytes: small ones show the same faults sooner."""
+"""Maximum size of a file, in bytes."""
+SMALL = 5_000
+"""Size of a small file at most, in bytes: small ones show the same faults sooner."""
 
 
 @cache
@@ -29,3 +31,9 @@ def corpus(form: str) -> tuple[tuple[str, bytes], ...]:
     wanted = (path for path in paths if path.name.lower().endswith(SUFFIXES[form]))
     found = ((path, path.read_bytes()) for path in wanted)
     return tuple(sorted((path.name, data) for path, data in found if 0 < len(data) < LARGEST))
+
+
+@cache
+def small(form: str) -> tuple[tuple[str, bytes], ...]:
+    """Return those of `corpus` that are small."""
+    return tuple((name, data) for name, data in corpus(form) if len(data) < SMALL)

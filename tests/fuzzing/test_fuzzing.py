@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from fuzzing import trial
 from fuzzing.corpus import SUFFIXES, corpus
-from fuzzing.trial import fault, made
+from fuzzing.trial import Input, fault, made, reduced
 
 SHARE = 40
 PARTS = 4
+MODELS = 25
 
 
 @pytest.mark.slow
@@ -19,6 +21,14 @@ def test_mutated_files_are_answered(form, part):
     assert {seed: found for seed, found in faults.items() if found} == {}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("form", SUFFIXES)
+def test_mutated_files_are_answered_as_one_model(form):
+    for start in range(0, MODELS * SHARE, SHARE):
+        given = [made(form, seed) for seed in range(start, start + SHARE)]
+        assert fault(*given) is None, start
+
+
 @pytest.mark.parametrize("form", SUFFIXES)
 def test_inputs_are_made_again_by_their_number(form):
     assert corpus(form)
@@ -26,9 +36,15 @@ def test_inputs_are_made_again_by_their_number(form):
     assert len({made(form, seed).content for seed in range(20)}) > 15
 
 
-def test_a_fault_is_told(monkeypatch):
-    def broken(*_):
-        raise AttributeError("no such thing")
+def test_a_fault_is_told_with_the_inputs_that_lead_to_it(monkeypatch):
+    given = [Input("urdf", each, f"{each}.urdf", b"<robot name='%d'/>" % each) for each in range(8)]
 
+    def broken(sources, *_):
+        if {"<robot name='1'/>", "<robot name='3'/>"} <= {source.text for source in sources}:
+            raise AttributeError("no such thing")
+        return run([], *_)
+
+    run = trial.lint.run
     monkeypatch.setattr("fuzzing.trial.lint.run", broken)
-    assert "no such thing" in (fault(made("urdf", 1)) or "")
+    assert "no such thing" in (fault(*given) or "")
+    assert [each.seed for each in reduced(given)] == [1, 3]

@@ -35,6 +35,25 @@ KEPT = {
     "an angle that is no number": ("sdf", POSE.format("nan 0 0 nan 0 0").encode()),
 }
 
+JOINT = (
+    b'{"@context": {"x": "https://x.example/", "y": "https://y.example/"},'
+    b'"@id": "x:a", "x:b": [{"@id": "y:c"}, {"@id": "x:nobody"}]}'
+)
+CUT_OFF = (
+    b'{"@context": {"x": "https://x.example/a>b/", "y": "https://y.example/<"},'
+    b'"@graph": [{"@id": "x:a"}, {"@id": "y:\\b"}, {"@id": "https://z.example/<a"}'
+)
+TOGETHER = {
+    "names that no store holds, in a file cut off": (("jsonld", CUT_OFF), ("jsonld", JOINT)),
+}
+
+
+@pytest.mark.parametrize("name", TOGETHER)
+def test_they_are_answered_as_one_model(name):
+    """With findings about one of them, which what is wrong with another may lead to."""
+    given = [Input(form, 0, f"kept.{form}", content) for form, content in TOGETHER[name]]
+    assert fault(*given) is None
+
 
 @pytest.mark.parametrize("name", KEPT)
 def test_it_is_answered(name):

@@ -16,6 +16,8 @@ TURTLE_PREFIX = re.compile(r"@?prefix\s+([A-Za-z][\w.-]*)?:\s*<([^<>\s]*)>", re.
 NAME = re.compile(r'"([A-Za-z][\w.-]*):([^"\s/][^"\s]*)"')
 TURTLE_NAME = re.compile(r"(?<![\w:\"])([A-Za-z][\w.-]*)?:([A-Za-z_][\w-]*)")
 ABSOLUTE = re.compile(r'["<]((?:https?://|urn:)[^">\s]+)[">]')
+NAMEABLE = re.compile(r'<[^\x00-\x20<>"{}|^`\\\ud800-\udfff]*>')
+"""An IRI that a store can hold."""
 WORD = re.compile(r"[A-Za-z][\w-]*")
 LOCAL_NAMES = f"""
 SELECT ?term ?above WHERE {{
@@ -36,11 +38,11 @@ def unread_file(text: str, store: Store) -> Unread:
         for row in store.rows(LOCAL_NAMES)
         if re.split(r"[#/]", row["term"][:-1])[-1] in words
     }
-    return Unread(frozenset(_names(text)), frozenset(terms))
+    return Unread(frozenset(filter(NAMEABLE.fullmatch, _names(text))), frozenset(terms))
 
 
 def _names(text: str) -> Iterator[Term]:
-    """Yield the IRIs in *text*, those with a prefix that it defines in full."""
+    """Yield the IRIs in *text*, well-formed or not, those with a prefix that it defines in full."""
     turtle = TURTLE_PREFIX.search(text) is not None
     prefixes = dict((TURTLE_PREFIX if turtle else PREFIX).findall(text))
     for prefix, local in (TURTLE_NAME if turtle else NAME).findall(text):
