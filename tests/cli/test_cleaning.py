@@ -1,6 +1,7 @@
 """`kinlint clean`, and the bar for those who wait."""
 
 import io
+import re
 import sys
 
 import pytest
@@ -86,14 +87,18 @@ def test_nobody_sees_a_bar_who_has_no_use_for_it(clock, monkeypatch, reason):
     assert sys.stderr.getvalue() == ""
 
 
-def test_colour_is_left_to_the_user(clock, monkeypatch):
-    """NO_COLOR has the bar without."""
-    monkeypatch.setenv("NO_COLOR", "1")
+@pytest.mark.parametrize(
+    ("said", "color", "colored"),
+    [("", "auto", True), ("1", "auto", False), ("", "never", False), ("1", "always", True)],
+)
+def test_colour_is_left_to_the_user(clock, monkeypatch, said, color, colored):
+    """NO_COLOR and `--color` decide whether the bar has any."""
+    monkeypatch.setenv("NO_COLOR", said)
     monkeypatch.setattr(sys, "stderr", Terminal())
-    with ProgressBar(2, wanted=True) as bar:
+    with ProgressBar(2, wanted=True, color=color) as bar:
         clock[0] += 2 * PATIENCE
         bar.advance(2)
-    assert "\x1b[3" not in sys.stderr.getvalue()
+    assert bool(re.search(r"\x1b\[[\d;]*m", sys.stderr.getvalue())) == colored
     assert "50%" in sys.stderr.getvalue()
 
 
@@ -107,10 +112,10 @@ def test_a_bar_is_for_people_who_want_a_summary(kinlint, write, monkeypatch, arg
     seen = []
 
     class Watched(ProgressBar):
-        def __init__(self, files, *, wanted):
-            seen.append(wanted)
-            super().__init__(files, wanted=wanted)
+        def __init__(self, files, *, wanted, color):
+            seen.append((wanted, color))
+            super().__init__(files, wanted=wanted, color=color)
 
     monkeypatch.setattr("kinlint.cli.lint_run.ProgressBar", Watched)
-    kinlint("r.urdf", "--isolated", *arguments)
-    assert seen == [wanted]
+    kinlint("r.urdf", "--isolated", "--color", "never", *arguments)
+    assert seen == [(wanted, "never")]

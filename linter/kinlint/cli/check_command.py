@@ -94,7 +94,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
-    run = LintRun(settings, found, book, phases, outputs.watched)
+    run = LintRun(settings, found, book, phases, outputs.watched, options.color)
     report = run.report(options, outputs, wanted)
     report = report if knowledge is None else knowledge.apply_to(report)
     if options.verbose:

@@ -20,6 +20,7 @@ from kinlint.errors import SourceError
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report
+from kinlint.reporters.terminal_style import When
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS, SH
 
@@ -47,6 +48,8 @@ class LintRun:
     """The stopwatch of the run."""
     watched: bool = False
     """True if progress is shown."""
+    color: When = "auto"
+    """When progress has colours."""
     paired: list[SourceText] = field(default_factory=list)
     """The texts of SRDF, with the robots by which they are judged."""
     _passed: list[SourceError] = field(default_factory=list)
@@ -179,7 +182,7 @@ class LintRun:
         job = Job(self.settings, self.book, first)
         kept = not any(one.path is None for one in self.found.inputs)
         memory = ReportCache.from_settings(self.settings, self.book, fixing=first) if kept else None
-        with ProgressBar(len(self.found.inputs), wanted=self.watched) as bar:
+        with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
             sources, failed = self._read(bar)
             survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance)
             report = survey.report(sources, failed)

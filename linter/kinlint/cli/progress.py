@@ -8,6 +8,8 @@ from collections.abc import Iterable, Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Self, TypeVar
 
+from kinlint.reporters.terminal_style import When, detect_style
+
 if TYPE_CHECKING:
     from rich.progress import Progress
 
@@ -19,8 +21,9 @@ PATIENCE = 1.0
 class ProgressBar:
     """Counts the files that are read and linted; shown, if at all, on standard error."""
 
-    def __init__(self, files: int, *, wanted: bool) -> None:
+    def __init__(self, files: int, *, wanted: bool, color: When = "auto") -> None:
         self._steps = 2 * files
+        self._color = color
         self._wanted = wanted and sys.stderr.isatty()
         self._done = 0
         self._began = time.monotonic()
@@ -64,7 +67,10 @@ class ProgressBar:
             TimeRemainingColumn,
         )
 
-        console = Console(stderr=True)
+        colored = detect_style(sys.stderr, self._color).color
+        console = Console(
+            stderr=True, color_system="auto" if colored else None, no_color=not colored
+        )
         if console.is_dumb_terminal:
             self._wanted = False
             return
