@@ -49,7 +49,7 @@ class LintRun:
     watched: bool = False
     """True if progress is shown."""
     color: When = "auto"
-    """When progress has colours."""
+    """The choice of `--color`, which progress follows."""
     paired: list[SourceText] = field(default_factory=list)
     """The texts of SRDF, with the robots by which they are judged."""
     _passed: list[SourceError] = field(default_factory=list)
