@@ -100,7 +100,7 @@ def test_a_file_that_cannot_be_written(kinlint, arm, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(files.tempfile, "mkstemp", refuse)
+    monkeypatch.setattr(files, "_new_file", refuse)
     code, out, err = kinlint("arm.urdf", "--fix", *ONLY)
 
     assert (code, arm.read_bytes()) == (2, ARM.encode())

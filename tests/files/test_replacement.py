@@ -7,11 +7,12 @@ import stat
 import subprocess
 import sys
 import time
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 
-from kinlint.files.atomic_write import replacement
+from kinlint.files.atomic_write import SLOTS, replacement
 
 WRITER = """
 import sys
@@ -163,3 +164,56 @@ def test_two_at_once_leave_one_content_or_the_other(tmp_path):
         assert each.returncode == 0
 
     assert [each.name for each in tmp_path.iterdir()] == ["arm.urdf"]
+
+
+def test_no_look_at_the_directory_is_needed(tmp_path, monkeypatch):
+    """Which may have thousands of files; what was left is found by its name."""
+    target = tmp_path / "arm.urdf"
+    with ExitStack() as held:
+        for _ in range(SLOTS):
+            held.enter_context(replacement(target)).write(b"new")
+        left = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    assert len(left) == SLOTS
+    for name, content in left.items():
+        (tmp_path / name).write_bytes(content)
+
+    def refuse(*_):
+        raise AssertionError
+
+    with monkeypatch.context() as patch:
+        for name in ("scandir", "listdir"):
+            patch.setattr(os, name, refuse)
+        with replacement(target) as stream:
+            stream.write(b"newer")
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {"arm.urdf": b"newer"}
+
+
+def test_more_at_once_than_there_are_names(tmp_path):
+    """Nobody waits for another, who may be stopped."""
+    target = tmp_path / "arm.urdf"
+    with ExitStack() as held:
+        for number in range(SLOTS + 3):
+            held.enter_context(replacement(target)).write(b"%d" % number)
+        assert len(list(tmp_path.iterdir())) == SLOTS + 3
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == {"arm.urdf": b"0"}
+
+
+@pytest.mark.parametrize("kind", ["link", "directory", "pipe"])
+def test_what_others_put_in_its_place_is_left(tmp_path, kind):
+    """Whoever guesses the name of the new file gains nothing."""
+    target, other = tmp_path / "arm.urdf", tmp_path / "other"
+    other.write_bytes(b"mine")
+    with replacement(target) as stream:
+        (first,) = {each.name for each in tmp_path.iterdir()} - {"other"}
+        stream.write(b"old")
+    trap = tmp_path / first
+    if kind == "link":
+        trap.symlink_to(other)
+    elif kind == "directory":
+        trap.mkdir()
+    elif hasattr(os, "mkfifo"):
+        os.mkfifo(trap)
+    with replacement(target) as stream:
+        stream.write(b"new")
+
+    assert (target.read_bytes(), other.read_bytes()) == (b"new", b"mine")
