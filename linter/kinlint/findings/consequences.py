@@ -15,6 +15,7 @@ from typing import NamedTuple
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.finding import Finding, Related
+from kinlint.sparql.given_values import is_nameable, with_values
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.vocabulary import SRC
 
@@ -158,7 +159,7 @@ def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) 
     rules = {finding.rule.iri: finding.rule for finding in findings}
     for rule, about in by_rule.items():
         for query in rules[rule].explains:
-            for row in store.rows(query):
+            for row in store.rows(about.restricted(query)):
                 suspect = row.get(SUSPECT)
                 if suspect is not None:
                     way = row.get(THROUGH)
@@ -181,6 +182,12 @@ class _Explained:
         """Take in *result* of the finding at the position *at*."""
         terms = {**result.bindings, "value": result.value, THIS: result.focus}
         self._results.append((at, terms))
+
+    def restricted(self, query: str) -> str:
+        """Return *query* about the targets of the findings alone, if a query can name them."""
+        targets = {terms[THIS] for _, terms in self._results}
+        named = [each for each in targets if each is not None and is_nameable(each)]
+        return with_values(query, f"?{THIS}", named) if len(named) == len(targets) else query
 
     def agreeing(self, row: Mapping[str, Term]) -> Sequence[int]:
         """Return the positions of findings whose results have the values of *row*."""

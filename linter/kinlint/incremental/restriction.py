@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import count
 
@@ -11,7 +11,6 @@ from kinlint.incremental.dependency_paths import Path, PatternPath, paths_to
 from kinlint.sparql.ast import Group, Triples
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable
-from kinlint.terms import Term
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,9 +52,3 @@ def _elements(first: Triples) -> Iterator[str]:
             yield pattern.subject
         if is_variable(pattern.object) and any(term[1:].startswith(ELEMENTS) for term in terms):
             yield pattern.object
-
-
-def restrict_query(select: str, root: str, values: Iterable[Term]) -> str:
-    """Return *select*, whose first brace opens its group, where *root* has one of *values*."""
-    head, brace, group = select.partition("{")
-    return f"{head}{brace} VALUES {root} {{ {' '.join(sorted(values))} }} {group}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
@@ -17,8 +16,9 @@ from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
-from kinlint.incremental.restriction import Restriction, find_restriction, restrict_query
+from kinlint.incremental.restriction import Restriction, find_restriction
 from kinlint.sparql.ast import render
+from kinlint.sparql.given_values import is_nameable, with_values
 from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
@@ -26,8 +26,6 @@ from kinlint.vocabulary import LIFTED_GRAPH
 Row: TypeAlias = tuple[Term | None, ...]
 FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
 ASSERTED = ox.NamedNode(iri_value(ASSERTED_GRAPH))
-NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
-"""An IRI that a query may hold; a file may use others, which a store takes."""
 
 
 @dataclass
@@ -153,7 +151,7 @@ class TrackedLifting:
     def _rows(self, unit: Unit, roots: Collection[Term] | None) -> Iterator[Row]:
         select = unit.select
         if roots is not None and unit.narrow is not None:
-            select = restrict_query(select, unit.narrow.root, roots)
+            select = with_values(select, unit.narrow.root, roots)
         solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
         assert isinstance(solutions, ox.QuerySolutions)
         places = [[each.value for each in solutions.variables].index(name) for name in unit.names]
@@ -221,8 +219,8 @@ def _concerned(unit: Unit, affected: AffectedNodes) -> frozenset[Term] | None:
         nodes = affected.nodes(unit.narrow.pattern_paths)
     except TooMany:
         return None
-    named = all(isinstance(node, ox.NamedNode) and NAMEABLE.fullmatch(str(node)) for node in nodes)
-    return frozenset(map(str, nodes)) if named else None
+    found = frozenset(map(str, nodes))
+    return found if all(map(is_nameable, found)) else None
 
 
 def _triple(subject: Term | None, predicate: Term | None, value: Term | None) -> Iterator[Triple]:
