@@ -24,8 +24,9 @@ Edit = tuple[str, str, str]
 def lint_edited() -> Callable[..., Report]:
     book = rulebook.load()
 
-    def run(*edits: Edit, first: bool = True) -> Report:
+    def run(*edits: Edit, first: bool = True, without: str = "") -> Report:
         texts = {path.stem: path.read_text("utf-8") for path in sorted(MODEL.glob("*.jsonld"))}
+        texts.pop(without, None)
         for name, old, new in edits:
             assert old in texts[name]
             texts[name] = texts[name].replace(old, new, 1 if first else -1)
@@ -70,6 +71,18 @@ CASCADES: dict[str, tuple[Edit, str]] = {
     "prefix without its #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}"'), "LD015"),
     "prefix with / for #": (("skeleton", f'"{NAMES}"', f'"{NAMES[:-1]}/"'), "LD031"),
     "prefix of another robot": (("coordinates", f'"{NAMES}"', f'"{NAMES[:-2]}#"'), "LD031"),
+    "identifier of another frame": (
+        ("skeleton", '"@id": "arm:elbow-seat",', '"@id": "arm:upper-arm-root",'),
+        "ID004",
+    ),
+    "identifier of another joint": (
+        ("chain", '"@id": "arm:elbow",', '"@id": "arm:shoulder",'),
+        "ID004",
+    ),
+    "identifier of another relation": (
+        ("relations", '"@id": "arm:elbow-offset",', '"@id": "arm:shoulder-offset",'),
+        "ID004",
+    ),
     "graph without its @": (("skeleton", '"@graph"', '"graph"'), "LD001"),
     "context that is not loaded": (
         ("coordinates", f'"{BASE}/geometry/coordinates.json",', ""),
@@ -135,6 +148,19 @@ def test_what_an_unread_file_describes_follows_from_it(lint_edited: Callable[...
     (error,) = report.errors
     assert error.consequences
     assert f"{len(error.consequences)} other findings follow from this" in error.cause
+
+
+@pytest.mark.parametrize("gone", ["skeleton", "relations"])
+def test_what_a_missing_file_describes_follows_from_its_absence(
+    gone: str, lint_edited: Callable[..., Report]
+) -> None:
+    """Nothing follows from a name that is a slip of the pen for one that is described."""
+    slip = ("chain", '"arm:shoulder", "arm:elbow"', '"arm:shoulder", "arm:elbw"')
+    report = lint_edited(slip, without=gone)
+    first, other = sorted(report.findings, key=lambda each: each.rule.code)
+    assert (first.rule.code, other.rule.code) == ("CMP032", "LD006")
+    assert {each.rule.code for each in first.consequences} >= {"LD006"}
+    assert "'arm:elbw'" in other.message
 
 
 def test_of_two_causes_the_first_has_the_consequences(lint_edited: Callable[..., Report]) -> None:

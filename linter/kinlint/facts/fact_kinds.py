@@ -26,6 +26,7 @@ from kinlint.facts.prefix_disagreement import disagreements
 from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import data_cycles, reordered, steps
+from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
 
@@ -245,6 +246,12 @@ KINDS = (
         ("context", "count", "word", *NODES),
     ),
     _alone("prefix_disagreement", disagreements, {"common-namespace": ()}),
+    _alone(
+        "undescribed_names",
+        undescribed_names,
+        {"undescribed-in": ()},
+        ("described", "first", "subject", "property", *NODES),
+    ),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )
 """All kinds of facts that rules may ask for."""

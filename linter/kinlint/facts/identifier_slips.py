@@ -36,7 +36,7 @@ class IdentifierSlips:
 
     def __init__(self, scan: PredicateIndex) -> None:
         self._scan = scan
-        self._documents = [each for each in scan.documents if _names_by_iri(each.format)]
+        self._documents = [each for each in scan.documents if names_by_iri(each.format)]
 
     def resemblances(self) -> Iterator[Triple]:
         """Yield undescribed identifiers and undeclared terms with the one they resemble.
@@ -162,6 +162,6 @@ def _own_namespace(document: Document) -> str:
     return spaces[0][1:].rpartition('"')[0] if len(spaces) == 1 else ""
 
 
-def _names_by_iri(form: Format) -> bool:
+def names_by_iri(form: Format) -> bool:
     """Tell whether people write files of *form* and name things in them by IRIs."""
     return not form.is_tree and form.editor is not None

@@ -173,7 +173,7 @@ def may_be_jsonld(path: Path) -> bool:
         return False
     with path.open("rb") as stream:
         head = stream.read(HEAD)
-        if head.startswith(WIDE):
+        if head.startswith(WIDE) or b"\0" in head[:2]:
             # Its reader says that it is not UTF-8.
             return any(keyword in head.replace(b"\0", b"") for keyword in KEYWORDS)
         if head.removeprefix(b"\xef\xbb\xbf").lstrip()[:1] not in (b"{", b"["):
