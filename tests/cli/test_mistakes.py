@@ -1,6 +1,10 @@
 """Mistakes on the command line are told, with what was meant."""
 
+import os
+
 import pytest
+
+from kinlint.cli.main import main
 
 
 @pytest.mark.parametrize(
@@ -94,3 +98,14 @@ def test_note_is_another_word_for_info(kinlint, model, write):
     write("kinlint.toml", 'fail-on = "note"\nseverity.UNI = "note"')
     assert kinlint()[0] == 1
     assert model.settings.default.choices[0].severity[0][1].label == "info"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a directory in use cannot be removed here")
+def test_a_working_directory_that_is_gone(tmp_path, capsys, monkeypatch):
+    """It is told as that, not as a fault of kinlint."""
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+
+    assert main(["--isolated"]) == 2
+    assert "error: the working directory does not exist" in capsys.readouterr().err

@@ -65,6 +65,9 @@ def _run(arguments: list[str]) -> int:
     except Exception as error:
         if os.environ.get("KINLINT_TRACEBACK") == "1":
             raise
+        if isinstance(error, FileNotFoundError) and not os.path.exists(os.curdir):  # noqa: PTH110
+            _say("the working directory does not exist any more")
+            return ABNORMAL
         text = " ".join(f"{type(error).__name__}: {error}".split())
         _say(f"{text} (an error in kinlint itself: please report it with the command you ran)")
     return ABNORMAL

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from pathlib import Path
 
 from kinlint.files.tracked_io import question
@@ -13,9 +14,8 @@ NOTHING = "no such file or directory"
 
 def shown(path: Path, given: str = "") -> str:
     """Return *path* relative to the working directory if it is below it, else as it was *given*."""
-    here = Path.cwd()
-    if path.is_relative_to(here):
-        return printable(path.relative_to(here).as_posix())
+    with suppress(OSError, ValueError):  # The working directory may be gone.
+        return printable(path.relative_to(Path.cwd()).as_posix())
     return printable(Path(given).as_posix() if given else path.as_posix())
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeAlias
 
@@ -26,11 +26,14 @@ class DocumentStore:
     _kept: dict[Path, tuple[Stamp, SourceText | SourceError]] = field(default_factory=dict)
     _seen: set[Path] = field(default_factory=set)
     _overlay: Mapping[Path, SourceText] = field(default_factory=dict)
+    _renamed: dict[str, tuple[SourceText, SourceText]] = field(default_factory=dict)
 
     def advance(self, snapshot: FrozenState) -> None:
         """Go on to *snapshot*; files are looked at again if something happened on disk."""
         if snapshot.epoch != self.snapshot.epoch:
+            self._kept = {path: kept for path, kept in self._kept.items() if path in self._seen}
             self._seen.clear()
+            self._renamed.clear()
         self.snapshot = snapshot
         self._overlay = {real(path): each.source for path, each in snapshot.buffers.items()}
 
@@ -46,17 +49,27 @@ class DocumentStore:
         """
         assert one.path is not None
         if (buffer := self.snapshot.buffers.get(one.path)) is not None:
-            return buffer.source
+            return self._called(one.name, buffer.source)
         kept = self._kept.get(one.path)
         if kept is None or one.path not in self._seen:
             now = stamp(one.path)
-            if kept is None or kept[0] != now:
+            if kept is None or kept[0] != now or kept[1].name != one.name:
                 kept = now, _read(one)
                 self._kept[one.path] = kept
             self._seen.add(one.path)
         if isinstance(kept[1], SourceError):
             raise kept[1]
         return kept[1]
+
+    def _called(self, name: str, source: SourceText) -> SourceText:
+        """Return *source* by *name*, which is another where the working directory is another."""
+        if source.name == name:
+            return source
+        before, renamed = self._renamed.get(name, (None, source))
+        if before is not source:
+            renamed = replace(source, name=name)
+            self._renamed[name] = source, renamed
+        return renamed
 
 
 def _read(one: Input) -> SourceText | SourceError:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Iterable
 from pathlib import Path
 
 from lsprotocol import types
@@ -16,6 +15,7 @@ from kinlint.server import publish_diagnostics, pull_diagnostics
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
 from kinlint.server.client_settings import ClientSettings
+from kinlint.server.workspace import work_in
 
 SECTION = "kinlint"
 WATCHED = (
@@ -32,7 +32,8 @@ def register(server: KinlintServer) -> None:
 
     @server.feature(types.INITIALIZE)
     def initialize(params: types.InitializeParams) -> None:
-        _settle(server, _roots(params))
+        server.roots = _roots(params)
+        work_in(server.roots)
         server.preferences = ClientSettings.from_json(params.initialization_options)
         known = params.capabilities.text_document
         (pull_diagnostics if known and known.diagnostic else publish_diagnostics).register(server)
@@ -76,14 +77,6 @@ def _roots(params: types.InitializeParams) -> tuple[Path, ...]:
 
 def _paths(uris: Iterable[str]) -> tuple[Path, ...]:
     return tuple(dict.fromkeys(path_of(uri) for uri in uris if uri.startswith("file:")))
-
-
-def _settle(server: KinlintServer, roots: Sequence[Path]) -> None:
-    """Work in the first of *roots*: files are called as in a run of kinlint there."""
-    server.roots = tuple(roots)
-    for root in roots[:1]:
-        with suppress(OSError):
-            os.chdir(root)
 
 
 async def _register(server: KinlintServer) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gc
+import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from traceback import format_exc
@@ -23,6 +25,8 @@ from kinlint.server.workspace_folder import Model, WorkspaceFolder
 from kinlint.text import SourceText
 
 T = TypeVar("T")
+BOOKS = 8
+"""Number of rulebooks kept, besides one that is added: each change of a rule file makes another."""
 
 
 class Outdated(Exception):
@@ -199,7 +203,8 @@ class Workspace:
         """Go on to *snapshot*; whether files on disk may have changed since the last time."""
         before = self._stock
         before_generation = -1 if before is None else before.snapshot.generation
-        if before is None or before.snapshot.epoch != snapshot.epoch:
+        if before is None or before.snapshot.epoch != snapshot.epoch or _is_astray():
+            work_in(snapshot.roots)
             self._projects.clear()
         if before is None:
             self._stock = DocumentStore(snapshot)
@@ -240,8 +245,31 @@ class Workspace:
         files = (*settings.rules, *settings.shapes, *more)
         key = settings.rules, settings.shapes, more, stamps(files) if files else ()
         if key not in self._books:
+            for stale in list(self._books)[:-BOOKS]:
+                del self._books[stale]
             self._books[key] = rulebook.load(settings.rules, settings.shapes, self._cache)
         return self._books[key]
+
+
+def work_in(roots: Sequence[Path]) -> None:
+    """Work in the first of *roots*: files are called as in a run of kinlint there.
+
+    While it is gone, what is left above it takes its place.
+    """
+    for root in roots[:1]:
+        for directory in (root, *root.parents):
+            with suppress(OSError):
+                os.chdir(directory)
+                return
+
+
+def _is_astray() -> bool:
+    """Tell whether the working directory was removed."""
+    try:
+        os.getcwd()
+    except OSError:
+        return True
+    return False
 
 
 _LAST = 3
