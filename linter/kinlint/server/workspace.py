@@ -266,7 +266,7 @@ def work_in(roots: Sequence[Path]) -> None:
 def _is_astray() -> bool:
     """Tell whether the working directory was removed."""
     try:
-        os.getcwd()
+        Path.cwd()
     except OSError:
         return True
     return False
