@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import count
 from typing import TypeAlias
 
@@ -24,13 +24,15 @@ from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
 
 Row: TypeAlias = tuple[Term | None, ...]
+Made: TypeAlias = dict[Row, list[tuple[Triple, ...]]]
+"""The triples that a query made of each solution, once for each time that it came."""
 FIRST, REST, NIL = (iri(f"{RDF}{name}") for name in ("first", "rest", "nil"))
 ASSERTED = ox.NamedNode(iri_value(ASSERTED_GRAPH))
 
 
-@dataclass
+@dataclass(frozen=True, eq=False)
 class Unit:
-    """A lifting query, with the triples that it made of each of its solutions."""
+    """A lifting query as a SELECT, and what to make of its solutions."""
 
     select: str
     """The query as a SELECT."""
@@ -42,11 +44,9 @@ class Unit:
     """Properties and classes that the query names."""
     narrow: Restriction | None
     """The variable by which the query can be restricted, if there is one."""
-    made: dict[Row, list[tuple[Triple, ...]]] | None = None
-    """The triples of each solution, once for each time that it came; None until somebody asks."""
 
     @classmethod
-    def from_lifting(cls, lifting: Lifting, kept: Collection[Term] | None) -> Unit:
+    def from_lifting(cls, lifting: Lifting, kept: frozenset[Term] | None) -> Unit:
         """Return what makes all that *lifting* makes, or what of it is *kept*."""
         made, where = lifting.part(kept)
         used = set[str]().union(*(each.variables for each in made))
@@ -69,6 +69,9 @@ class Unit:
         )
 
 
+_unit = lru_cache(maxsize=512)(Unit.from_lifting)
+
+
 class TrackedLifting:
     """Asserted statements about elements to lifted ones: a composable model.
 
@@ -80,11 +83,12 @@ class TrackedLifting:
         self,
         store: Store,
         wanted: Collection[Term] | None = None,
-        kept: Collection[Term] | None = None,
+        kept: frozenset[Term] | None = None,
     ) -> None:
         self.store = store
         self._wanted = wanted
         self._kept = kept
+        self._made: dict[Unit, Made] = {}
         self._counts: Counter[Triple] = Counter()
         self._numbers = count(1)
 
@@ -92,7 +96,7 @@ class TrackedLifting:
     def units(self) -> Sequence[Unit]:
         """The queries that make something wanted."""
         formats = {document.format for document in self.store.documents.values()}
-        return [Unit.from_lifting(each, self._kept) for each in asked(formats, self._wanted)]
+        return [_unit(each, self._kept) for each in asked(formats, self._wanted)]
 
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Lift by those queries that look at what *changes* are about."""
@@ -107,22 +111,21 @@ class TrackedLifting:
 
     def _recall(self, unit: Unit, changes: Changes) -> None:
         """Find out what *unit* has made, from what was asserted before *changes*."""
-        if unit.made is not None:
+        if unit in self._made:
             return
         with changes.undone(ASSERTED_GRAPH):
             rows = Counter(self._rows(unit, None))
-        unit.made, used = {}, set[Term]()
+        made, used = self._made.setdefault(unit, {}), set[Term]()
         for row, times in rows.items():
-            unit.made[row] = [tuple(self._known(unit, row, used)) for _ in range(times)]
-            for triples in unit.made[row]:
+            made[row] = [tuple(self._known(unit, row, used)) for _ in range(times)]
+            for triples in made[row]:
                 self._counts.update(triples)
 
     def _relift(self, unit: Unit, roots: Collection[Term] | None, changes: Changes) -> None:
         """Lift anew by *unit* what it makes of *roots*, or all."""
         rows = Counter(self._rows(unit, roots))
         gone, come = list[Triple](), list[Triple]()
-        made = unit.made
-        assert made is not None
+        made = self._made[unit]
         known = made if roots is None else [row for row in made if row[-1] in roots]
         for row in [row for row in known if row not in rows]:
             for triples in made.pop(row):
@@ -137,7 +140,7 @@ class TrackedLifting:
         before = {each for each in (*gone, *come) if self._counts[each]}
         self._counts.subtract(gone)
         self._counts.update(come)
-        for other in [each for each in self.units if each.made is None]:
+        for other in [each for each in self.units if each not in self._made]:
             if any(not self._counts[each] and other.may_make(each) for each in gone):
                 self._recall(other, changes)
         after = {each for each in (*gone, *come) if self._counts[each]}
