@@ -5,11 +5,11 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
 from kinlint.file_format import Format
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, iri, is_iri
 from kinlint.text import Location, SourceText, Span
 from kinlint.vocabulary import SRC

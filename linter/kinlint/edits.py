@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Triple
 from kinlint.text import Span
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from kinlint.addresses import is_address, readable
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.rule import Applicability, Rule, Severity, SeverityFor
 from kinlint.terms import Term, Triple
 from kinlint.text import Location, SourceText, Span

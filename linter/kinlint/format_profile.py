@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import cache
 
 from kinlint import resources
 from kinlint.document import Document
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import KL, RDFS
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field, replace
 
 from kinlint import __version__
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.rule import Repair, Rule
 from kinlint.structure import Structure
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import dataclass
 from enum import IntEnum
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import SH
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import Location
 
 Vector: TypeAlias = tuple[float, float, float]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from urllib.parse import unquote
 
 from kinlint.addresses import is_address, owner_path, short_path, split, unordered
 from kinlint.formats.records import ELEMENTS
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import (
     RDF_TYPE,
     XSD,

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate
 from typing import NamedTuple
 
 from kinlint.file_format import Format
+from kinlint.light_dataclasses import dataclass, field
 
 
 class Span(NamedTuple):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -15,6 +14,7 @@ from kinlint.files.pathname import missing, shown
 from kinlint.formats.decoding import decode
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Object, Text
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText, Span
 
 DEFAULT = "kinlint-baseline.json"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from kinlint.addresses import is_address, without_file
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.report import STDIN_NAMES
 from kinlint.terms import is_blank
 from kinlint.text import Span

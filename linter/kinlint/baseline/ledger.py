@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 from kinlint.baseline.entry_identity import Entry, Names, entry_of
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass
 
 
 def _nothing(_path: str) -> bool:

@@ -6,7 +6,6 @@ import json
 import os
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.formats.dependencies.mentions import includes_nothing
+from kinlint.light_dataclasses import dataclass, field, fields, is_dataclass, replace
 from kinlint.text import SourceText
 
 FOLLOWS = ("text", "format")

@@ -12,9 +12,10 @@ import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+
+from kinlint.light_dataclasses import dataclass
 
 BEGIN, END, UNDONE = "report-", ".json", ".tmp"
 MOST_BYTES = 128 * 2**20

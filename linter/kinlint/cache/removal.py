@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.cache.directory_store import DirectoryStore
 from kinlint.cache.report_cache import FOLDER
 from kinlint.catalogue.compiled_store import STORED
+from kinlint.light_dataclasses import dataclass
 
 
 @dataclass(frozen=True)

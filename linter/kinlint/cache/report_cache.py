@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from kinlint.cache.serialization import NotSerializable, parse_report, serialize
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.files.tracked_io import Asked, Record, answer
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.report import Report
 from kinlint.text import SourceText
 

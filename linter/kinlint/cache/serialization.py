@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields, is_dataclass
 from enum import Enum
 from importlib import import_module
 from typing import Any, TypeAlias
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.errors import SourceError
+from kinlint.light_dataclasses import fields, is_dataclass
 from kinlint.report import Report
 from kinlint.rule import Applicability, Repair, Rule, Severity
 from kinlint.text import SourceText, Span

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -15,6 +14,7 @@ from kinlint.engine.compiler.shapes_compiler import compile_graph
 from kinlint.engine.compiler.shapes_graph import FIRST, REST, ShapesFile, ShapesGraph, labels, parse
 from kinlint.engine.lifting import compiled_queries
 from kinlint.engine.ontology import compile_axioms
+from kinlint.light_dataclasses import asdict, dataclass, replace
 from kinlint.terms import RDF, Term, is_iri
 from kinlint.vocabulary import OWL, RDFS, SH
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import astuple
 from pathlib import Path
 from textwrap import dedent
 
@@ -14,6 +13,7 @@ from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
 from kinlint.engine.compiler.shapes_graph import ShapesFile, ShapesGraph, parse
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import astuple
 from kinlint.rule import SEVERITY_BY_IRI, Example, Rule, Severity, SeverityFor
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_datatype, literal_value
 from kinlint.vocabulary import KL, RDFS, SH

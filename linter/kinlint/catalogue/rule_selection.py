@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from kinlint.catalogue.applicability import applicability, applicable, formats
 from kinlint.catalogue.rulebook import Rulebook
@@ -12,6 +11,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.constraint import Constraint
 from kinlint.file_format import Format
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import Repair, Rule
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field
 from functools import cache as memoised
 from functools import cached_property
 from pathlib import Path
@@ -17,6 +16,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import recall_queries
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import asdict, dataclass, field
 from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 from kinlint.vocabulary import FACT, SRC

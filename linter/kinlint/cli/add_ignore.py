@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from argparse import Namespace
 from collections.abc import Iterable
-from dataclasses import replace
 from functools import partial
 
 from kinlint.catalogue.rulebook import Rulebook
@@ -15,6 +14,7 @@ from kinlint.errors import SourceError
 from kinlint.fixes.offers import Sieve
 from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
 from kinlint.ignoring.suppression_generator import SuppressionGenerator
+from kinlint.light_dataclasses import replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report

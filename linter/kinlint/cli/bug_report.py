@@ -6,7 +6,6 @@ import re
 import sys
 import traceback
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cache
 from pathlib import Path, PurePath
 
@@ -16,6 +15,7 @@ from kinlint.cli.report_outputs import replacing
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError, SourceError
 from kinlint.fixes.rounds import lint_texts
+from kinlint.light_dataclasses import replace
 from kinlint.text import SourceText
 
 WORD = re.compile(r"[^\W\d]\w*")

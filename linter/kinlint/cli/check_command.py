@@ -6,7 +6,6 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,6 +24,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.light_dataclasses import replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from pathlib import Path
 
 from kinlint.configuration.settings import Settings
@@ -17,6 +16,7 @@ from kinlint.finding import Finding
 from kinlint.fixes.offers import accept_all
 from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
 from kinlint.formats.decoding import decode, encode
+from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Input
 from kinlint.report import Report
 from kinlint.reporters.diff import unified_diff

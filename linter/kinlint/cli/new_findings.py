@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinlint.baseline.baseline_file import DEFAULT, Baseline, read_baseline, write_baseline
@@ -19,6 +18,7 @@ from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real, shown
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
 from kinlint.rule import Rule

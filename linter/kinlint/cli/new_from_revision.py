@@ -6,7 +6,6 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinlint.baseline.entry_identity import Names, entry_of, relative
@@ -18,6 +17,7 @@ from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository, Revision
 from kinlint.formats.records import JSON, SEARCHED
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Input, may_be_jsonld
 from kinlint.project.layers import Layers

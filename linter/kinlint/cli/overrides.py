@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from argparse import Namespace
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +22,7 @@ from kinlint.configuration.settings import Choice
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import NOTHING, missing
+from kinlint.light_dataclasses import replace
 from kinlint.rule import Severity
 
 ORIGIN = "command line"

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.settings import Settings
 from kinlint.files.pathname import shown
 from kinlint.finding import Finding
 from kinlint.formats.records import JSON
+from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Found, Input, may_be_jsonld
 from kinlint.report import Report
 from kinlint.text import SourceText

@@ -6,13 +6,13 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
 from io import TextIOWrapper
 from pathlib import Path
 from typing import TextIO
 
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.report import Report
 from kinlint.reporters.display_width import printable
 from kinlint.reporters.reporter_registry import (

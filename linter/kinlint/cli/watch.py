@@ -11,7 +11,6 @@ import sys
 from argparse import Namespace
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +23,7 @@ from kinlint.files.packages import REPOSITORY
 from kinlint.files.pathglob import MAGIC, absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.records import GLOBBED
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.reporter_registry import FORMATS
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ from kinlint.configuration.value_kinds import ALIASES
 from kinlint.errors import ConfigError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import missing, shown
+from kinlint.light_dataclasses import dataclass, field, fields, replace
 from kinlint.rule import Severity
 from kinlint.text import SourceText
 

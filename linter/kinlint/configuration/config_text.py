@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from kinlint.errors import ConfigError
 from kinlint.files.pathname import shown
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText, Span
 
 BOM = "\ufeff"

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.configuration.config_file import file_above, parse_config
 from kinlint.configuration.config_text import PROJECT
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathname import shown
+from kinlint.light_dataclasses import dataclass
 from kinlint.uri_references import split_uri
 
 KEY = "extra-contexts"

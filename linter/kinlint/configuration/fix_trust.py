@@ -7,12 +7,12 @@ said, the more specific selector wins, and of equals the more careful one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from dataclasses import replace as changed
 
 from kinlint.configuration.selectors import ALL, Catalogue, Rank, select_codes
 from kinlint.configuration.settings import Choice
 from kinlint.finding import Fix
+from kinlint.light_dataclasses import dataclass
+from kinlint.light_dataclasses import replace as changed
 from kinlint.rule import Applicability, Rule
 
 

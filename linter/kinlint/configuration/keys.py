@@ -6,7 +6,6 @@ Every value is checked before it is used; `kinlint config` and the JSON schema t
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from kinlint.configuration.value_kinds import (
@@ -22,6 +21,7 @@ from kinlint.configuration.value_kinds import (
     table,
 )
 from kinlint.errors import ConfigError
+from kinlint.light_dataclasses import dataclass
 from kinlint.suggestion import did_you_mean
 
 OUTPUT_FORMATS = (

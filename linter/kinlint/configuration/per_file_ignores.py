@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.files.pathglob import Glob
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText, Span
 
 

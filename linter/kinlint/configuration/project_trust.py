@@ -10,13 +10,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinlint.configuration.config_file import Config
 from kinlint.errors import ConfigError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.light_dataclasses import dataclass, replace
 
 GUARDED: Mapping[str, str] = {"rules": "rules", "shapes": "shapes", "xacro_env": "xacro-env"}
 """Fields of a configuration that count in trusted projects only, with their keys."""

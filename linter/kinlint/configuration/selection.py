@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kinlint.configuration.fix_trust import Trust, combine_trust
 from kinlint.configuration.selectors import Catalogue, select_codes
 from kinlint.configuration.settings import Choice, Settings
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.rule import Rule, Severity
 
 

@@ -8,12 +8,12 @@ selector wins over the less specific one, and of equals the ignoring one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
 from kinlint.configuration.keys import TARGETS
 from kinlint.errors import UsageError
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import Rule
 from kinlint.suggestion import did_you_mean
 

@@ -7,10 +7,10 @@ graph that all files make (contexts, user rules and shapes, engine, `partial`) h
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.rule import Severity
 from kinlint.text import SourceText, Span
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.suggestion import did_you_mean
 
 ALIASES = {"note": "info"}

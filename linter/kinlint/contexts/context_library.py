@@ -8,7 +8,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -16,6 +15,7 @@ from typing import Any, TypeAlias
 
 from kinlint.contexts.context_dsl import expand_context
 from kinlint.errors import ConfigError, UsageError
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.resources import data
 from kinlint.suggestion import did_you_mean, slips
 from kinlint.vocabulary import KINLINT

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from kinlint.contexts.context_dsl import expand_context
 from kinlint.contexts.context_library import COMMUNITY, RELEASES, bundled_source
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.resources import data
 from kinlint.vocabulary import KIN, KINLINT, METAMODELS, RDFS
 

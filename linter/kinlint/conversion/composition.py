@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import PurePath
 from urllib.parse import quote
 
@@ -16,6 +15,7 @@ from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
 from kinlint.formats.records import ELEMENTS
+from kinlint.light_dataclasses import dataclass
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Inputs
 from kinlint.pipeline.stages import run_stages

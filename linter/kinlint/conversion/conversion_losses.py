@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from kinlint.conversion.coverage import Coverage, format_coverage
 from kinlint.document import FROM, Document
 from kinlint.engine.provenance import Provenance
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import (
     NUMERIC,
     RDF_TYPE,

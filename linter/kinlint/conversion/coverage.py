@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
 
 from kinlint import resources
@@ -14,6 +13,7 @@ from kinlint.engine.derivation import derivations
 from kinlint.engine.lifting import Lifting, queries
 from kinlint.formats.xml.element_types import ElementType
 from kinlint.formats.xml.schema import schema
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, iri_value
 from kinlint.vocabulary import ATTRIBUTE, KINLINT
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
 
 from kinlint.conversion.composition import Composition
 from kinlint.conversion.expanded_nodes import Node
 from kinlint.conversion.published import published_terms
+from kinlint.light_dataclasses import replace
 from kinlint.resources import data
 
 FILES = "conversion/files.tsv"

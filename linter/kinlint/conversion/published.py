@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
 from kinlint.contexts.context_dsl import UNCOERCED
 from kinlint.contexts.context_library import NEWEST, bundled_source
 from kinlint.contexts.declarations import terms
+from kinlint.light_dataclasses import dataclass
 
 FIRST = (
     "geometry/structural-entities",

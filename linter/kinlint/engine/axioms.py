@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri, is_literal, literal_value
 from kinlint.vocabulary import INFERRED_GRAPH
 

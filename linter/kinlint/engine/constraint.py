@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
 from typing import Any
 
+from kinlint.light_dataclasses import asdict, dataclass
 from kinlint.terms import Term, Triple
 
 FOCUS = "$FOCUS"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable
-from dataclasses import replace
 from typing import NamedTuple
 
 from kinlint.document import FROM
 from kinlint.engine.required_terms import ANY_CLASS
+from kinlint.light_dataclasses import replace
 from kinlint.sparql.ast import Bind, Clause, Element, Group, Triples, Union
 from kinlint.sparql.patterns import template
 from kinlint.sparql.tokens import is_variable

@@ -7,7 +7,6 @@ worked out from such variables by BIND. Both are known before anything is read.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from itertools import count
 from typing import TypeAlias
@@ -16,6 +15,7 @@ from kinlint.document import FROM
 from kinlint.engine.construct_template import Made, trimmed
 from kinlint.engine.lifting import Lifting
 from kinlint.formats.records import ELEMENTS
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
 from kinlint.sparql.expression_tokens import arguments, end, unwrapped
 from kinlint.sparql.patterns import Pattern, patterns

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -15,6 +14,7 @@ from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import Group, render
 from kinlint.sparql.ast_json import from_json
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value

@@ -9,7 +9,6 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache, cached_property
 from itertools import islice
@@ -34,6 +33,7 @@ from kinlint.engine.derivation import (
 from kinlint.engine.lifting import asked
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF, Term, Triple, iri, iri_value, is_blank, is_iri, is_literal
 from kinlint.vocabulary import ATTRIBUTE, KINLINT, SRC
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from kinlint.engine.constraint import Constraint
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term
 
 

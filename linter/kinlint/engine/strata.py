@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import TypeVar
 
 from kinlint.engine.axioms import Axiom, instantiate, match, unify
+from kinlint.light_dataclasses import replace
 
 Node = TypeVar("Node", bound=Hashable)
 

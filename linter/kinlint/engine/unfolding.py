@@ -9,10 +9,10 @@ Ontologies", Journal on Data Semantics X, 2008, section 5.3.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import accumulate, count, takewhile
 
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.sparql.ast import Bind, Clause, Construct, Element, Expression, Filter, Group, Triples
 from kinlint.sparql.patterns import Pattern, patterns, template
 from kinlint.sparql.tokens import is_variable

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from kinlint.facts.frame_placement import Placements
@@ -12,6 +11,7 @@ from kinlint.facts.linear_algebra import Vector, length, subtract
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex, Table
 from kinlint.facts.units import LENGTH, Units
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term
 
 COLLISION = kin("CollisionGeometry")

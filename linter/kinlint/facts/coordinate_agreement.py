@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property, partial
 from itertools import chain, count
 from typing import TypeAlias
@@ -36,6 +35,7 @@ from kinlint.facts.units import (
     SPEED,
     TORQUE,
 )
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF_TYPE, Term, Triple, literal
 
 LISTS = (

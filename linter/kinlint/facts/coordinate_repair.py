@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from itertools import chain, count
 
@@ -17,6 +16,7 @@ from kinlint.facts.quantity import AXES, MASSES
 from kinlint.facts.rotation import QUATERNION, Rotations, euler, quaternion
 from kinlint.facts.units import ANGLE, LENGTH, Unit
 from kinlint.facts.units import MASS as OF_MASS
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple, literal_value
 
 DIGITS = 6

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
 from typing import TypeAlias
@@ -20,6 +19,7 @@ from kinlint.facts.linear_algebra import Vector, length, subtract
 from kinlint.facts.metamodel_terms import attribute, chain, kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.records import FORMATS
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, is_iri, literal, literal_value
 
 COMPOSED = "composed"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 
 from kinlint.facts.strongly_connected import strongly_connected_components
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.terms import Term
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cache, cached_property
 
 from kinlint.addresses import element_of, is_repeated
@@ -15,6 +14,7 @@ from kinlint.facts.metamodel_terms import attribute
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.strongly_connected import strongly_connected_components
 from kinlint.formats.records import BY_NAME
+from kinlint.light_dataclasses import replace
 from kinlint.suggestion import nearest
 from kinlint.terms import Term, Triple, iri, is_literal, literal, literal_value
 from kinlint.vocabulary import SRC

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from itertools import count
 from typing import NamedTuple
 
@@ -13,6 +12,7 @@ from kinlint.facts.linear_algebra import ZERO, Vector, add, apply, length, subtr
 from kinlint.facts.orientation_graph import MOST_MEMBERS, Loop, OrientationGraph
 from kinlint.facts.spanning_forest import SpanningForest
 from kinlint.facts.spatial_relations import RelativeOrientation, RelativePosition, SpatialRelations
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF_TYPE, Term, Triple
 
 

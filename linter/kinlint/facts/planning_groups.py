@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 
 from kinlint.facts.dependency_cycles import parts
@@ -14,6 +13,7 @@ from kinlint.facts.link_trees import LinkTrees
 from kinlint.facts.metamodel_terms import attribute, reference
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.strongly_connected import strongly_connected_components
+from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, Triple, iri, is_iri, literal
 from kinlint.vocabulary import SRC
 

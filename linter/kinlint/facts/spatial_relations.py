@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from kinlint.facts.linear_algebra import Matrix, Vector
@@ -19,6 +18,7 @@ from kinlint.facts.metamodel_terms import (
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import Quantities
 from kinlint.facts.rotation import Rotations
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term
 
 POSE, POSITION, ORIENTATION = rel("Pose"), rel("Position"), rel("Orientation")

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from kinlint.facts.metamodel_terms import qudt, terms_in
 from kinlint.facts.predicate_index import PredicateIndex, numeric
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import QUANTITY_KIND
 

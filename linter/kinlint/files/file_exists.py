@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
 from kinlint.files.environment import listing
 from kinlint.files.packages import DEPTH, DIRECTORIES, SKIPPED, Packages, package_name
 from kinlint.files.pathglob import absolute
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.suggestion import nearest
 
 PACKAGED = re.compile(r"((?:package|model)://([^/]+)/)/*")

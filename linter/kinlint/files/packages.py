@@ -13,7 +13,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -21,6 +20,7 @@ from kinlint.files.bounded_read import head
 from kinlint.files.environment import Environment, kind
 from kinlint.files.pathglob import absolute
 from kinlint.files.tracked_io import question
+from kinlint.light_dataclasses import dataclass, field
 
 MANIFEST = "package.xml"
 REPOSITORY = ".git"

@@ -6,9 +6,10 @@ import os
 import re
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path, PurePath, PureWindowsPath
+
+from kinlint.light_dataclasses import dataclass
 
 MAGIC = re.compile(r"[*?\[{]")
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from shutil import copyfile
@@ -16,6 +15,7 @@ from shutil import copyfile
 from kinlint.errors import UsageError
 from kinlint.files.git import GitFailed, git
 from kinlint.files.pathname import printable, real
+from kinlint.light_dataclasses import dataclass
 from kinlint.suggestion import did_you_mean
 
 REGULAR, MODULE = b"100", b"160000"

@@ -13,11 +13,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
 from functools import wraps
 from hashlib import sha256
 from importlib import import_module
 from typing import Any, ParamSpec, TypeAlias, TypeVar
+
+from kinlint.light_dataclasses import dataclass, field
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.finding import Finding, Related
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.sparql.given_values import is_nameable, with_values
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.vocabulary import SRC

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 from itertools import takewhile
 from typing import TypeAlias
@@ -23,6 +22,7 @@ from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
 from kinlint.findings.message_of_result import template_of
 from kinlint.findings.wording import Wording
+from kinlint.light_dataclasses import replace
 from kinlint.message_template import counted, filled
 from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity, SeverityFor
 from kinlint.term_format import TermFormatter

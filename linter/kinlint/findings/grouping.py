@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable
-from dataclasses import replace
 
 from kinlint.addresses import is_address, split
 from kinlint.finding import Finding, Related
+from kinlint.light_dataclasses import replace
 from kinlint.message_template import VARIABLE, counted, filled
 
 COUNT = "count"

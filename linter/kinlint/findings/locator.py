@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -18,6 +17,7 @@ from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.findings.blank_node_names import AnonymousNodes
 from kinlint.formats.xml.schema import kinds
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.term_format import TermFormatter
 from kinlint.terms import (
     RDF_TYPE,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
 from typing import TypeGuard
@@ -16,6 +15,7 @@ from typing import TypeGuard
 from kinlint.addresses import document_of, is_element, local_name, unordered, way_out
 from kinlint.document import Document
 from kinlint.findings.locator import Locator, Source
+from kinlint.light_dataclasses import dataclass
 from kinlint.message_template import VARIABLE
 from kinlint.term_format import NUMBERS, TermFormatter
 from kinlint.terms import (

@@ -10,7 +10,6 @@ relational views", ACM TODS 7(3), 1982.)
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from kinlint.addresses import document_of, is_element
@@ -28,6 +27,7 @@ from kinlint.engine.lifting import Lifting
 from kinlint.engine.provenance import COMPONENT, Provenance
 from kinlint.fixes.lowering import signed
 from kinlint.formats.records import ELEMENTS
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.sparql.tokens import is_variable
 from kinlint.terms import Term, Triple, iri, is_blank, is_iri, is_literal, literal, literal_value
 from kinlint.vocabulary import ATTRIBUTE, SRC

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from kinlint.fixes.generator import Candidate, FileKind
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, is_blank
 
 Round: TypeAlias = Sequence[Candidate]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import ClassVar
@@ -19,6 +18,7 @@ from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.writable import WritableFiles
 from kinlint.formats.registry import Editor, editor
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.pipeline.analyzer import Examination
 from kinlint.rule import Applicability, Repair
 from kinlint.terms import Term

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeAlias
@@ -17,6 +16,7 @@ from kinlint.fixes.sparql_update import render_update
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict, try_candidates
 from kinlint.formats.dependencies.file_groups import group_sources
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Analyzer, Examination
 from kinlint.report import Report

@@ -6,7 +6,6 @@ The documents to remove its statements from and to add them to.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from math import isfinite
 
 from kinlint.addresses import document_of
@@ -18,6 +17,7 @@ from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
 from kinlint.fixes.element_insertion import insertion, is_new
 from kinlint.fixes.lowering import lower_delta
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import (
     NUMERIC,
     XSD,

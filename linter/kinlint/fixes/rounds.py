@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeAlias
 
@@ -25,6 +24,7 @@ from kinlint.fixes.offers import (
 )
 from kinlint.fixes.texts import Texts
 from kinlint.fixes.trial import Group, Verdict
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import NOTHING, Analyzer, Examination
 from kinlint.report import Report

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -11,6 +10,7 @@ from kinlint.document import Document
 from kinlint.edits import Edit, applied
 from kinlint.files.pathname import real
 from kinlint.formats.recognition import with_text
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.text import SourceText
 
 

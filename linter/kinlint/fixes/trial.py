@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -13,6 +12,7 @@ from kinlint.edits import Delta, NotExpressible
 from kinlint.fixes.generator import Candidate, FileKind, Generator, counts
 from kinlint.fixes.proof import is_exact_change
 from kinlint.fixes.texts import Texts
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.pipeline.analyzer import Examination
 from kinlint.rule import Applicability
 from kinlint.terms import Term

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.configuration.settings import Settings
@@ -13,6 +12,7 @@ from kinlint.files.environment import kind, writable
 from kinlint.files.packages import SKIPPED
 from kinlint.files.pathname import real
 from kinlint.fixes.texts import Texts
+from kinlint.light_dataclasses import dataclass
 
 SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))
 """Directories of installed files, on any system."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Hashable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -11,6 +10,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASES, Contexts, Extra
 from kinlint.files.packages import Packages
 from kinlint.files.pathname import real
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText
 from kinlint.vocabulary import DOCUMENT_BASE
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 from kinlint.file_format import Format
 from kinlint.formats.records import BY_NAME, FORMATS, JSON, TREES, by_suffix
+from kinlint.light_dataclasses import replace
 from kinlint.text import SourceText
 
 JSONLD, TURTLE, NQUADS = BY_NAME["jsonld"], BY_NAME["turtle"], BY_NAME["nquads"]

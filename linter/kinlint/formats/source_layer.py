@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import (
     RDF_TYPE,
     XSD,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import ClassVar
@@ -16,6 +15,7 @@ from kinlint.fixes.generator import Candidate, Generator
 from kinlint.formats.appended_statements import append_statements
 from kinlint.formats.xml.comment_edit import ELEMENT, comment_edit
 from kinlint.ignoring.ignore_statements import ignore_delta
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.rule import Applicability, Repair
 from kinlint.suppression.interval_index import IntervalIndex
 from kinlint.suppression.suppression_faults import FAULTS

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import TypeAlias
 
 import pyoxigraph as ox
 
 from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.store import Store
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value
 
 Kind: TypeAlias = ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
 
 from kinlint.engine.constraint import PLAIN
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import (
     Bind,
     Clause,

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import count
 
 from kinlint.formats.records import ELEMENTS
 from kinlint.incremental.dependency_paths import Path, PatternPath, paths_to
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import Group, Triples
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 import pyoxigraph as ox
 
@@ -14,6 +13,7 @@ from kinlint.engine.explanation import Step, because
 from kinlint.engine.result import Result
 from kinlint.engine.store import Function, Store
 from kinlint.incremental.change import Changes
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from kinlint.document import Document
@@ -12,6 +11,7 @@ from kinlint.facts.predicate_index import Place, PredicateIndex, Table
 from kinlint.formats.xml.span_lookup import ElementSpans
 from kinlint.incremental.change import Changes
 from kinlint.incremental.index_update import update_index
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term
 
 Order: TypeAlias = tuple[tuple[Term, ...], ...]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import count
 from typing import TypeAlias
@@ -17,6 +16,7 @@ from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.restriction import Restriction, find_restriction
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import render
 from kinlint.sparql.given_values import is_nameable, with_values
 from kinlint.sparql.tokens import is_variable

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.addresses import document_iri
@@ -12,6 +11,7 @@ from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.references import file_names
+from kinlint.light_dataclasses import dataclass
 from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import iri, literal_value
 from kinlint.text import Location, SourceText

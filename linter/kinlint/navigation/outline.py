@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from enum import Enum, auto
 from typing import TypeAlias
 
 from kinlint.addresses import last_tag, lifted
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.navigation.index import Index
 from kinlint.navigation.occurrence import Entity, Role
 from kinlint.navigation.xacro_names import label

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.findings.duplicates import identity
+from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.structure import Structure
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from time import perf_counter
 
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import FileTimeout, InternalError, SourceError
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.parallel import processes, shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_into_shares

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from kinlint.catalogue.rulebook import Rulebook
@@ -14,6 +13,7 @@ from kinlint.document import Document
 from kinlint.errors import InternalError, KinlintError, SourceError
 from kinlint.files.tracked_io import Record, recorded
 from kinlint.finding import Finding, FindingKey
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.parallel.partition import Model
 from kinlint.phases import Phases
 from kinlint.report import Report

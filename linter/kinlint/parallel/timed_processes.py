@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field, replace
 from functools import partial
 from multiprocessing import Pipe, Process, connection
 from multiprocessing.connection import Connection
@@ -18,6 +17,7 @@ from typing import TypeAlias
 
 from kinlint.errors import FileTimeout, KinlintError, SourceError
 from kinlint.files.tracked_io import Record
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.parallel import processes, shard
 from kinlint.parallel.partition import Model
 from kinlint.parallel.shard import Job, Outcome

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
@@ -24,6 +23,7 @@ from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.formats.incremental_reader import IncrementalReader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.missing_files import STATED
 from kinlint.phases import Phases
 from kinlint.pipeline.conclusion import conclude, robot_structures

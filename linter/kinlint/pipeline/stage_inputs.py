@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.catalogue.applicability import axioms_for, demand
@@ -15,6 +14,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.required_terms import behind
 from kinlint.files.packages import Packages
+from kinlint.light_dataclasses import dataclass
 from kinlint.missing_files import references
 from kinlint.terms import Term, Triple
 

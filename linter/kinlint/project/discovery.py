@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from kinlint.errors import SourceError
@@ -18,6 +17,7 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
 from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED
+from kinlint.light_dataclasses import dataclass, field
 
 SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
 """Names of directories that hold no models; the default of `exclude`."""

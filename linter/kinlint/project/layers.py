@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from kinlint.contexts.context_library import NEWEST, Contexts
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import Glob, absolute
 from kinlint.files.pathname import missing, shown
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.project.discovery import SKIPPED, Input
 
 DEFAULTS: Mapping[str, Any] = {

@@ -5,7 +5,6 @@ from __future__ import annotations
 import stat
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -14,6 +13,7 @@ from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
+from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Input
 from kinlint.project.model_detection import doubt, is_model
 from kinlint.text import SourceText

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.display_width import fold_lines, printable, width
 from kinlint.reporters.terminal_style import Ink, Style
 from kinlint.text import Location, SourceText, Span

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import zip_longest
 
 from kinlint.finding import Finding, Fix
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.display_width import fold_lines, printable
 from kinlint.reporters.excerpt import bounds, line_text
 from kinlint.reporters.hunk import Hunk, common, edits_by_source, hunks

@@ -9,12 +9,12 @@ from __future__ import annotations
 import hashlib
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 from kinlint.addresses import is_address, split
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.json_escape import json_text

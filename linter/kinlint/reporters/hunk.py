@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from kinlint.edits import Edit, applied
 from kinlint.finding import Fix
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.excerpt import bounds
 from kinlint.text import SourceText, Span
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 import textwrap
-from dataclasses import dataclass
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.excerpt import Mark, underlined_text
 from kinlint.reporters.terminal_style import Style
 from kinlint.text import Location, SourceText, Span

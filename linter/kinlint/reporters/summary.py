@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.reporters.display_width import printable
 from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable

@@ -5,9 +5,9 @@ from __future__ import annotations
 import codecs
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal, TextIO, TypeAlias
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import Severity
 
 When: TypeAlias = Literal["auto", "always", "never"]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from kinlint.formats.turtle.turtle_tokens import Token, tokens
+from kinlint.light_dataclasses import dataclass, field
 
 BLANK_LINE = re.compile(r"\n[ \t\r]*\n")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, TypeAlias
@@ -21,6 +20,7 @@ from kinlint.finding import Finding
 from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
+from kinlint.light_dataclasses import replace
 from kinlint.rule import Example, Rule
 from kinlint.rule_testing.mutation_harness import MutationHarness, unneeded_parts
 from kinlint.sparql.tokens import tokens

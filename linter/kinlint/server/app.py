@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from asyncio import Future
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
@@ -14,6 +13,7 @@ from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 from kinlint import __version__
+from kinlint.light_dataclasses import replace
 from kinlint.pipeline.analyzer import Cancelled
 from kinlint.project.layers import cache_directory
 from kinlint.server.buffers import Buffer, Buffers, path_of

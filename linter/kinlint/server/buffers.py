@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -16,6 +15,7 @@ from lsprotocol.types import (
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.recognition import with_text
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.server.position_codec import MARK, PositionCodec
 from kinlint.text import SourceText
 from kinlint.uri_references import split_uri

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from kinlint.configuration.project_trust import ProjectTrust
 from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import ConfigError, KinlintError
 from kinlint.files.pathglob import absolute
+from kinlint.light_dataclasses import dataclass, field
 
 ORIGIN = "editor settings"
 LISTS = {

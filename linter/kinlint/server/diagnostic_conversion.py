@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from lsprotocol import types
 
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass
 from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.sarif.rule_descriptors import web_address
 from kinlint.rule import Severity

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeAlias
 
 from kinlint.errors import SourceError
 from kinlint.files.pathname import real
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.project.discovery import Input
 from kinlint.project.reading import read_source
 from kinlint.server.frozen_state import FrozenState

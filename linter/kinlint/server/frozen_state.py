@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.server.buffers import Buffer
 from kinlint.server.client_settings import ClientSettings
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from lsprotocol import types
 
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.server.app import KinlintServer
 from kinlint.server.diagnostic_conversion import FileDiagnostics
 

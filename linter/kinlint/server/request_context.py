@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.files.pathglob import absolute
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.pipeline.analyzer import Examination
 from kinlint.server.buffers import Buffer, uri_of
 from kinlint.server.frozen_state import FrozenState

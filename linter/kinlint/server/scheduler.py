@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from traceback import format_exc
 
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.server.frozen_state import FrozenState
 from kinlint.server.worker import Worker
 from kinlint.server.workspace import Step, Workspace

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
@@ -11,6 +10,7 @@ from kinlint.configuration.selection import Policies
 from kinlint.files.pathname import real
 from kinlint.finding import FindingKey, Fix
 from kinlint.fixes.texts import Texts
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.lint import examine
 from kinlint.phases import Phases
 from kinlint.pipeline.analyzer import Analyzer, Cancelled, Examination

@@ -6,7 +6,6 @@ import gc
 import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from traceback import format_exc
 from typing import TypeVar
@@ -15,6 +14,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.pipeline.analyzer import Cancelled
 from kinlint.server.diagnostic_conversion import FileDiagnostics, diagnostics_by_file
 from kinlint.server.document_store import DocumentStore, stamps

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinlint.configuration.project_trust import untrusted_message
@@ -15,6 +14,7 @@ from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.dependencies.file_groups import JoinKeys, group_sources, join_keys
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import JSON
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
 from kinlint.project.model_detection import is_model

@@ -7,8 +7,9 @@ is not rewritten is written back as it stood.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from kinlint.light_dataclasses import dataclass
 
 
 @dataclass(frozen=True)

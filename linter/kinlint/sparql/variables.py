@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from itertools import count, pairwise
 from typing import Any
 
+from kinlint.light_dataclasses import replace
 from kinlint.sparql.ast import (
     Bind,
     Clause,

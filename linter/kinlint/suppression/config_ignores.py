@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 
 from kinlint.addresses import is_address
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Ignore
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.rule import Rule
 from kinlint.suppression import json_pointer
 from kinlint.suppression.suppression_faults import UNUSED, fill_message

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.selectors import Catalogue
 from kinlint.document import Document
 from kinlint.errors import UsageError
 from kinlint.files import environment
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, is_iri, is_literal, literal_value
 from kinlint.text import Location, Span
 from kinlint.vocabulary import KL, RULE, SRC

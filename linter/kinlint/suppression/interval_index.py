@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import Span
 
 T = TypeVar("T")

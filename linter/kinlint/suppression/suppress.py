@@ -10,12 +10,12 @@ shown.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.selection import Policies
 from kinlint.document import Document
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.suppression.config_ignores import ConfigIgnores
 from kinlint.suppression.directive import Directive, find_directives
 from kinlint.suppression.interval_index import IntervalIndex

@@ -7,10 +7,10 @@ Those rules have no SHACL check, since no graph tells what a run found; their fi
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from kinlint.configuration.selection import Policies
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import PLACEHOLDER, Rule
 from kinlint.suggestion import nearest
 from kinlint.suppression.directive import Directive

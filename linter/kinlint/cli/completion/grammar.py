@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from argparse import Action
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from importlib import import_module
 from typing import Literal, TypeAlias
 
@@ -12,6 +11,7 @@ from kinlint.cli.argument_parser import Parser, choices, comma_list
 from kinlint.cli.commands import COMMANDS
 from kinlint.configuration.keys import KEYS, TARGETS
 from kinlint.contexts.context_library import RELEASES
+from kinlint.light_dataclasses import dataclass
 
 Kind: TypeAlias = Literal["files", "folders", "rules", "words", "anything"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -19,6 +18,7 @@ from kinlint.engine.compiler.sparql_constraints import (
     result_variables,
     solutions,
 )
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.sparql.ast import Group, Select, Union, render
 from kinlint.terms import Term, iri_value, is_iri
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import count, pairwise
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shapes_graph import FIRST
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple, is_iri
 
 if TYPE_CHECKING:

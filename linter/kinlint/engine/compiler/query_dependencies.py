@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 
 from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import PLAIN, Constraint
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import Group, Select
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import Pattern

@@ -6,11 +6,11 @@ square of the model (oxigraph#885). Whatever they do not fully understand stays 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import count
 
 from kinlint.engine.compiler.lateral_joins import with_lateral_joins
 from kinlint.engine.compiler.path_rewrite import with_closure_as_minus
+from kinlint.light_dataclasses import replace
 from kinlint.sparql.ast import (
     Bind,
     Clause,

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.property_path import Path, read_path
 from kinlint.engine.compiler.shacl_terms import CLASS, RULE_CLASS, SUBCLASS, TYPE, sh
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, iri_value, is_iri, is_literal, literal_value
 
 if TYPE_CHECKING:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple, iri_value, is_blank, is_iri
 
 if TYPE_CHECKING:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -19,6 +18,7 @@ from kinlint.engine.compiler.target_narrowing import implying_premises, narrowed
 from kinlint.engine.compiler.term_usage import query_terms
 from kinlint.engine.compiler.violations import properties, top_frame, violations
 from kinlint.engine.constraint import FOCUS, Constraint
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.sparql.patterns import literal_token
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
 
@@ -12,6 +11,7 @@ import pyoxigraph as ox
 
 from kinlint.engine.compiler.completion import completed
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF, Term, Triple, is_literal
 
 Source: TypeAlias = Path | tuple[str, str]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.shacl_terms import SUBCLASS, TYPE
 from kinlint.engine.compiler.shape import is_class_shape
 from kinlint.engine.constraint import FOCUS
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import is_blank
 
 if TYPE_CHECKING:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import count
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.shacl_terms import SUBCLASS, TYPE
 from kinlint.engine.compiler.shape_scope import THIS
+from kinlint.light_dataclasses import replace
 from kinlint.sparql.ast import Bind, Clause, Element, Filter, Group, Select, Triples
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.variables import variables, words

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -13,6 +12,7 @@ from kinlint.engine.compiler.prebinding import OPTIONAL, forbidden
 from kinlint.engine.compiler.query_rewrite import rewritten_for_oxigraph
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import Clause, Group, Select, Triples, Union, render, walk
 from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns, premises

@@ -7,7 +7,6 @@ import sys
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NoReturn
 
@@ -24,6 +23,7 @@ from rdflib.term import Node
 
 from kinlint.engine.reference import rdflib_expressions
 from kinlint.errors import RuleInvalid
+from kinlint.light_dataclasses import dataclass, field
 
 DEPTH = 20_000
 """Python's recursion limit meanwhile: rdflib walks a path of n steps with n nested calls."""

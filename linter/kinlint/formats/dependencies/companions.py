@@ -8,7 +8,6 @@ its package, and then the name of the robot. Where that leaves several, none is 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
@@ -22,6 +21,7 @@ from kinlint.formats.dependencies.robot_collection import Robots, shared_directo
 from kinlint.formats.dependencies.robot_descriptions import Description, describe, may_be_srdf
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
+from kinlint.light_dataclasses import replace
 from kinlint.text import Pairing, SourceText
 
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 
 from kinlint.addresses import root_of
 from kinlint.document import Document
@@ -13,6 +12,7 @@ from kinlint.formats.source_layer import src
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.xml.references import names_in, resolve_references
 from kinlint.formats.xml.schema import schema
+from kinlint.light_dataclasses import replace
 from kinlint.terms import RDF_TYPE, Triple, iri, literal, literal_value
 from kinlint.text import Pairing
 from kinlint.vocabulary import SRC

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from urllib.parse import unquote
 
 from kinlint.formats.recognition import with_format
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText
 
 _VALUE = r"""\s*=\s*(?:"([^"]*)"|'([^']*)')"""

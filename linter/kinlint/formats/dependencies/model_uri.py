@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -12,6 +11,7 @@ from kinlint.files.bounded_read import head
 from kinlint.files.environment import kind, listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
+from kinlint.light_dataclasses import dataclass
 from kinlint.uri_references import split_uri
 
 MANIFESTS = ("model.config", "manifest.xml")

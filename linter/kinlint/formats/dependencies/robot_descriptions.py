@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from kinlint.formats.dependencies.mentions import Mentions
 from kinlint.formats.recognition import with_format
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText
 
 ENDING = SRDF.suffixes[0]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from kinlint.formats.json_text.json_values import Key, Text
 from kinlint.formats.jsonld.traced_values import Origin, Reach, Resolution
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import Span
 
 

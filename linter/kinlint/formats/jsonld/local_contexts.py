@@ -6,7 +6,6 @@ Nothing is fetched: a reference leads to a file beside the one in which it stand
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -27,6 +26,7 @@ from kinlint.formats.jsonld.context_resolver import (
 )
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.options import ReadOptions
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText
 from kinlint.uri_references import split_uri
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from kinlint.formats.doubles import TOO_LARGE
@@ -11,6 +10,7 @@ from kinlint.formats.jsonld.expansion_observer import Slot
 from kinlint.formats.jsonld.rdf_literals import malformed, too_large
 from kinlint.formats.jsonld.traced_values import RELATIVE, Iri, Origin, Reach, Resolution
 from kinlint.formats.jsonld.uri_schemes import REGISTERED
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span
 from kinlint.vocabulary import KL

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections import Counter, defaultdict
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from kinlint.formats.jsonld.resemblance import Terms, is_class
+from kinlint.light_dataclasses import dataclass, field
 
 FEW = 3
 """Number of types among which an author sees the one that is missing."""

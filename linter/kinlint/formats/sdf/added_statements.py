@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
 from typing import cast
 
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats.source_layer import SourceLayer
+from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, Triple, literal
 from kinlint.text import Span
 

@@ -6,13 +6,13 @@ Everything is computed along the references from frame to frame, once for each f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
 from itertools import dropwhile
 from typing import TypeAlias, TypeVar
 
 from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, UnknownName
 from kinlint.formats.sdf.sdf_elements import SdfElement
+from kinlint.light_dataclasses import dataclass, field
 
 Found: TypeAlias = SdfElement | None
 """An element, or None for what is unknown."""

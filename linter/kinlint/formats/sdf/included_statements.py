@@ -7,10 +7,10 @@ models, and its spans move behind the text of the file that includes it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
 from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, Triple, is_blank, is_iri, literal, literal_value
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import SDF, SRC

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from kinlint.document import Document
@@ -24,6 +23,7 @@ from kinlint.formats.sdf.resolution import resolve_names
 from kinlint.formats.sdf.sdf_elements import SdfElement, tree
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml import reader as xml
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Triple, literal
 from kinlint.text import SourceText
 from kinlint.vocabulary import ATTRIBUTE

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cache
 
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.xml.schema import schema
+from kinlint.light_dataclasses import dataclass, field
 
 MODEL, WORLD = "__model__", "world"
 SEPARATOR = "::"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, is_iri, literal_value
 from kinlint.vocabulary import ATTRIBUTE, SDF, SRC
 

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.turtle.turtle_tokens import Token, Unread, tokens
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF, RDF_TYPE, XSD, Term, iri, literal
 from kinlint.text import Span
 from kinlint.uri_references import resolve_uri

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.xacro.dom import Element, Text
 from kinlint.formats.xacro.xacro_parser import ParsedXacro
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import literal
 from kinlint.text import SourceText, Span
 

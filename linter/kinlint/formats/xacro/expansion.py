@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from types import FrameType, TracebackType
 
 from kinlint.formats.xacro.dom import Element, VisitRecord
 from kinlint.formats.xacro.expansion_limits import Refused
 from kinlint.formats.xacro.substitution import UnknownSubstitution
 from kinlint.formats.xacro.xacro_parser import Malformed, ParsedXacro
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText, Span
 
 STRANGE = "the macro has no parameter"

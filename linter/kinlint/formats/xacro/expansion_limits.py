@@ -19,9 +19,10 @@ from collections.abc import (
     ValuesView,
 )
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 from time import thread_time
 from typing import Any
+
+from kinlint.light_dataclasses import dataclass
 
 NUMBER = 1 << 256
 """Whole numbers beyond this are refused."""

@@ -10,7 +10,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from fnmatch import fnmatch
 from pathlib import Path
 from threading import Lock
@@ -44,6 +43,7 @@ from kinlint.formats.xacro.origin import Origin
 from kinlint.formats.xacro.substitution import Substitution
 from kinlint.formats.xacro.text_evaluation import TextEvaluator
 from kinlint.formats.xacro.xacro_parser import ParsedXacro, parse
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText
 
 INCLUDES = 40

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from kinlint.formats.xacro.expansion_limits import NUMBER, Limits, Refused, weight
 from kinlint.formats.xacro.expression import Entries, Members
+from kinlint.light_dataclasses import dataclass
 
 KINDS = (int, float, str, bool, list, dict, tuple, set, frozenset, complex, type(None))
 SMALL = 1000

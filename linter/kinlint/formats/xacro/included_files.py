@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from kinlint.files.bounded_read import SIZE, Unreadable, contents
 from kinlint.files.pathname import shown
 from kinlint.formats.dependencies.included_text import included_text, keep
 from kinlint.formats.options import ReadOptions
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText
 
 TABLE_SIZE = 1 << 17

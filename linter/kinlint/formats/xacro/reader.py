@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
@@ -24,6 +23,7 @@ from kinlint.formats.xacro.included_files import Pieces
 from kinlint.formats.xacro.source_mapping import MappedPlaces, MappedText
 from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.formats.xml.xml_recognition import recognise_xml
+from kinlint.light_dataclasses import replace
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
 

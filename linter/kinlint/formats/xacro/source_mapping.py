@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, TypeVar
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import Span
 
 _Key = TypeVar("_Key")

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, MutableMapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from kinlint.files.environment import variable
 from kinlint.formats.xacro.expansion_limits import Refused
+from kinlint.light_dataclasses import dataclass, field
 
 ROS_VARIABLES = frozenset({"ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION"})
 """Environment variables that every file may ask for; none of them is private."""

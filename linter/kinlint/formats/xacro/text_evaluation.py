@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from kinlint.files.bounded_read import Unreadable
@@ -13,6 +12,7 @@ from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.expression import evaluate
 from kinlint.formats.xacro.substitution import UnknownSubstitution
 from kinlint.formats.xacro.xacro_parser import Malformed
+from kinlint.light_dataclasses import dataclass
 
 TOKEN = re.compile(
     r"(?P<escape>\$\$+[{(])|\$\{(?P<expression>[^}]*)\}|\$\((?P<substitution>[^)]*)\)"

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from kinlint.formats.xml.value_reading import Form, ValueReader, value_reader
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, iri
 
 Version = tuple[int, ...]

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import replace
 
+from kinlint.light_dataclasses import replace
 from kinlint.text import SourceText, Span
 
 MARKS = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from xml.parsers import expat
 from xml.parsers.expat import errors
 
@@ -14,6 +13,7 @@ from kinlint.formats.xml.recovery import RecoveredText, SyntaxFlaw, is_sound, re
 from kinlint.formats.xml.span_lookup import NAME, Offsets
 from kinlint.formats.xml.suppression_comments import Comments
 from kinlint.formats.xml.tag_scanner import DEFINITION, first_tag
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import SourceText, Span
 
 MOST_CHARACTERS = 100_000_000

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
 from kinlint.formats.xml.tag_scanner import LOST
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import Span
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml.element_types import ElementType, Lifetime, Schema, Slot, version
 from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.formats.xml.value_reading import UNEXPANDED
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.suggestion import nearest
 from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span

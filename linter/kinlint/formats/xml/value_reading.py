@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from math import isfinite
 from typing import TypeAlias
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, literal
 
 Value: TypeAlias = Term | tuple[Term, ...] | None

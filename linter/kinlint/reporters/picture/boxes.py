@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.display_width import printable, width
 from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
 from kinlint.reporters.picture.labels import limits, mimics, origin

@@ -5,10 +5,10 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TypeAlias
 
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import Severity
 from kinlint.structure import Structure
 from kinlint.text import Location

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import accumulate
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.picture.boxes import CLEAR, Box
 from kinlint.reporters.picture.tidy_tree import tidy
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.display_width import fold_lines, printable
 from kinlint.reporters.picture.finding_badges import Marks, badge, described_findings, sign
 from kinlint.reporters.picture.labels import heading, mimics

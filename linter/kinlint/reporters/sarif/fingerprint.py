@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 from kinlint.addresses import is_address
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 
 
 class Fingerprints:

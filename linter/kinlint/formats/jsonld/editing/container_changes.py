@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import Any
 
 from kinlint.edits import Edit, NotExpressible
@@ -12,6 +11,7 @@ from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.container_edits import ContainerLayout, NewChild
 from kinlint.formats.jsonld.editing.style import Style
 from kinlint.formats.jsonld.editing.text_path import Seat, TextTree, children
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import Span
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -12,6 +11,7 @@ from kinlint.edits import Edit
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.style import WIDTH, Style
 from kinlint.formats.jsonld.editing.text_path import Child, children
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import Span
 
 _LINE_END = re.compile(r"\r\n|\r|\n")

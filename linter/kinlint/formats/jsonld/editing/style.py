@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any, Self
 
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.text_path import children
+from kinlint.light_dataclasses import dataclass
 
 WIDTH = 100
 """The line that a value may fill before it is broken, unless the file's own lines are longer."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kinlint.formats.json_text.json_parser import ArrayElement, element
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.incremental.part import Arrangement
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText, Span
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from kinlint.document import Document
 from kinlint.formats.json_text.json_parser import ArrayElement, parse
 from kinlint.formats.json_text.json_values import Object
@@ -15,6 +13,7 @@ from kinlint.formats.jsonld.incremental.part_expander import Indivisible
 from kinlint.formats.jsonld.incremental.part_statements import PartStatements
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.text import SourceText, Span
 
 __all__ = ["Indivisible", "Reading", "read_divided", "reread"]

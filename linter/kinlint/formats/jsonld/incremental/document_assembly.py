@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, repeat
 from typing import TypeVar
@@ -18,6 +17,7 @@ from kinlint.formats.jsonld.incremental.part_statements import PartStatements
 from kinlint.formats.jsonld.loss_report import shadowed, sort_key, state_losses, state_uses
 from kinlint.formats.jsonld.losses import Loss, LossObserver
 from kinlint.formats.source_layer import SourceLayer
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple, is_blank
 from kinlint.text import SourceText, Span
 

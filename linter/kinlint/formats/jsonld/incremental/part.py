@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TypeAlias
 
@@ -12,6 +11,7 @@ from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.jsonld.expansion_record import ShadowedTerm
 from kinlint.formats.jsonld.losses import Loss, Nested
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.terms import Term, Triple
 from kinlint.text import Span
 

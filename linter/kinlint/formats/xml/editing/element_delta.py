@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from kinlint.edits import Delta, NotExpressible
 from kinlint.formats.xml.editing.stated_elements import StatedElement, slot_of, tag_of
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, is_blank, is_literal
 
 Slots = dict[str, dict[int, Term]]

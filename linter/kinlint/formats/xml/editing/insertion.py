@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from kinlint.edits import Edit
 from kinlint.formats.xml.editing.element_layout import BREAK, ElementLayout
 from kinlint.formats.xml.editing.element_sites import Site
+from kinlint.light_dataclasses import dataclass
 from kinlint.text import Span
 
 COMMENTS = re.compile(r"(?:[ \t]*<!--(?:[^-\r\n]|-(?!->))*-->)+(?=[ \t]*(?:[\r\n]|\Z))")

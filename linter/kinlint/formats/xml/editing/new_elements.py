@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 
 from kinlint.edits import Edit, NotExpressible, applied
 from kinlint.formats.xml.editing import rewriting, spelling
@@ -12,6 +11,7 @@ from kinlint.formats.xml.editing.element_layout import BREAK, ElementLayout
 from kinlint.formats.xml.editing.element_sites import Sites
 from kinlint.formats.xml.editing.insertion import ElementStyle, Written, within
 from kinlint.formats.xml.editing.start_tag import NAME, listed
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term
 from kinlint.text import Span
 

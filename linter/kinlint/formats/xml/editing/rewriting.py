@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
 from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing.spelling import lexical_form, tokens, unescaped
 from kinlint.formats.xml.value_reading import UNEXPANDED
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, literal_value
 from kinlint.text import Span
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
 
@@ -12,6 +11,7 @@ from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.xml.editing import rewriting, spelling
 from kinlint.formats.xml.editing.element_delta import Slots, ValueChange
 from kinlint.formats.xml.editing.element_layout import Attribute, ElementLayout
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term
 from kinlint.text import Span
 

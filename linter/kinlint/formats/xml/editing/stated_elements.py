@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import lru_cache
 
 from kinlint.formats.records import ELEMENTS
 from kinlint.formats.xml.editing.spelling import is_number
 from kinlint.formats.xml.span_lookup import AT, COMPONENT, TEXT, TEXT_ITSELF
+from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, is_literal
 from kinlint.vocabulary import EXTENSION
 

@@ -1,0 +1,17 @@
+"""Dataclasses that cost little to make; to type checkers, those of the standard library."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dataclasses import asdict, astuple, dataclass, field, fields, is_dataclass, replace
+else:
+    from kinlint.light_dataclasses.decorator import dataclass, field
+    from kinlint.light_dataclasses.operations import (
+        asdict,
+        astuple,
+        fields,
+        is_dataclass,
+        replace,
+    )
+
+__all__ = ["asdict", "astuple", "dataclass", "field", "fields", "is_dataclass", "replace"]
