@@ -101,3 +101,49 @@ def test_a_prefix_of_a_context_file_is_not_rewritten_elsewhere(kinlint, write) -
     kinlint("arm.jsonld", *ONLY)
 
     assert context.read_text() == shared
+
+
+TURTLE = "@prefix ex: <https://example.org/arm#> .\n@prefix {prefix}: {namespace} .\n{body}\n"
+TURTLE_SLIPS = {
+    "http for https": ("k", f"<http{CHAIN[5:]}#>", f"<{CHAIN}#>", "ex:elbow a k:Joint ."),
+    "slash for hash": ("k", f"<{CHAIN}/>", f"<{CHAIN}#>", "ex:elbow a k:Joint ."),
+    "SPARQL": ("k", f"<{CHAIN}.json#>", f"<{CHAIN}#>", "ex:elbow a k:Joint . ex:wrist a k:Joint ."),
+    "units": (
+        "u",
+        "<https://qudt.org/vocab/unit/>",
+        f"<{UNIT}>",
+        "ex:tip <http://qudt.org/schema/qudt/unit> u:M .",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", TURTLE_SLIPS)
+def test_a_prefix_is_mended_in_turtle(slip, kinlint, write) -> None:
+    """At its declaration, where the finding is, too."""
+    prefix, wrong, right, body = TURTLE_SLIPS[slip]
+    path = write("arm.ttl", TURTLE.format(prefix=prefix, namespace=wrong, body=body))
+
+    told = kinlint("arm.ttl", "--select", "LD009", "--output-format", "concise")[1]
+    kinlint("arm.ttl", *ONLY)
+
+    assert told.startswith("arm.ttl:2:12: ")
+    assert path.read_text() == TURTLE.format(prefix=prefix, namespace=right, body=body)
+
+
+def test_files_in_turtle_define_a_prefix_alike(kinlint, write) -> None:
+    """What one file names is described in the other; an empty prefix is each file's own."""
+    joint = f"@prefix k: <{CHAIN}#> .\n@prefix arm: <https://example.org/arm#> .\n"
+    joint += (
+        "@prefix : <urn:a:> .\narm:elbow a k:Joint ; k:between-attachments arm:seat , arm:root .\n"
+    )
+    frame = "@prefix g: <https://comp-rob2b.github.io/metamodels/geometry/structural-entities#> .\n"
+    frame += "@prefix : <urn:b:> .\n@prefix arm: <https://example.org/{}> .\n"
+    frame += "arm:seat a g:Frame . arm:root a g:Frame . arm:arm a g:SimplicialComplex .\n"
+    path = write("joint.ttl", joint)
+    write("frame.ttl", frame.format("arms#"))
+
+    told = kinlint("joint.ttl", "frame.ttl", "--select", "LD031", "--output-format", "concise")[1]
+    kinlint("joint.ttl", "frame.ttl", *ONLY)
+
+    assert [line[:15] for line in told.splitlines() if "LD031" in line] == ["joint.ttl:2:14:"]
+    assert path.read_text() == joint.replace("arm#", "arms#")

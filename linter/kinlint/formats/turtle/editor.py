@@ -10,6 +10,7 @@ from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
+from kinlint.formats.source_layer import src
 from kinlint.formats.turtle.turtle_parser import Grammar
 from kinlint.formats.turtle.turtle_tokens import Unread
 from kinlint.terms import (
@@ -32,6 +33,9 @@ _BARE = {
     f"{XSD}boolean": re.compile(r"true|false"),
 }
 """The literals that Turtle writes without quotes."""
+
+NAMESPACE = src("namespace")
+"""Property of a prefix, which is written as an IRI."""
 
 _LOCAL = re.compile(r"(?:[^\W_]|_)[\w\-]*|")
 
@@ -62,6 +66,8 @@ class Editor:
         return sorted(edits)
 
     def _replaced(self, triple: Triple, value: Term) -> Edit:
+        if triple[1] == NAMESPACE:
+            return Edit(self._document.map.triples[triple], f"<{literal_value(value)}>")
         spans = self._spans.get(triple, [])
         if len(spans) != 1:
             raise NotExpressible("it is not written in one place")

@@ -16,7 +16,7 @@ from kinlint.formats.source_layer import SourceLayer, terms
 from kinlint.formats.turtle.format import TURTLE
 from kinlint.formats.turtle.turtle_parser import Grammar, Statement
 from kinlint.formats.turtle.turtle_tokens import Unread
-from kinlint.terms import RDF, Term, Triple, is_blank, is_literal, literal_value
+from kinlint.terms import RDF, Term, Triple, is_blank, is_literal, literal, literal_value
 from kinlint.text import SourceText, Span
 
 WORD = re.compile(r"[^\s<>\"'#/:;,.()\[\]]+")
@@ -42,7 +42,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
         blanks = grammar.blanks
     else:
         statements = _placed_by_line(truth, source)
-        grammar.nodes = {}
+        grammar.nodes, grammar.declarations = {}, []
     return _document(source, statements, grammar, blanks)
 
 
@@ -63,6 +63,9 @@ def _document(
             nodes[subject] = grammar.nodes.get(subject) or NodeSpans(places[0], places[0])
     layer.state_described(nodes)
     layer.state_terms(terms(spans))
+    for prefix, namespace, span in grammar.declarations:
+        details = ("term", literal(prefix)), ("namespace", literal(namespace))
+        layer.add_node("TermDefinition", span, *details)
     for triple, span in layer.triples.items():
         spans.setdefault(triple, span)
     origins = SourceMap(spans, {**nodes, **layer.nodes})

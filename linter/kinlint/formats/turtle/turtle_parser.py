@@ -53,6 +53,8 @@ class Grammar:
     """Places of the nodes that the text describes."""
     prefixes: dict[str, str] = field(default_factory=dict)
     """Namespaces by prefix, as far as declared."""
+    declarations: list[tuple[str, str, Span]] = field(default_factory=list)
+    """Prefixes, each with its namespace and the place of that, in the order of the text."""
 
     def read(self) -> None:
         """Read everything.
@@ -80,11 +82,13 @@ class Grammar:
         if word in ("@prefix", "prefix", "@base", "base"):
             self._next()
             name = self._next().text.removesuffix(":") if word.endswith("prefix") else None
-            target = self._resolved(self._next())
+            token = self._next()
+            target = self._resolved(token)
             if name is None:
                 self.base = target
             else:
                 self.prefixes[name] = target
+                self.declarations.append((name, target, token.span))
             if word.startswith("@"):
                 self._take(".")
             return
