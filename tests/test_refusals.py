@@ -136,6 +136,74 @@ CHANGES = {
 }
 """Words of the robot and what stands in their place."""
 
+SDF = """<sdf version="1.9">
+  <model name="arm">
+    <link name="base">
+      <inertial><mass>2</mass>
+        <inertia><ixx>0.02</ixx><iyy>0.021</iyy><izz>0.022</izz></inertia></inertial>
+      <collision name="plate">
+        <geometry><cylinder><radius>0.1</radius><length>0.12</length></cylinder></geometry>
+        <surface><friction><ode><mu>0.8</mu><mu2>0.7</mu2></ode></friction></surface>
+      </collision>
+    </link>
+    <link name="forearm">
+      <pose>0 0.01 0.3 0.1 0 0</pose>
+      <inertial><mass>1.5</mass>
+        <inertia><ixx>0.006</ixx><iyy>0.0061</iyy><izz>0.002</izz></inertia></inertial>
+    </link>
+    <joint name="elbow" type="revolute">
+      <parent>base</parent><child>forearm</child>
+      <axis><xyz>0 1 0</xyz>
+        <limit><lower>-1.5</lower><upper>1.6</upper></limit>
+        <dynamics><damping>0.1</damping></dynamics></axis>
+    </joint>
+    <frame name="tip" attached_to="forearm"/>
+  </model>
+</sdf>
+"""
+AXIS = SDF[SDF.index("<axis>") : SDF.index("</axis>") + len("</axis>")]
+PLANE = "<plane><normal>0 0 0</normal><size>1 1</size></plane>"
+SDF_CHANGES = {
+    "nothing": ("arm", "arm"),
+    "an unknown element": ("<frame ", "<alwaysOn>1</alwaysOn><frame "),
+    "an unknown attribute": ("<frame ", '<frame kind="tool" '),
+    "an element of another": ("<frame ", "<damping>1</damping><frame "),
+    "an included model that is not there": (
+        "<frame ",
+        "<include><uri>model://hand</uri></include><frame ",
+    ),
+    "a link called like a joint": ('"tip" attached', '"elbow" attached'),
+    "a link called like a joint in 1.6": (
+        SDF[SDF.index('"1.9"') :],
+        SDF[SDF.index('"1.9"') :].replace("1.9", "1.6").replace("elbow", "forearm"),
+    ),
+    "a dynamic friction above the static one": ("<mu2>0.7", "<mu2>0.9"),
+    "a static friction alone": ("<mu2>0.7</mu2>", ""),
+    "a negative friction": ("<mu>0.8", "<mu>-0.8"),
+    "a negative damping": ("<damping>0.1", "<damping>-0.1"),
+    "a negative spring": (
+        "</dynamics>",
+        "<spring_stiffness>-1</spring_stiffness></dynamics>",
+    ),
+    "no axis": (AXIS, ""),
+    "an infinite lower limit": ("<lower>-1.5", "<lower>inf"),
+    "a negative infinite upper limit": ("<upper>1.6", "<upper>-inf"),
+    "a pose that is not a number": ("0 0.01 0.3", "0 nan 0.3"),
+    "a quaternion of zeros": (
+        "<pose>0 0.01 0.3 0.1 0 0",
+        '<pose rotation_format="quat_xyzw">0 0 0 0 0 0 0',
+    ),
+    "a plane without a normal": (
+        "<cylinder><radius>0.1</radius><length>0.12</length></cylinder>",
+        PLANE,
+    ),
+    "a link without a name": ('<link name="base">', '<link name="">'),
+    "a joint of one link": ("<child>forearm", "<child>base"),
+    "no model": (SDF[SDF.index("<model") : SDF.index("</sdf>")], ""),
+    "a model beside a world": ("</model>", '</model><world name="hall"/>'),
+}
+"""Words of the model and what stands in their place."""
+
 
 def has_error(path: Path, consumer: str) -> bool:
     """Tell whether kinlint finds an error in the file at *path*, meant for *consumer*."""
@@ -161,6 +229,17 @@ def test_what_a_consumer_refuses_is_an_error_for_it(
     path.write_text(ROBOT.replace(*CHANGES[change], 1), "utf-8")
 
     assert has_error(path, consumer) or not refuses(consumer, path)
+
+
+@pytest.mark.parametrize("change", SDF_CHANGES)
+def test_what_drake_refuses_of_sdf_is_an_error_for_it(change: str, tmp_path: Path) -> None:
+    """One change of a sound model at a time."""
+    if not is_installed("drake"):
+        pytest.skip("drake is not installed")
+    path = tmp_path / "arm.sdf"
+    path.write_text(SDF.replace(*SDF_CHANGES[change], 1), "utf-8")
+
+    assert has_error(path, "drake") == refuses("drake", path)
 
 
 @pytest.mark.parametrize("change", ["nothing", "a plate"])

@@ -56,6 +56,8 @@ CONTENTS = {
     "vector2d": ("vector2",),
     "vector3": ("vector3",),
 }
+NUMBERS = frozenset({"double", "float", "int", "unsigned int"})
+"""The types of a single number."""
 Row: TypeAlias = Mapping[str, str]
 Version: TypeAlias = tuple[int, ...]
 Lifetime: TypeAlias = tuple[Version, Version]
@@ -82,6 +84,8 @@ class Kind:
     """The types of its text, and `*` if it may have any content."""
     infinite: bool
     """True if infinity is what it is by default, of one sign or the other."""
+    bounds: tuple[str, str]
+    """The least and the greatest number that the newest version takes; empty if there is none."""
     attributes: tuple[tuple[str, str, bool], ...]
     """Their names, their types, and whether they have to be given."""
     children: tuple[tuple[str, bool, str | None, int], ...]
@@ -150,6 +154,7 @@ class Descriptions:
             path.rpartition("/")[2],
             tuple(types),
             any(row["default"].lower().endswith("inf") for row in rows.values()),
+            _bounds(rows[max(rows)]),
             tuple(sorted(attributes)),
             tuple(sorted(children, key=lambda child: child[0])),
         )
@@ -247,6 +252,9 @@ class Table:
             parts += _given("content", [f"fmt:{each}" for each in said])
         if kind.infinite:
             parts.append("fmt:infinite true")
+        least, greatest = kind.bounds
+        parts += _given("least", [least] if least else [])
+        parts += _given("greatest", [greatest] if greatest else [])
         once, many, expects, assumes = [], [], [], []
         order = self.all.orders[number]
         for tag, several, default, child in sorted(kind.children, key=lambda each: order[each[0]]):
@@ -288,6 +296,12 @@ class Table:
                 removed.append(f'"{name} {shown(last)}"')
         yield from _given("introduced", introduced)
         yield from _given("removed", removed)
+
+
+def _bounds(row: Row) -> tuple[str, str]:
+    """The least and the greatest number that *row* allows, if it is of one number."""
+    least, greatest = (row[end] if row["type"] in NUMBERS else "" for end in ("min", "max"))
+    return least, greatest
 
 
 def _several(required: Iterable[str]) -> bool:

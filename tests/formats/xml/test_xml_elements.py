@@ -62,7 +62,7 @@ def test_elements_attributes_and_text_are_stated() -> None:
         (reduction, "src:text", "50"),
         ("#", "gazebo", "#/gazebo"),
         ("#/gazebo", "@reference", "base"),
-        ("#/gazebo", "ext:mu1", "#/gazebo/mu1"),
+        ("#/gazebo", "mu1", "#/gazebo/mu1"),
         ("#/gazebo/mu1", "@u", "1"),
         ("#/gazebo/mu1", "src:text", "0.2"),
         ("#/gazebo", "ext:drake:x", "#/gazebo/drake:x"),

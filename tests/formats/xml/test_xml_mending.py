@@ -37,6 +37,8 @@ from kinlint.errors import SourceError
         ("?xml version='1.0'?>\n<r name='a'/>", [("?", "no < before the declaration")]),
         ("xml version='1.0'?>\n<r name='a'/>", [("x", "no < before the declaration")]),
         ("robot name='a'><l/></r>", [("r", "no < before robot")]),
+        ("!-- b -->\n<r name='a'/>", [("!", "text before the first tag")]),
+        ("x<r name='a'/>", [("x", "text before the first tag")]),
         (
             "\nrobot name='a'><!-- b -- c --><l/></r>",
             [("r", "no < before robot"), ("--", "-- inside a comment")],

@@ -106,6 +106,34 @@ def test_a_value_is_of_its_kind_or_none(
 
 
 @pytest.mark.parametrize(
+    ("written", "value", "reason"),
+    [
+        ("0", "0", ""),
+        ("2", "2", ""),
+        ("-0.1", None, "-0.1 is out of range"),
+        ("2.1", None, "2.1 is out of range"),
+        ("-inf", None, "-inf is not finite"),
+        ("1e999", None, "1e999 is too large for a double"),
+    ],
+)
+def test_a_number_is_in_its_range(written: str, value: str | None, reason: str) -> None:
+    reader = value_reader(Form(("number",), least=0, greatest=2))
+    found = reader[written]
+
+    assert reader.expected == "number from 0 to 2"
+    assert (None if found is None else literal_value(found)) == value
+    assert value is not None or reader.reason(written) == reason
+
+
+def test_an_infinite_number_is_in_its_range() -> None:
+    reader = value_reader(Form(("number",), infinite=True, least=0))
+
+    assert reader.expected == "number from 0"
+    assert reader["inf"] is not None
+    assert reader["-inf"] is None
+
+
+@pytest.mark.parametrize(
     ("kinds", "written", "reason"),
     [
         (("number",), "1,5", "decimal comma in 1,5"),

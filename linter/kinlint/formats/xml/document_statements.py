@@ -9,11 +9,12 @@ from itertools import islice
 
 from kinlint.addresses import namespaces
 from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import ExpatResult
 from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
-from kinlint.vocabulary import ATTRIBUTE
+from kinlint.vocabulary import ATTRIBUTE, KINLINT
 
 MOST_SCOPES = 50
 
@@ -102,6 +103,32 @@ def _spaced(places: ElementPlaces) -> Iterator[tuple[int, str, Span]]:
         if number >= 0:
             attributes = places.tag(number).attributes.items()
             yield from ((number, key, span) for key, value in attributes if value == span)
+
+
+MATERIAL = f"<{KINLINT}urdf#material>"
+LOOKS = frozenset({f"<{KINLINT}urdf#color>", f"<{KINLINT}urdf#texture>"})
+NAME = f"<{ATTRIBUTE}name>"
+
+
+def state_early_uses(layer: SourceLayer, places: ElementPlaces, elements: Elements) -> None:
+    """State each material that is used before the one in which it is defined, in a visual.
+
+    Those of the robot are read first, wherever they are.
+    """
+    index, root = elements.index, next(iter(elements.index), "")
+    holders = {o: s for s, p, o in elements.statements if p == MATERIAL}
+    if not holders:
+        return
+    named = {s: o for s, p, o in elements.statements if p == NAME and s in holders}
+    defined: dict[Term, int] = {}
+    for node, prop, _ in elements.statements:
+        if prop in LOOKS and (name := named.get(node)) is not None:
+            number = -1 if holders[node] == root else index[node]
+            defined[name] = min(number, defined.get(name, number))
+    for node, name in named.items():
+        if holders[node] != root and index[node] < defined.get(name, -1):
+            span = places.tag(index[node]).name
+            layer.add_node("EarlyUse", span, ("node", node), ("written", name))
 
 
 def _reasons(written: str, *, vector: bool) -> Iterator[str]:

@@ -14,7 +14,12 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.urdf.format import URDF
-from kinlint.formats.xml.document_statements import describe, state_flaws, state_spacing
+from kinlint.formats.xml.document_statements import (
+    describe,
+    state_early_uses,
+    state_flaws,
+    state_spacing,
+)
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
 from kinlint.formats.xml.references import names, resolve_references
@@ -53,6 +58,7 @@ def _read(source: SourceText, form: Format) -> Document:
     elements.remarks.state(layer, places, nodes)
     if form == URDF:
         state_spacing(layer, places, nodes, elements.statements)
+        state_early_uses(layer, places, elements)
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
     leading = dict(

@@ -36,6 +36,8 @@ SOUND = re.compile(
 )
 OTHERWISE_SOUND = re.compile(SOUND.pattern.replace(r"1\.\d+", r"[^<>\"']*"), SOUND.flags)
 LEADING = re.compile(r"(?:\s|<\?[xX][mM][lL][\s?][^>]*>)+")
+STRAY = re.compile(r"\s*+([^\s<][^<]*+)(?=<[A-Za-z?!])")
+"""Text before the first tag, such as a comment without its <."""
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]+")
 REFERENCE = re.compile(r"&(?:(amp|lt|gt|quot|apos)|#(\d+)|#x([0-9a-fA-F]+)|([\w.:-]*));|&")
 HYPHENS = re.compile(r"--+|-\Z")
@@ -121,6 +123,13 @@ def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
     if (lost := LOST.match(text)) is not None:
         yield _lost(Span(*lost.span("cut")), lost["tag"])
         at = lost.end()
+    elif (stray := STRAY.match(text)) is not None:
+        span = Span(*stray.span(1))
+        blank = " " * (span.end - span.start)
+        yield _Edit(
+            span, blank, "text before the first tag", None, Span(span.start, span.start + 1)
+        )
+        at = stray.end()
     while (start := text.find("<", at)) >= 0:
         yield from _data(text, Span(at, start), spare)
         if text.startswith("<!--", start):

@@ -18,6 +18,8 @@ from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
 
 KINDS = ("text", "number", "integer", "boolean", "vectors")
 VECTOR = "vector"
+BOUNDS = {"least": ("-inf",), "greatest": ("inf",)}
+"""Properties of the range of a number, with those that do not limit it."""
 TEXT = iri(f"{SRC}text")
 
 
@@ -101,6 +103,7 @@ class _Tables:
     def _type(self, entries: dict[str, list[str]]) -> ElementType:
         tag = entries["tag"][0]
         infinite = "true" in entries.get("infinite", ())
+        least, greatest = (float(entries.get(word, limit)[0]) for word, limit in BOUNDS.items())
         kinds: dict[str, list[str]] = {}
         for kind, names in entries.items():
             if kind in KINDS or (kind.startswith(VECTOR) and kind[len(VECTOR) :].isdecimal()):
@@ -118,7 +121,7 @@ class _Tables:
                 for name, each in kinds.items()
             },
             required=tuple(entries.get("required", ())),
-            content=Slot.from_iri(f"{SRC}text", Form(tuple(content), infinite))
+            content=Slot.from_iri(f"{SRC}text", Form(tuple(content), infinite, least, greatest))
             if content
             else None,
             files=frozenset(map(_place, entries.get("file", ()))),

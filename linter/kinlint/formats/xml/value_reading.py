@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from functools import cache
-from math import isfinite
+from math import inf, isfinite
 from typing import TypeAlias
 
 from kinlint.light_dataclasses import dataclass
@@ -57,11 +57,16 @@ class ValueReader(dict[str, Value]):
 class NumberReader(ValueReader):
     """Numbers: as many as one of `counts` says, or any if it is empty."""
 
-    def __init__(self, counts: tuple[int, ...], *, vector: bool, infinite: bool) -> None:
+    def __init__(self, counts: tuple[int, ...], form: Form, *, vector: bool) -> None:
         super().__init__()
-        self.counts, self.vector, self.infinite = counts, vector, infinite
+        self.counts, self.vector, self.infinite = counts, vector, form.infinite
+        self.least, self.greatest = form.least, form.greatest
         if not vector:
             self.expected = "number"
+            if isfinite(self.least):
+                self.expected += f" from {self.least:g}"
+            if isfinite(self.greatest):
+                self.expected += f" to {self.greatest:g}"
         else:
             many = " or ".join(map(str, counts))
             self.expected = f"{many} numbers" if many else "numbers"
@@ -87,15 +92,20 @@ class NumberReader(ValueReader):
         if DECIMAL_COMMA.fullmatch(wrong):
             return f"decimal comma in {wrong}"
         if NUMBER.fullmatch(wrong):
-            return f"{wrong} is too large for a double"
+            fault = "out of range" if isfinite(float(wrong)) else "too large for a double"
+            return f"{wrong} is {fault}"
         if wrong.lower() in INFINITE:
             return f"{wrong} is not finite"
         return f"{wrong} is not a number"
 
     def _number(self, part: str) -> Term | None:
-        if NUMBER.fullmatch(part) and isfinite(float(part)):
-            return f'"{part}"^^<{XSD}double>'
-        if self.infinite and part.lower() in INFINITE:
+        if NUMBER.fullmatch(part):
+            value = float(part)
+            if isfinite(value) and self.least <= value <= self.greatest:
+                return f'"{part}"^^<{XSD}double>'
+        elif self.infinite and part.lower() in INFINITE:
+            if not self.least <= float(part) <= self.greatest:
+                return None
             return f'"{INFINITE[part.lower()]}"^^<{XSD}double>'
         return None
 
@@ -133,6 +143,10 @@ class Form:
     """Names of kinds; several are alternatives."""
     infinite: bool = False
     """True if numbers may be infinite."""
+    least: float = -inf
+    """The least number."""
+    greatest: float = inf
+    """The greatest number."""
 
 
 @cache
@@ -142,9 +156,9 @@ def value_reader(form: Form) -> ValueReader:
     if kinds[0] in _PLAIN:
         return _PLAIN[kinds[0]]()
     if kinds[0] == "number":
-        return NumberReader((1,), vector=False, infinite=form.infinite)
+        return NumberReader((1,), form, vector=False)
     counts = tuple(sorted(int(kind.removeprefix("vector")) for kind in kinds if kind != "vectors"))
-    return NumberReader(counts, vector=True, infinite=form.infinite)
+    return NumberReader(counts, form, vector=True)
 
 
 _PLAIN: Mapping[str, type[ValueReader]] = {

@@ -48,7 +48,7 @@ def recognise_xml(text: str, name: str = "") -> Format | None:
     hint = by_name if by_name in TREES else None
     found = root(text)
     if found is None:
-        return hint if hint != SDF or _may_be_xml(text) else None
+        return hint if hint != SDF or _may_be_xml(text) or "</sdf>" in text else None
     tag, at = found
     if hint == XACRO or (hint is None and _is_xacro(text, at)):
         return XACRO
