@@ -19,8 +19,8 @@ Fact: TypeAlias = tuple[Node, ox.NamedNode, Node]
 
 THIS = "?this"
 """The variable of targets where they are chosen."""
-MOST = 60
-"""More nodes are as well found by a query about all."""
+FEW, SHARE = 60, 20
+"""More nodes, and more than one in so many, are as well found by a query about all."""
 
 
 class TooMany(Exception):
@@ -33,6 +33,8 @@ class AffectedNodes:
     def __init__(self, changes: Changes) -> None:
         self._changes = changes
         self._store = changes.store.oxigraph
+        described = sum(len(each.map.nodes) for each in changes.store.documents.values())
+        self._most = max(FEW, described // SHARE)
         self._changed = dict.fromkeys(map(_fact, (*changes.removed, *changes.added)))
         self._by_property: dict[str, list[Fact]] = {}
         for fact in self._changed:
@@ -84,7 +86,7 @@ class AffectedNodes:
             for path, back in sight.steps:
                 starts = self._step(starts, path, back)
             found.update(starts)
-            if len(found) > MOST:
+            if len(found) > self._most:
                 raise TooMany
         return found
 
@@ -119,7 +121,7 @@ class AffectedNodes:
                 if end not in found:
                     found.add(end)
                     waiting.append(end)
-            if len(found) > MOST:
+            if len(found) > self._most:
                 raise TooMany
         return found
 
@@ -127,7 +129,7 @@ class AffectedNodes:
         found = set[Node]()
         for end in ends:
             found.add(end)
-            if len(found) > MOST:
+            if len(found) > self._most:
                 raise TooMany
         return found
 
@@ -135,7 +137,7 @@ class AffectedNodes:
         """Return what *path* leads to from *node* in one step, *back* or not."""
         key = node, path, back
         if key not in self._reached:
-            self._reached[key] = tuple(islice(self._ends(node, path, (back,)), MOST + 1))
+            self._reached[key] = tuple(islice(self._ends(node, path, (back,)), self._most + 1))
         return self._reached[key]
 
     def _ends(self, node: Node, path: Path, ways: Sequence[bool]) -> Iterator[Node]:
