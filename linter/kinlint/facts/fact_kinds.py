@@ -26,6 +26,7 @@ from kinlint.facts.prefix_disagreement import disagreements
 from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import data_cycles, reordered, steps
+from kinlint.facts.shared_units import shared_units
 from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
@@ -252,6 +253,7 @@ KINDS = (
         {"undescribed-in": ()},
         ("described", "first", "subject", "property", *NODES),
     ),
+    _alone("shared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )
 """All kinds of facts that rules may ask for."""
