@@ -55,7 +55,7 @@ def rules_cache(tmp_path_factory, monkeypatch):
     cache.mkdir(exist_ok=True)
     # No directory can be made there: reports are not kept, so that each run is a run.
     (cache / "reports").touch()
-    for file in rulebook.SHIPPED.glob("catalogue-*.json"):
+    for file in rulebook.SHIPPED.glob("catalogue-*.jsonl"):
         with suppress(FileExistsError):
             (cache / file.name).hardlink_to(file)
     monkeypatch.setenv("KINLINT_CACHE_DIR", str(cache))

@@ -1,6 +1,5 @@
 """The catalogue is compiled once, kept, and told apart by what it was compiled from."""
 
-import json
 from pathlib import Path
 
 import pytest
@@ -47,7 +46,7 @@ def test_a_kept_catalogue_equals_a_compiled_one(tmp_path):
     compiled = rulebook.load(cache=tmp_path)
     revived = rulebook.load(cache=tmp_path)
 
-    assert len(list(tmp_path.iterdir())) == 1
+    assert len(list(tmp_path.glob("catalogue-*"))) == 1
     assert (compiled.recalled, revived.recalled) == (False, True)
     assert revived == compiled == rulebook.load()
 
@@ -159,19 +158,22 @@ def test_axioms_are_compiled_where_a_file_has_some(tmp_path, monkeypatch):
 
 def test_what_another_version_kept_is_passed_over(tmp_path):
     """Whatever it has in it."""
-    (tmp_path / "catalogue-0.json").write_text('{"rules": []}')
+    (tmp_path / "catalogue-0.jsonl").write_text('{"rules": []}')
 
     assert "UNI001" in rulebook.load(cache=tmp_path).by_code
 
 
 def test_a_damaged_cache_is_compiled_anew(tmp_path):
-    """A file cut short by a crash is not believed."""
+    """A file cut short by a crash is not believed, nor one with a byte that has changed."""
     rulebook.load(cache=tmp_path)
-    (stored,) = tmp_path.iterdir()
-    stored.write_text(stored.read_text()[:100])
+    (stored,) = tmp_path.glob("catalogue-*")
+    whole = stored.read_bytes()
+    middle = len(whole) // 2
+    for damaged in (whole[:100], whole[:-1], whole[:middle] + b"#" + whole[middle + 1 :]):
+        stored.write_bytes(damaged)
 
-    assert rulebook.load(cache=tmp_path).by_code["UNI001"].name == "missing-unit"
-    assert json.loads(stored.read_text())
+        assert rulebook.load(cache=tmp_path).by_code["UNI001"].name == "missing-unit"
+        assert stored.read_bytes() == whole
 
 
 def test_a_cache_that_cannot_be_written_is_done_without(tmp_path):
@@ -185,10 +187,10 @@ def test_a_cache_that_cannot_be_written_is_done_without(tmp_path):
 def test_a_cache_does_not_grow_for_ever(tmp_path):
     """Catalogues of other rules are dropped, the oldest first."""
     for number in range(KEPT + 2):
-        (tmp_path / f"catalogue-{number}.json").write_text("{}")
+        (tmp_path / f"catalogue-{number}.jsonl").write_text("{}")
     rulebook.load(cache=tmp_path)
 
-    assert len(list(tmp_path.iterdir())) == KEPT
+    assert len(list(tmp_path.glob("catalogue-*"))) == KEPT
 
 
 def test_users_add_rules(tmp_path):

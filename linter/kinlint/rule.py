@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from enum import IntEnum
 
 from kinlint.light_dataclasses import dataclass
@@ -152,7 +152,7 @@ class Rule:
     """Web addresses to read on."""
     messages: tuple[str, ...] = ()
     """Templates of its messages."""
-    examples: tuple[Example, ...] = ()
+    examples: Sequence[Example] = ()
     """Its examples."""
     since: str = ""
     """Version that brought it, such as `0.2.0`; empty for the first."""
@@ -174,7 +174,7 @@ class Rule:
     """Queries for what a finding of it makes uncertain, so that other findings follow from it."""
     optional: bool = False
     """True if the rule is off unless selected."""
-    repairs: tuple[Repair, ...] = ()
+    repairs: Sequence[Repair] = ()
     """Its repairs, the preferred first."""
     also: tuple[Severity, ...] = ()
     """Severities of single constraints that differ from `severity`."""

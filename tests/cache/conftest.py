@@ -9,7 +9,7 @@ def runs(tmp_path, rules_cache, monkeypatch, capsys):
     """Runs in a directory of their own, with the compiled catalogue and no report at first."""
     cache = tmp_path / "cache"
     cache.mkdir()
-    for file in rules_cache.glob("catalogue-*.json"):
+    for file in rules_cache.glob("catalogue-*.jsonl"):
         (cache / file.name).hardlink_to(file)
     monkeypatch.setenv("KINLINT_CACHE_DIR", str(cache))
     here = tmp_path / "here"

@@ -17,7 +17,7 @@ def test_what_earlier_runs_kept_goes(kinlint, write, here):
     cache = here / "a cache"
     (cache / "reports").mkdir(parents=True)
     (cache / "reports" / "report-1.json").write_text("x" * 2**20)
-    (cache / "catalogue-1.json").write_text("{}")
+    (cache / "catalogue-1.jsonl").write_text("{}")
     mine = cache / "mine.json"
     mine.touch()
     code, out, err = kinlint("clean", "--cache-dir", cache)
@@ -40,10 +40,10 @@ def test_the_cache_of_the_environment_is_meant(kinlint, here, monkeypatch):
 def test_what_cannot_be_removed_is_told(kinlint, here, monkeypatch):
     """In one line, with exit code 2."""
     (here / "c").mkdir()
-    (here / "c" / "catalogue-1.json").mkdir()
+    (here / "c" / "catalogue-1.jsonl").mkdir()
     code, out, err = kinlint("clean", "--cache-dir", here / "c")
     assert (code, out) == (2, "")
-    assert "catalogue-1.json" in err
+    assert "catalogue-1.jsonl" in err
     assert err.count("\n") == 1
 
 

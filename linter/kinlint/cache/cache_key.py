@@ -15,11 +15,14 @@ from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.formats.dependencies.mentions import includes_nothing
+from kinlint.installation import Installation
 from kinlint.light_dataclasses import dataclass, field, fields, is_dataclass, replace
 from kinlint.text import SourceText
 
 FOLLOWS = ("text", "format")
 """Fields of a text that the digest of its characters and its name stand for."""
+DATA = (".json", ".rq", ".ttl", ".tsv", ".csv")
+"""Suffixes of the files of `shapes/` that decide what a report says."""
 LIBRARIES = ("owlrl", "pyld", "pyoxigraph", "pyshacl", "pyyaml", "rdflib", "xacro")
 """Libraries whose versions are part of the key."""
 
@@ -43,12 +46,13 @@ class CacheKeys:
             *wide.context_directories,
             *wide.extra_contexts.items(),
         )
+        installed = self.book.installation
         said = [
             __version__,
             sys.version,
             sys.platform,
             *_libraries(),
-            _code(),
+            installed.digest("code", self.settings.cache, lambda: _code(installed)),
             os.getcwd(),  # noqa: PTH109  a text
             self.book.digest,
             self.fixing,
@@ -99,20 +103,14 @@ def _digest(value: Any) -> str:
     return sha256(json.dumps(value).encode()).hexdigest()
 
 
-def _code() -> str:
+def _code(installed: Installation) -> str:
     """A digest of kinlint itself, which in a checkout changes without its version."""
+    shapes = f"{resources.data('shapes')}{os.sep}"
     digest = sha256()
-    for top, suffixes in (
-        (Path(__file__).parents[1], (".py",)),
-        (resources.data("shapes"), (".json", ".rq", ".ttl", ".tsv", ".csv")),
-    ):
-        for folder, folders, names in os.walk(top):
-            folders.sort()
-            for name in sorted(names):
-                if name.endswith(suffixes):
-                    path = Path(folder, name)
-                    digest.update(f"\0{name}\0".encode())
-                    digest.update(path.read_bytes())
+    for one in installed.files:
+        if one.path.endswith(".py" if not one.path.startswith(shapes) else DATA):
+            digest.update(f"\0{os.path.basename(one.path)}\0".encode())  # noqa: PTH119  a text
+            digest.update(Path(one.path).read_bytes())
     return digest.hexdigest()
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from kinlint.addresses import document_of
+from kinlint.catalogue.deferred import heads
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
@@ -32,15 +33,15 @@ def applicability(
 
 
 def applicable(
-    constraints: Iterable[Constraint], owners: Mapping[str, frozenset[Format]]
+    constraints: Sequence[Constraint], owners: Mapping[str, frozenset[Format]]
 ) -> list[Constraint]:
     """Return those of *constraints* that look at a format which their rule applies to.
 
     *owners* are the rules, by IRI, with these formats.
     """
     return [
-        each
-        for each in constraints
+        constraints[number]
+        for number, each in enumerate(heads(constraints))
         if any(covers(each.formats, form) for form in owners.get(each.owner, ()))
     ]
 

@@ -1,4 +1,7 @@
-"""Keeps compiled catalogues in a directory as JSON, and reads rules from it."""
+"""Keeps compiled catalogues in a directory, as lines of JSON of which a run decodes what it needs.
+
+The first line has of each rule what all runs look at, and where in the following ones the rest is.
+"""
 
 from __future__ import annotations
 
@@ -6,38 +9,162 @@ import json
 import os
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
+from zlib import crc32
 
+from kinlint.catalogue.deferred import ConstraintHead, ConstraintTable, Deferred
+from kinlint.engine.axioms import Axiom
+from kinlint.engine.constraint import Constraint
+from kinlint.light_dataclasses import dataclass
 from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
-STORED = ("catalogue-*.json", "catalogue-*.tmp")
+STORED = ("catalogue-*.jsonl", "catalogue-*.tmp")
 """Patterns for the names of compiled catalogues in a cache, and of those being written."""
 KEPT = 8
 """The number of compiled catalogues that a cache keeps: one for each set of rules lately in use."""
+Place: TypeAlias = list[int]
+"""Offsets of the beginning and the end of a line, in bytes from the second line on."""
+LATER = ("examples", "repairs")
+"""Fields of rules that few runs look at."""
 
 
-def read_catalogue(stored: Path) -> dict[str, Any] | None:
-    """Return the compiled catalogue that the file *stored* has; None if it has none."""
-    try:
-        compiled: dict[str, Any] = json.loads(stored.read_bytes())
-    except (OSError, ValueError):
-        return None
-    return compiled
+@dataclass(frozen=True)
+class CompiledCatalogue:
+    """A compiled catalogue as it is kept."""
 
+    head: Mapping[str, Any]
+    """The first line."""
+    lines: bytes
+    """The other lines."""
 
-def write_catalogue(stored: Path, compiled: dict[str, Any]) -> None:
-    """Keep *compiled*; a cache that cannot be written costs time, never the run."""
-    import tempfile  # noqa: PLC0415  a run that finds its catalogue does without
+    @classmethod
+    def from_units(cls, compiled: Mapping[str, Any]) -> CompiledCatalogue:
+        """Return what is to be kept of units, axioms and lifting queries that were *compiled*."""
+        lines: list[str] = []
+        size = 0
 
-    with suppress(OSError):
-        stored.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(json.dumps(compiled, separators=(",", ":")))
-        Path(temporary).replace(stored)
-        for stale in newest(stored.parent)[KEPT:]:
-            stale.unlink()
+        def place(value: Any) -> Place:
+            nonlocal size
+            line = value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
+            lines.append(line)
+            size += len(line) + 1
+            return [size - len(line) - 1, size - 1]
+
+        def rule(values: Mapping[str, Any]) -> dict[str, Any]:
+            return {**values, **{name: place(values[name]) for name in LATER if values[name]}}
+
+        def constraint(values: Mapping[str, Any]) -> list[Any]:
+            own = values["owner"], values.get("formats", ()), "deferred" in values
+            return [*own, place(values)]
+
+        units, (axioms, lifting) = compiled["units"], (compiled["axioms"], compiled["lifting"])
+        head = {
+            "rules": [rule(one) for each in units for one in each["rules"]],
+            "shapes": [rule(one) for one in compiled["shapes"]["rules"]],
+            "constraints": [constraint(one) for each in units for one in each["constraints"]],
+            "axioms": place(axioms["axioms"]),
+            "lifting": {form: place(text) for form, text in lifting["queries"].items()},
+            "keys": [axioms["key"], lifting["key"]],
+            "units": place(
+                [[u["key"], u["links"], len(u["rules"]), len(u["constraints"])] for u in units]
+            ),
+        }
+        rest = "".join(f"{line}\n" for line in lines).encode("ascii")
+        return cls({**head, "check": crc32(rest)}, rest)
+
+    @classmethod
+    def from_file(cls, stored: Path) -> CompiledCatalogue | None:
+        """Return the compiled catalogue that the file *stored* has; None if it has none."""
+        try:
+            first, _, lines = stored.read_bytes().partition(b"\n")
+            head = json.loads(first)
+            return cls(head, lines) if head["check"] == crc32(lines) else None
+        except (OSError, ValueError, LookupError, TypeError):
+            return None
+
+    def keep(self, stored: Path) -> None:
+        """Keep the catalogue in the file *stored*; what cannot be written costs time, no run."""
+        import tempfile  # noqa: PLC0415  a run that finds its catalogue does without
+
+        with suppress(OSError):
+            stored.parent.mkdir(parents=True, exist_ok=True)
+            handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(json.dumps(self.head, separators=(",", ":")).encode() + b"\n")
+                stream.write(self.lines)
+            Path(temporary).replace(stored)
+            for stale in newest(stored.parent)[KEPT:]:
+                stale.unlink()
+
+    def rules(self, homes: Mapping[str, str]) -> list[Rule]:
+        """Return the rules; the file of each, of *homes*, is where it is now, not where it was."""
+        return [self._rule(each, homes) for each in (*self.head["rules"], *self.head["shapes"])]
+
+    @property
+    def constraints(self) -> ConstraintTable:
+        """The constraints of all rules and shapes."""
+        entries = self.head["constraints"]
+        heads = [ConstraintHead(owner, tuple(forms), by) for owner, forms, by, _ in entries]
+        return ConstraintTable(
+            heads, lambda number: Constraint.from_json(self._value(entries[number][3]))
+        )
+
+    @property
+    def axioms(self) -> tuple[Axiom, ...]:
+        """The axioms of the vocabulary."""
+        return tuple(map(Axiom.from_json, self._value(self.head["axioms"])))
+
+    @property
+    def queries(self) -> Mapping[str, str]:
+        """The lifting queries of each format, as JSON."""
+        return {form: self._line(place) for form, place in self.head["lifting"].items()}
+
+    def units(self) -> list[dict[str, Any]]:
+        """Return what `from_units` was given, unit by unit."""
+        rules = iter([self._full(each) for each in self.head["rules"]])
+        constraints = iter([self._value(place) for *_, place in self.head["constraints"]])
+        found = [
+            {
+                "key": key,
+                "links": links,
+                "rules": [next(rules) for _ in range(rule_count)],
+                "constraints": [next(constraints) for _ in range(constraint_count)],
+            }
+            for key, links, rule_count, constraint_count in self._value(self.head["units"])
+        ]
+        axioms, lifting = self.head["keys"]
+        found.append({"key": axioms, "axioms": self._value(self.head["axioms"])})
+        return [*found, {"key": lifting, "queries": dict(self.queries)}]
+
+    def _line(self, place: Place) -> str:
+        return self.lines[place[0] : place[1]].decode("ascii")
+
+    def _value(self, place: Place) -> Any:
+        return json.loads(self._line(place))
+
+    def _full(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        return {**values, **{name: self._value(values[name]) for name in LATER if values[name]}}
+
+    def _rule(self, values: Mapping[str, Any], homes: Mapping[str, str]) -> Rule:
+        plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list)}
+        changed = {
+            "severity": Severity(values["severity"]),
+            "severity_for": _severities(values["severity_for"]),
+            "also_for": _severities(values["also_for"]),
+            "also": tuple(map(Severity, values["also"])),
+            "facts": tuple(map(tuple, values["facts"])),
+            "path": homes.get(values["name"], ""),
+        }
+        later = {
+            name: Deferred(partial(self._decoded, decode, values[name])) if values[name] else ()
+            for name, decode in (("examples", _example), ("repairs", _repair))
+        }
+        return Rule(**{**values, **plural, **changed, **later})
+
+    def _decoded(self, decode: Any, place: Place) -> Iterable[Any]:
+        return map(decode, self._value(place))
 
 
 def newest(place: Path) -> list[Path]:
@@ -46,29 +173,9 @@ def newest(place: Path) -> list[Path]:
     return sorted(found, key=lambda each: each.stat().st_mtime, reverse=True)
 
 
-def rule_from_json(values: dict[str, Any], homes: Mapping[str, str]) -> Rule:
-    """Return the rule of *values*; its file, of *homes*, is where it is now, not where it was."""
-    plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list | tuple)}
-    changed = {
-        "examples": tuple(
-            Example(
-                **{
-                    **each,
-                    "beside": tuple(each["beside"]),
-                    "companions": tuple(map(tuple, each["companions"])),
-                }
-            )
-            for each in values["examples"]
-        ),
-        "severity": Severity(values["severity"]),
-        "severity_for": _severities(values["severity_for"]),
-        "also_for": _severities(values["also_for"]),
-        "also": tuple(map(Severity, values["also"])),
-        "facts": tuple(map(tuple, values["facts"])),
-        "repairs": tuple(map(_repair, values["repairs"])),
-        "path": homes.get(values["name"], ""),
-    }
-    return Rule(**{**values, **plural, **changed})
+def _example(values: Mapping[str, Any]) -> Example:
+    companions = tuple(map(tuple, values["companions"]))
+    return Example(**{**values, "beside": tuple(values["beside"]), "companions": companions})
 
 
 def _severities(values: Iterable[Mapping[str, Any]]) -> tuple[SeverityFor, ...]:
@@ -78,7 +185,7 @@ def _severities(values: Iterable[Mapping[str, Any]]) -> tuple[SeverityFor, ...]:
     )
 
 
-def _repair(values: dict[str, Any]) -> Repair:
+def _repair(values: Mapping[str, Any]) -> Repair:
     plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list)}
     triples = {name: tuple(map(tuple, values[name])) for name in ("removed", "added")}
     claimed = Applicability(values["applicability"])

@@ -51,5 +51,6 @@ class RuleSelection:
         ]
         owners = applicability(asked, documents)
         constraints = applicable(rulebook.constraints, owners)
-        repairs = [one for rule in asked if rule.iri in owners for one in rule.repairs if repairing]
+        applied = [rule for rule in asked if repairing and rule.iri in owners]
+        repairs = [one for rule in applied for one in rule.repairs]
         return cls(rulebook, policies, asked, owners, constraints, repairs)

@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kinlint import __version__, resources
-from kinlint.catalogue.compiled_store import newest, read_catalogue, rule_from_json, write_catalogue
+from kinlint.catalogue.compiled_store import CompiledCatalogue, newest
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.lifting import recall_queries
 from kinlint.errors import RuleInvalid
+from kinlint.installation import Installation
 from kinlint.light_dataclasses import asdict, dataclass, field
 from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
@@ -39,7 +40,7 @@ class Rulebook:
 
     rules: tuple[Rule, ...]
     """Rules, sorted by code."""
-    constraints: tuple[Constraint, ...]
+    constraints: Sequence[Constraint]
     """The constraints of all rules and shapes."""
     axioms: tuple[Axiom, ...]
     """The axioms of the vocabulary, in order of evaluation."""
@@ -51,6 +52,8 @@ class Rulebook:
     """The digest of all that was compiled; empty where nothing was."""
     recalled: bool = field(default=False, compare=False)
     """Nothing had to be compiled."""
+    installation: Installation = field(default_factory=Installation, compare=False, repr=False)
+    """The files of kinlint when the rules were loaded."""
 
     @cached_property
     def terms(self) -> frozenset[Term]:
@@ -87,31 +90,37 @@ def load(
     compiled already are not compiled again. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
-    files, extra, ontology, others, lifting, inputs = _parts(rules, shapes)
-    digest = _digest(inputs)
-    name = f"catalogue-{digest}.json"
+    installation = Installation()
+    files, extra, ontology, others, lifting, inputs = _parts(installation, rules, shapes)
+    code = installation.digest("compiler", cache, _code)
+    if rules or shapes:
+        digest = _digest(inputs, code)
+    else:
+        digest = installation.digest("catalogue", cache, lambda: _digest(inputs, code))
+    name = f"catalogue-{digest}.jsonl"
     places = [SHIPPED, *([cache] if cache is not None else [])]
-    compiled = next(filter(None, (read_catalogue(place / name) for place in places)), None)
+    kept = (CompiledCatalogue.from_file(place / name) for place in places)
+    compiled = next(filter(None, kept), None)
     homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
     recalled = compiled is not None
     if compiled is None:
-        compiled = _compile((*files, *extra), (ontology, others), lifting, places)
-    units = (*compiled["units"], compiled["shapes"])
-    found = [rule_from_json(values, homes) for unit in units for values in unit["rules"]]
+        units = _compile((*files, *extra), (ontology, others), lifting, places, code)
+        compiled = CompiledCatalogue.from_units(units)
+    found = compiled.rules(homes)
     if not recalled:
         _distinct(found)
         if cache is not None:
-            write_catalogue(cache / name, compiled)
-    recall_queries(compiled["lifting"]["queries"])
-    constraints = (values for unit in compiled["units"] for values in unit["constraints"])
+            compiled.keep(cache / name)
+    recall_queries(compiled.queries)
     return Rulebook(
         rules=tuple(sorted(found, key=lambda rule: rule.code)),
-        constraints=tuple(map(Constraint.from_json, constraints)),
-        axioms=tuple(map(Axiom.from_json, compiled["axioms"]["axioms"])),
+        constraints=compiled.constraints,
+        axioms=compiled.axioms,
         vocabulary=(*ontology, *others),
         shapes=(ours / PREFIXES, *files, *extra),
         digest=digest,
         recalled=recalled,
+        installation=installation,
     )
 
 
@@ -132,23 +141,24 @@ class _Parts(NamedTuple):
     """All files that decide what the catalogue is."""
 
 
-def _parts(rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
+def _parts(installation: Installation, rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
     ours = resources.data("shapes")
-    shipped = _turtle(resources.data("rules"))
+    shipped = installation.paths_below(resources.data("rules"), ".ttl")
     given = tuple(_rule_files(rules))
     files = (*_others(shipped, given), *given)
     extra = tuple(_existing(shapes))
-    ontology = (*_turtle(ours / "ontology"), *_turtle(ours / "units"))
+    own = (installation.paths_below(ours / name, ".ttl") for name in ("ontology", "units"))
+    ontology = tuple(file for files in own for file in files)
     others = (*_others(given, shipped), *extra)
-    lifting = tuple(sorted(ours.glob("lifting/*/*.rq")))
+    lifting = tuple(installation.paths_below(ours / "lifting", ".rq"))
     inputs = (ours / PREFIXES, *ontology, *files, *extra, *lifting)
     return _Parts(files, extra, ontology, others, lifting, inputs)
 
 
 def built_in() -> tuple[str, int]:
     """Return the digest of the built-in catalogue, and the number of its rules."""
-    parts = _parts((), ())
-    return _digest(parts.inputs), len(parts.files)
+    parts = _parts(Installation(), (), ())
+    return _digest(parts.inputs, _code()), len(parts.files)
 
 
 def _compile(
@@ -156,17 +166,18 @@ def _compile(
     vocabulary: tuple[Sequence[Path], Sequence[Path]],
     lifting: Sequence[Path],
     places: Iterable[Path],
+    code: str,
 ) -> dict[str, Any]:
-    """Return *files*, *vocabulary* and the queries *lifting* compiled.
+    """Return *files*, *vocabulary* and the queries *lifting* compiled by *code*.
 
     What the catalogues in *places* have is taken from there.
     """
     from kinlint.catalogue.rule_compiler import Units  # noqa: PLC0415
 
     stored = [each for place in places for each in newest(place)[:ASKED]]
-    kept = (each for each in map(read_catalogue, stored) if each and "lifting" in each)
-    known = (unit for each in kept for unit in (*each["units"], each["axioms"], each["lifting"]))
-    units = Units(known, _code(), resources.data("shapes") / PREFIXES)
+    kept = filter(None, map(CompiledCatalogue.from_file, stored))
+    known = (unit for each in kept for unit in each.units())
+    units = Units(known, code, resources.data("shapes") / PREFIXES)
     made = units.compiled(files)
     constraints = [Constraint.from_json(each) for unit in made for each in unit["constraints"]]
     owners = {rule["iri"] for unit in made for rule in unit["rules"]}
@@ -234,9 +245,9 @@ def _existing(given: Iterable[Path]) -> Iterator[Path]:
         yield path
 
 
-def _digest(inputs: Iterable[Path]) -> str:
-    """Return what decides the compiled catalogue: the files, and the code that compiles them."""
-    digest = hashlib.sha256(_code().encode())
+def _digest(inputs: Iterable[Path], code: str) -> str:
+    """Return what decides the compiled catalogue: the files, and the *code* that compiles them."""
+    digest = hashlib.sha256(code.encode())
     for file in inputs:
         name = f"{file.parent.name}/{file.name}" if file.suffix == ".rq" else file.name
         digest.update(f"\0{name}\0".encode())

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from kinlint.catalogue.applicability import applies, possible
+from kinlint.catalogue.deferred import heads
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -212,7 +213,7 @@ class Analyzer:
         rulebook = self._rulebook
         return (
             self._settings.engine == "oxigraph"
-            and all(each.deferred is None for each in rulebook.constraints)
+            and not any(each.deferred for each in heads(rulebook.constraints))
             and names_its_terms(rulebook.axioms)
         )
 

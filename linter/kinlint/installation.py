@@ -1,0 +1,116 @@
+"""The files of this installation, and digests of them that are kept from one run to the next.
+
+Reading all files takes longer than linting a small model. Digests of their contents therefore hold
+for as long as no file changes its size, times or inode, which is how Python itself tells whether
+byte code is that of a module.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from kinlint import resources
+from kinlint.light_dataclasses import dataclass
+
+KEPT = "digests.json"
+"""File with the digests in a cache."""
+SETTLED = 2.0
+"""Age in seconds from which files count as complete: changes within a tick of the clock of a file
+system cannot be told apart.
+"""
+
+
+class InstalledFile(NamedTuple):
+    """A file of the package, of `rules/` or of `shapes/`."""
+
+    path: str
+    """Absolute path."""
+    size: int
+    """Size in bytes."""
+    changed: tuple[int, int]
+    """Times of modification and of change in nanoseconds."""
+    inode: int
+    """Number of the inode."""
+
+
+def _below(directory: str) -> Iterator[InstalledFile]:
+    with os.scandir(directory) as entries:
+        for each in entries:
+            if each.is_dir():
+                if each.name != "__pycache__":
+                    yield from _below(each.path)
+                continue
+            about = each.stat()
+            times = about.st_mtime_ns, about.st_ctime_ns
+            yield InstalledFile(each.path, about.st_size, times, about.st_ino)
+
+
+@dataclass(frozen=True)
+class Installation:
+    """The files of this installation, as they are when they are first asked for."""
+
+    @cached_property
+    def files(self) -> tuple[InstalledFile, ...]:
+        """The files, sorted by path; byte code does not count."""
+        package = Path(__file__).parent
+        tops = {package, resources.data("rules"), resources.data("shapes")}
+        outer = (top for top in tops if package not in top.parents)
+        return tuple(sorted(each for top in outer for each in _below(str(top))))
+
+    def paths_below(self, directory: Path, suffix: str) -> list[Path]:
+        """Return the paths of files below *directory* that end in *suffix*, sorted."""
+        top = f"{directory}{os.sep}"
+        paths = (one.path for one in self.files)
+        return sorted(
+            Path(each) for each in paths if each.startswith(top) and each.endswith(suffix)
+        )
+
+    def digest(self, name: str, cache: Path | None, make: Callable[[], str]) -> str:
+        """Return the digest *name* of files, which *make* computes unless *cache* has it."""
+        if cache is None:
+            return make()
+        kept = _read(cache / KEPT)
+        digests: dict[str, str] = kept["digests"] if kept.get("stamp") == self._stamp else {}
+        if not isinstance(found := digests.get(name), str):
+            found = make()
+            newest = max(max(one.changed) for one in self.files)
+            if newest < (time.time() - SETTLED) * 1e9:
+                _write(cache / KEPT, {"stamp": self._stamp, "digests": {**digests, name: found}})
+        return found
+
+    @cached_property
+    def _stamp(self) -> str:
+        """A digest that changes whenever a file of the installation does."""
+        return sha256(repr(self.files).encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def _read(path: Path) -> dict[str, Any]:
+    """Return the digests kept at *path*, if this user wrote them."""
+    try:
+        with path.open("rb") as stream:
+            about = os.fstat(stream.fileno())
+            own = not hasattr(os, "geteuid") or about.st_uid == os.geteuid()
+            kept = json.load(stream) if own and stat.S_ISREG(about.st_mode) else None
+    except (OSError, ValueError):
+        return {}
+    return kept if isinstance(kept, dict) and isinstance(kept.get("digests"), dict) else {}
+
+
+def _write(path: Path, kept: dict[str, Any]) -> None:
+    """Keep *kept* at *path*; where that is impossible, the next run computes it again."""
+    with suppress(OSError):
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(".tmp", "digests-", path.parent)
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            json.dump(kept, stream)
+        Path(temporary).replace(path)
