@@ -54,6 +54,8 @@ MOST_DIGITS = 17
 """Significant digits of any double."""
 SMALLEST = 1e-4
 """Smaller numbers are written with an exponent."""
+GREATEST = 1e16
+"""Numbers from here on are written with an exponent."""
 
 
 @dataclass(frozen=True)
@@ -246,8 +248,8 @@ def brief(number: str, digits: int = DIGITS) -> str:
         return number
     while (short := f"{value:.{digits}g}") and _is_round(short) and digits < MOST_DIGITS:
         digits += 1
-    small = abs(value) < SMALLEST
-    return short if small or "e" not in short else f"{float(short):.0f}"
+    exponent = not SMALLEST <= abs(value) < GREATEST
+    return short if exponent or "e" not in short else f"{float(short):.0f}"
 
 
 def _is_round(number: str) -> bool:
