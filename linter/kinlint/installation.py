@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import os
 import stat
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -71,9 +70,7 @@ class Installation:
         """Return the paths of files below *directory* that end in *suffix*, sorted."""
         top = f"{directory}{os.sep}"
         paths = (one.path for one in self.files)
-        return sorted(
-            Path(each) for each in paths if each.startswith(top) and each.endswith(suffix)
-        )
+        return [Path(each) for each in paths if each.startswith(top) and each.endswith(suffix)]
 
     def digest(self, name: str, cache: Path | None, make: Callable[[], str]) -> str:
         """Return the digest *name* of files, which *make* computes unless *cache* has it."""
@@ -108,6 +105,8 @@ def _read(path: Path) -> dict[str, Any]:
 
 def _write(path: Path, kept: dict[str, Any]) -> None:
     """Keep *kept* at *path*; where that is impossible, the next run computes it again."""
+    import tempfile  # noqa: PLC0415  slow to import, and most runs find what they need
+
     with suppress(OSError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(".tmp", "digests-", path.parent)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import stat
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import suppress
@@ -53,6 +52,8 @@ class DirectoryStore:
         data = text.encode()
         with suppress(OSError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            import tempfile  # noqa: PLC0415  slow to import, and runs that recall do without
+
             handle, name = tempfile.mkstemp(UNDONE, BEGIN, self.folder)
             try:
                 with os.fdopen(handle, "wb") as stream:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -17,13 +17,15 @@ from zlib import crc32
 from kinlint.catalogue.deferred import ConstraintHead, ConstraintTable, Deferred
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
-from kinlint.light_dataclasses import dataclass
+from kinlint.light_dataclasses import dataclass, fields
 from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
 STORED = ("catalogue-*.jsonl", "catalogue-*.tmp")
 """Patterns for the names of compiled catalogues in a cache, and of those being written."""
 KEPT = 8
 """The number of compiled catalogues that a cache keeps: one for each set of rules lately in use."""
+EMPTY: tuple[object, ...] = ("", (), [], False)
+"""Defaults of fields of rules, which are not kept."""
 Place: TypeAlias = list[int]
 """Offsets of the beginning and the end of a line, in bytes from the second line on."""
 LATER = ("examples", "repairs")
@@ -40,8 +42,8 @@ class CompiledCatalogue:
     """The other lines."""
 
     @classmethod
-    def from_units(cls, compiled: Mapping[str, Any]) -> CompiledCatalogue:
-        """Return what is to be kept of units, axioms and lifting queries that were *compiled*."""
+    def from_units(cls, compiled: Mapping[str, Any], code: str) -> CompiledCatalogue:
+        """Return what is to be kept of units, axioms and lifting queries *compiled* by *code*."""
         lines: list[str] = []
         size = 0
 
@@ -53,7 +55,8 @@ class CompiledCatalogue:
             return [size - len(line) - 1, size - 1]
 
         def rule(values: Mapping[str, Any]) -> dict[str, Any]:
-            return {**values, **{name: place(values[name]) for name in LATER if values[name]}}
+            said = {name: value for name, value in values.items() if value not in EMPTY}
+            return said | {name: place(said[name]) for name in LATER if name in said}
 
         def constraint(values: Mapping[str, Any]) -> list[Any]:
             own = values["owner"], values.get("formats", ()), "deferred" in values
@@ -61,6 +64,7 @@ class CompiledCatalogue:
 
         units, (axioms, lifting) = compiled["units"], (compiled["axioms"], compiled["lifting"])
         head = {
+            "code": code,
             "rules": [rule(one) for each in units for one in each["rules"]],
             "shapes": [rule(one) for one in compiled["shapes"]["rules"]],
             "constraints": [constraint(one) for each in units for one in each["constraints"]],
@@ -81,7 +85,7 @@ class CompiledCatalogue:
             first, _, lines = stored.read_bytes().partition(b"\n")
             head = json.loads(first)
             return cls(head, lines) if head["check"] == crc32(lines) else None
-        except (OSError, ValueError, LookupError, TypeError):
+        except (OSError, ValueError, KeyError, TypeError):
             return None
 
     def keep(self, stored: Path) -> None:
@@ -121,8 +125,10 @@ class CompiledCatalogue:
         """The lifting queries of each format, as JSON."""
         return {form: self._line(place) for form, place in self.head["lifting"].items()}
 
-    def units(self) -> list[dict[str, Any]]:
-        """Return what `from_units` was given, unit by unit."""
+    def units(self, code: str) -> list[dict[str, Any]]:
+        """Return what `from_units` was given, unit by unit; nothing if *code* is other code."""
+        if self.head.get("code") != code:
+            return []
         rules = iter([self._full(each) for each in self.head["rules"]])
         constraints = iter([self._value(place) for *_, place in self.head["constraints"]])
         found = [
@@ -145,23 +151,19 @@ class CompiledCatalogue:
         return json.loads(self._line(place))
 
     def _full(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        return {**values, **{name: self._value(values[name]) for name in LATER if values[name]}}
+        kept = {**values, **{name: self._value(values[name]) for name in LATER if name in values}}
+        return {each.name: kept.get(each.name, each.default) for each in fields(Rule)}
 
     def _rule(self, values: Mapping[str, Any], homes: Mapping[str, str]) -> Rule:
-        plural = {name: tuple(each) for name, each in values.items() if isinstance(each, list)}
-        changed = {
-            "severity": Severity(values["severity"]),
-            "severity_for": _severities(values["severity_for"]),
-            "also_for": _severities(values["also_for"]),
-            "also": tuple(map(Severity, values["also"])),
-            "facts": tuple(map(tuple, values["facts"])),
-            "path": homes.get(values["name"], ""),
+        said = {
+            name: READERS[name](value) if name in READERS else value
+            for name, value in values.items()
+            if name not in LATER
         }
-        later = {
-            name: Deferred(partial(self._decoded, decode, values[name])) if values[name] else ()
-            for name, decode in (("examples", _example), ("repairs", _repair))
-        }
-        return Rule(**{**values, **plural, **changed, **later})
+        for name, decode in (("examples", _example), ("repairs", _repair)):
+            if name in values:
+                said[name] = Deferred(partial(self._decoded, decode, values[name]))
+        return Rule(**{**said, "path": homes.get(values["name"], "")})
 
     def _decoded(self, decode: Any, place: Place) -> Iterable[Any]:
         return map(decode, self._value(place))
@@ -190,3 +192,15 @@ def _repair(values: Mapping[str, Any]) -> Repair:
     triples = {name: tuple(map(tuple, values[name])) for name in ("removed", "added")}
     claimed = Applicability(values["applicability"])
     return Repair(**{**values, **plural, **triples, "applicability": claimed})
+
+
+_PLURAL = ("antipatterns", "symptoms", "formats", "links", "messages", "targets")
+READERS: Mapping[str, Callable[[Any], Any]] = {
+    **dict.fromkeys((*_PLURAL, "group_by", "explains"), tuple),
+    "severity": Severity,
+    "severity_for": _severities,
+    "also_for": _severities,
+    "also": lambda each: tuple(map(Severity, each)),
+    "facts": lambda each: tuple(map(tuple, each)),
+}
+"""Functions that make of JSON the values that some fields of a rule have."""

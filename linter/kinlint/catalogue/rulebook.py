@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from kinlint import __version__, resources
 from kinlint.catalogue.compiled_store import CompiledCatalogue, newest
 from kinlint.engine.axioms import Axiom
+from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.constraint import Constraint
-from kinlint.engine.lifting import recall_queries
 from kinlint.errors import RuleInvalid
 from kinlint.installation import Installation
 from kinlint.light_dataclasses import asdict, dataclass, field
@@ -105,13 +105,13 @@ def load(
     recalled = compiled is not None
     if compiled is None:
         units = _compile((*files, *extra), (ontology, others), lifting, places, code)
-        compiled = CompiledCatalogue.from_units(units)
+        compiled = CompiledCatalogue.from_units(units, code)
     found = compiled.rules(homes)
     if not recalled:
         _distinct(found)
         if cache is not None:
             compiled.keep(cache / name)
-    recall_queries(compiled.queries)
+    RECALLED.update(compiled.queries)
     return Rulebook(
         rules=tuple(sorted(found, key=lambda rule: rule.code)),
         constraints=compiled.constraints,
@@ -176,7 +176,7 @@ def _compile(
 
     stored = [each for place in places for each in newest(place)[:ASKED]]
     kept = filter(None, map(CompiledCatalogue.from_file, stored))
-    known = (unit for each in kept for unit in each.units())
+    known = (unit for each in kept for unit in each.units(code))
     units = Units(known, code, resources.data("shapes") / PREFIXES)
     made = units.compiled(files)
     constraints = [Constraint.from_json(each) for unit in made for each in unit["constraints"]]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property, lru_cache
 from typing import Any
 
 import pyoxigraph as ox
 
+from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.construct_template import Made, needed, trimmed, variables_of
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.errors import RuleInvalid
@@ -35,10 +36,6 @@ EVERYWHERE = frozenset(
 
 FOUNDATION = frozenset({"bodies", "joints"})
 """Shared queries that make what everything else is about."""
-
-
-_compiled: dict[str, str] = {}
-"""The queries by format, as JSON; a catalogue brings them, so that they are parsed once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +97,7 @@ def _update(lifting: Lifting, wanted: frozenset[Term] | None) -> str:
 @lru_cache(maxsize=len(LIFTED))
 def queries(form: str) -> tuple[Lifting, ...]:
     """Return the lifting queries of the format *form*, by name, unfolded."""
-    stored = json.loads(_compiled[form]) if form in _compiled else _compile(form)
+    stored = json.loads(RECALLED[form]) if form in RECALLED else _compile(form)
     return tuple(Lifting.from_json(form, *each) for each in stored)
 
 
@@ -111,13 +108,8 @@ def _compile(form: str) -> Any:
 
 
 def compiled_queries() -> dict[str, str]:
-    """Return the queries of each format as JSON, for `recall_queries` of another process."""
+    """Return the queries of each format as JSON, for `RECALLED` of another process."""
     return {each.name: json.dumps(_compile(each.name), separators=(",", ":")) for each in LIFTED}
-
-
-def recall_queries(compiled: Mapping[str, str]) -> None:
-    """Take *compiled* queries in place of files, to which they must belong."""
-    _compiled.update(compiled)
 
 
 def lifts(formats: Iterable[Format]) -> frozenset[Term]:

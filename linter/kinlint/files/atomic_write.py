@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from hashlib import sha256
@@ -74,6 +73,8 @@ def _new_file(target: Path) -> tuple[int, Path]:
             if _lock(handle, path):
                 return handle, path
             os.close(handle)
+    import tempfile  # noqa: PLC0415  slow to import, and most runs write no file
+
     handle, name = tempfile.mkstemp(SUFFIX, prefix, target.parent)
     return handle, Path(name)
 

@@ -8,7 +8,7 @@ from time import perf_counter
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import FileTimeout, InternalError, SourceError
 from kinlint.light_dataclasses import dataclass, field
-from kinlint.parallel import processes, shard
+from kinlint.parallel import shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_into_shares
 from kinlint.parallel.shard import Job, Outcome
@@ -110,6 +110,8 @@ class ParallelRunner:
             with self.phases.phase("linting"):
                 TimedProcesses(self.job, failed, self.jobs, seconds).lint(left, done)
         elif self.jobs > 1 and len(left) > 1:
+            from kinlint.parallel import processes  # noqa: PLC0415  small runs are one process
+
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
         for number, each in enumerate(left):
