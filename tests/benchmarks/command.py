@@ -18,6 +18,7 @@ from benchmarks.keystrokes import Keystrokes
 from benchmarks.processes import Workplace
 from benchmarks.proving import Proving
 from benchmarks.stages import stages
+from benchmarks.starting import Starting
 from benchmarks.table import Row, markdown
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
@@ -39,7 +40,7 @@ def main(arguments: Sequence[str]) -> int:
     joints = 70 if options.quick else 700
     shares = (
         []
-        if options.fleet or options.keystrokes or options.proofs
+        if options.fleet or options.starting or options.keystrokes or options.proofs
         else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
     )
     lines = [*markdown(rows), "", *shares, _made(arguments, catalogue)]
@@ -61,6 +62,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--fleet", type=Path, metavar="DIR", help="only the robots below DIR, in one run"
+    )
+    parser.add_argument(
+        "--starting", action="store_true", help="only runs on small files, and recalled ones"
     )
     parser.add_argument(
         "--keystrokes", action="store_true", help="only typing, alone and through the server"
@@ -89,6 +93,12 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
         yield from Fleet(options.fleet).rows(options.runs)
         return
+    if options.starting:
+        with tempfile.TemporaryDirectory() as directory:
+            place = Workplace(Path(directory))
+            place.warm()
+            yield from Starting(place).rows(4 * options.runs)
+        return
     if options.keystrokes:
         with tempfile.TemporaryDirectory() as directory:
             place = Workplace(Path(directory))
@@ -107,6 +117,7 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
         place = Workplace(Path(directory))
         place.warm()
         yield from place.rows(options.runs, quick=options.quick)
+        yield from Starting(place).rows(4 * options.runs)
         yield from Proving(place).rows(options.runs, quick=options.quick)
         yield from Keystrokes(place).rows(4 * options.runs)
         yield from editing.rows(place, options.runs)
