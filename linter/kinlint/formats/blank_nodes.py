@@ -38,6 +38,21 @@ class BlankNodes:
         """Labels that the text gives to its blank nodes."""
         return {node: label for label, node in self._written.items()}
 
+    @property
+    def count(self) -> int:
+        """The number of nodes that were asked for."""
+        return self._count
+
+    def rewind(self, count: int) -> None:
+        """Forget the nodes after the first *count*, none of which has a name in the text."""
+        self._count = count
+
+    def since(self, count: int) -> BlankNodes:
+        """Return labels that are those given after the first *count*, once more."""
+        again = self.continued()
+        again.rewind(count)
+        return again
+
     def continued(self) -> BlankNodes:
         """Return labels for what is new in the document, apart from all that were asked for."""
         more = copy(self)

@@ -110,21 +110,23 @@ def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
     The sentinel base is no namespace of anybody.
     """
     found: dict[str, Span] = {}
-    for node, spans in nodes.items():
+    for node in nodes:
         if is_iri(node):
             name = iri_value(node)
             namespace = name[: _namespace_end(name)]
             if namespace not in found and namespace and not namespace.startswith(DOCUMENT_BASE):
-                found[namespace] = spans.best
+                found[namespace] = nodes[node].best
     return found
 
 
 def terms(stated: Mapping[Triple, Span]) -> dict[Term, Span]:
     """Return the properties and classes in *stated*, each where it comes first."""
-    found: dict[Term, Span] = {}
-    for (_, prop, value), span in stated.items():
-        found.setdefault(value if prop == RDF_TYPE else prop, span)
-    return {term: span for term, span in found.items() if is_iri(term)}
+    first: dict[Term, Triple] = {}
+    for triple in stated:
+        term = triple[2] if triple[1] == RDF_TYPE else triple[1]
+        if term not in first:
+            first[term] = triple
+    return {term: stated[triple] for term, triple in first.items() if is_iri(term)}
 
 
 def _namespace_end(name: str) -> int:

@@ -32,8 +32,8 @@ _PLAIN = re.compile(r'"[^"\\\x00-\x1f]*"')
 _NUMBER = re.compile(r"-?(?:0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
 _WORD = re.compile(r"[^\s,:\[\]{}\"]{1,24}")
 _SURROGATE = re.compile("[\ud800-\udfff]")
-_NEXT_MEMBER = re.compile(r'[ \t\n\r]*,[ \t\n\r]*(?=")')
-_NEXT_ELEMENT = re.compile(r"[ \t\n\r]*,[ \t\n\r]*(?![\],])")
+NEXT_MEMBER = re.compile(r'[ \t\n\r]*,[ \t\n\r]*(?=")')
+NEXT_ELEMENT = re.compile(r"[ \t\n\r]*,[ \t\n\r]*(?![\],])")
 _COLON = re.compile(r"[ \t\n\r]*:[ \t\n\r]*")
 _LITERALS = {"t": ("true", True), "f": ("false", False), "n": ("null", None)}
 
@@ -43,7 +43,7 @@ def parse(source: SourceText) -> ParsedJson:
 
     Raises SourceError with line and column when it is none.
     """
-    return _Parser(source).document()
+    return Parser(source).document()
 
 
 class ArrayElement(NamedTuple):
@@ -66,10 +66,10 @@ def element(source: SourceText, at: int, *, first: bool, depth: int) -> ArrayEle
     opening bracket if the element is the *first*, or else behind the previous one. Raises
     SourceError as `parse` does.
     """
-    return _Parser(source).element(at, first=first, depth=depth)
+    return Parser(source).element(at, first=first, depth=depth)
 
 
-class _Parser:
+class Parser:
     def __init__(self, source: SourceText) -> None:
         self.source = source
         self.text = source.text
@@ -125,14 +125,14 @@ class _Parser:
                 if first and text.startswith("}", at):
                     closed = True
                 else:
-                    match = None if first else _NEXT_MEMBER.match(text, at)
+                    match = None if first else NEXT_MEMBER.match(text, at)
                     closed = not first and match is None
                     if not closed:
                         key, at = self.key(match.end() if match else at)
             elif first and text.startswith("]", at):
                 closed = True
             else:
-                match = None if first else _NEXT_ELEMENT.match(text, at)
+                match = None if first else NEXT_ELEMENT.match(text, at)
                 closed = not first and match is None
                 at = match.end() if match else at
             if closed:
@@ -159,7 +159,7 @@ class _Parser:
     def element(self, at: int, *, first: bool, depth: int) -> ArrayElement:
         """Return the next element of an array, or its closing bracket."""
         at = self.space(at) if first else at
-        follows = None if first else _NEXT_ELEMENT.match(self.text, at)
+        follows = None if first else NEXT_ELEMENT.match(self.text, at)
         if self.text.startswith("]", at) if first else follows is None:
             end = self.close(Array(at), at)
             return ArrayElement(None, Span(end - 1, end), [], closing=True)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from kinlint.formats.json_text.json_outline import Unplaced
 from kinlint.formats.json_text.json_values import (
     Array,
     Integer,
@@ -63,6 +64,8 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         self.trail: list[Origin] = []
         self.repeated: dict[int, Origin] = {}
         self.on_node: Callable[[Any], None] | None = None
+        self.on_unplaced: Callable[[Unplaced, Context, str], Object | None] = _place
+        """Takes an element without places of the outermost graph, or returns it with places."""
         self.options: dict[str, Any] = {
             "base": base,
             "isFrame": False,
@@ -176,6 +179,8 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         on_node = self._taker(active_ctx, active_property)
         take = on_node or result.append
         for index, item in enumerate(element):
+            if type(item) is Unplaced:
+                item = self.on_unplaced(item, active_ctx, active_property)  # noqa: PLW2901
             expanded = self._expand(
                 active_ctx, active_property, item, options,
                 inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
@@ -265,6 +270,10 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             origin.content = token
         elif keyword == "@id":
             origin.naming = token
+
+
+def _place(element: Unplaced, _context: Context, _key: str) -> Object:
+    return element.placed()[0]
 
 
 def _element_span(array: list[Any], index: int) -> Any:

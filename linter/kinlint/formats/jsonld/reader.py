@@ -12,9 +12,13 @@ from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_outline import NotOutlined, outline
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, ParsedJson
 from kinlint.formats.jsonld.active_context import FAULTS, complaint
+from kinlint.formats.jsonld.compiled.compiled_graph import CompiledGraph
+from kinlint.formats.jsonld.compiled.lazy_places import LazyNodeSpans, LazyTripleSpans
+from kinlint.formats.jsonld.compiled.table_compiler import TableCompiler
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
@@ -29,23 +33,31 @@ from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.release_comparison import ReleaseComparison
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.source_layer import SourceLayer, terms
+from kinlint.formats.source_layer import SourceLayer, namespaces, terms
 from kinlint.text import SourceText, Span
 
 _RECURSION = 20_000
 
 
-def read(source: SourceText, options: ReadOptions) -> Document:
-    """Read a JSON-LD file with its losses.
+def read(source: SourceText, options: ReadOptions, *, compiled: bool = True) -> Document:
+    """Read a JSON-LD file with its losses; if not *compiled*, PyLD expands all of it.
 
     Raises SourceError when it is no JSON, or breaks the rules of JSON-LD outside of a context.
     """
+    if compiled:
+        try:
+            outlined = outline(source)
+            if "@context" not in outlined.value:
+                raise NotOutlined
+            with undisturbed():
+                return _read(source, options, outlined)
+        except (NotOutlined, SourceError):
+            pass  # With places from the start, so that it is told where it is wrong.
     with undisturbed():
-        return _read(source, options)
+        return _read(source, options, parse(source))
 
 
-def _read(source: SourceText, options: ReadOptions) -> Document:
-    parsed = parse(source)
+def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Document:
     if not isinstance(parsed.value, (dict, list)):
         place = source.position(parsed.span.start)
         cause = "not JSON-LD: neither an object nor an array"
@@ -54,15 +66,20 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
     local = LocalContexts(source, options)
     memory = ContextCache.from_options(options, options.contexts.release)
     processor = Processor(memory, options.base, local)
-    graph, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossObserver()
+    name, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossObserver()
     triples = Triples(blanks, watch)
+    graph = CompiledGraph(TableCompiler(processor), blanks, triples, watch, parsed.repeats)
     processor.on_node = lambda node: triples.add([node], parsed.span)
+    processor.on_unplaced = graph.take
     _state(triples, processor, parsed, source)
+    graph.finish()
 
-    layer = SourceLayer(graph, blanks)
+    spans, nodes = LazyTripleSpans(graph.groups), LazyNodeSpans(graph.groups)
+    layer = SourceLayer(name, blanks)
     layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
-    layer.state_described(triples.nodes)
-    layer.state_terms(terms(triples.spans))
+    file, described = tuple(layer.triples), tuple(nodes)
+    layer.state_namespaces(namespaces(nodes))
+    layer.state_terms(terms(spans))
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
@@ -72,12 +89,11 @@ def _read(source: SourceText, options: ReadOptions) -> Document:
         losses = [*report.missing_context(parsed.span, processor.misnamed), *losses]
     state_losses(layer, losses)
 
-    spans = triples.spans
-    for triple, span in layer.triples.items():
-        spans.setdefault(triple, span)
-    places = SourceMap(spans, {**triples.nodes, **layer.nodes})
+    nodes.add_layer(layer)
+    spans.add_layer(file, described, layer, nodes)
+    places = SourceMap(spans, nodes)
     return Document(
-        source, graph, tuple(spans), places, record.prefixes, format=JSONLD, pieces=local.pieces
+        source, name, tuple(spans), places, record.prefixes, format=JSONLD, pieces=local.pieces
     )
 
 

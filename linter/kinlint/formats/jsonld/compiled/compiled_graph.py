@@ -1,0 +1,158 @@
+"""The outermost graph of a file, element by element: compiled, or expanded by PyLD."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any, Protocol
+
+from kinlint.document import NodeSpans
+from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_outline import Repeating, Unplaced
+from kinlint.formats.json_text.json_values import Object
+from kinlint.formats.jsonld.compiled.placed_walk import PlacedWalk
+from kinlint.formats.jsonld.compiled.plain_walk import PlacesNeeded, PlainWalk
+from kinlint.formats.jsonld.compiled.table_compiler import TableCompiler
+from kinlint.formats.jsonld.compiled.term_table import Declined, Scope
+from kinlint.formats.jsonld.losses import LossObserver
+from kinlint.formats.jsonld.triples import Triples
+from kinlint.terms import Term, Triple
+from kinlint.text import Span
+
+
+class Group(Protocol):
+    """Statements that were made together."""
+
+    @property
+    def triples(self) -> Sequence[Triple] | Mapping[Triple, Span]:
+        """The statements, in their order."""
+        ...
+
+    @property
+    def described(self) -> Sequence[Term] | Mapping[Term, NodeSpans]:
+        """The nodes that are described, in their order."""
+        ...
+
+    @property
+    def spans(self) -> Mapping[Triple, Span]:
+        """Places of the statements."""
+        ...
+
+    @property
+    def nodes(self) -> Mapping[Term, NodeSpans]:
+        """Places of the nodes."""
+        ...
+
+
+class PlacedGroup:
+    """Statements whose places are known."""
+
+    def __init__(self, spans: Mapping[Triple, Span], nodes: Mapping[Term, NodeSpans]) -> None:
+        self.triples = self.spans = spans
+        self.described = self.nodes = nodes
+
+
+class CompiledGroup:
+    """Statements of an element that is walked again, with places, when one is asked for."""
+
+    def __init__(
+        self, walk: PlainWalk, element: Unplaced, scope: Scope, before: int
+    ) -> None:
+        self.triples = walk.triples
+        self.described = walk.nodes
+        self._element = element
+        self._scope = scope
+        self._blanks = walk.blanks
+        self._before = before
+
+    @cached_property
+    def _placed(self) -> PlacedWalk:
+        walk = PlacedWalk(self._blanks.since(self._before), LossObserver())
+        walk.element(self._element.placed()[0], self._scope)
+        return walk
+
+    @property
+    def spans(self) -> Mapping[Triple, Span]:
+        """Places of the statements."""
+        return self._placed.spans
+
+    @property
+    def nodes(self) -> Mapping[Term, NodeSpans]:
+        """Places of the nodes."""
+        return self._placed.nodes
+
+
+class CompiledGraph:
+    """States the elements of the outermost graph in turn.
+
+    `groups` are the statements so far. `declined` counts the elements that PyLD expands, by reason.
+    """
+
+    def __init__(
+        self,
+        compiler: TableCompiler,
+        blanks: BlankNodes,
+        triples: Triples,
+        watch: LossObserver,
+        repeats: list[Object],
+    ) -> None:
+        self.groups: list[Group] = []
+        self.declined = Counter[str]()
+        self._compiler = compiler
+        self._blanks = blanks
+        self._triples = triples
+        self._watch = watch
+        self._repeats = repeats
+        self._scope: Scope | None = None
+
+    def take(self, element: Unplaced, outer: Any, key: str) -> Object | None:
+        """State *element* under *key* of the object with the context *outer*.
+
+        Return it with its places if PyLD has to expand it, and None otherwise.
+        """
+        before = self._blanks.count
+        try:
+            self._state(element, outer, key)
+        except Declined as reason:
+            self.declined[str(reason)] += 1
+            self._blanks.rewind(before)
+            placed, repeats = element.placed()
+            self._repeats += repeats
+            return placed
+        finally:
+            element.value = {}
+        return None
+
+    def _state(self, element: Unplaced, outer: Any, key: str) -> None:
+        if self._compiler.shadowed:
+            raise Declined("a term that shadows another")
+        self.finish()
+        if self._scope is None:
+            self._scope = self._compiler.scope(outer, key)
+        before = self._blanks.count
+        walk = PlainWalk(self._blanks)
+        try:
+            walk.element(element.value, self._scope)
+        except PlacesNeeded:
+            self._blanks.rewind(before)
+        else:
+            self.groups.append(CompiledGroup(walk, element, self._scope, before))
+            return
+        watch = LossObserver()
+        placed = PlacedWalk(self._blanks, watch)
+        found, repeats = element.placed()
+        if repeats:
+            raise Declined("a key that stands twice")
+        placed.element(found, self._scope)
+        self._watch.losses += watch.losses
+        for outermost, inner in watch.within.items():
+            self._watch.within.setdefault(outermost, []).extend(inner)
+        self.groups.append(PlacedGroup(placed.spans, placed.nodes))
+
+    def finish(self) -> None:
+        """Add what was expanded by PyLD since the last element."""
+        triples = self._triples
+        if triples.spans or triples.nodes:
+            self.groups.append(PlacedGroup(triples.spans, triples.nodes))
+            triples.spans, triples.nodes = {}, {}
