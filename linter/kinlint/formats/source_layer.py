@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from kinlint.document import NodeSpans
@@ -21,6 +22,7 @@ from kinlint.terms import (
 from kinlint.text import Span
 from kinlint.vocabulary import DOCUMENT_BASE, SRC
 
+_SEPARATOR = re.compile("[#/]")
 URN_PARTS = 3
 """Colons in a URN whose maker has a namespace of its own: urn:example:arm:tip, not urn:uuid:7."""
 
@@ -110,10 +112,14 @@ def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
     The sentinel base is no namespace of anybody.
     """
     found: dict[str, Span] = {}
+    last = " "
     for node in nodes:
+        if node.startswith(last) and not _SEPARATOR.search(node, len(last)):
+            continue
         if is_iri(node):
             name = iri_value(node)
             namespace = name[: _namespace_end(name)]
+            last = f"<{namespace}" if namespace[-1:] in ("#", "/") else " "
             if namespace not in found and namespace and not namespace.startswith(DOCUMENT_BASE):
                 found[namespace] = nodes[node].best
     return found

@@ -181,6 +181,8 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         for index, item in enumerate(element):
             if type(item) is Unplaced:
                 item = self.on_unplaced(item, active_ctx, active_property)  # noqa: PLW2901
+                if item is None:
+                    continue
             expanded = self._expand(
                 active_ctx, active_property, item, options,
                 inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,

@@ -17,8 +17,7 @@ from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, ParsedJson
 from kinlint.formats.jsonld.active_context import FAULTS, complaint
 from kinlint.formats.jsonld.compiled.compiled_graph import CompiledGraph
-from kinlint.formats.jsonld.compiled.lazy_places import LazyNodeSpans, LazyTripleSpans
-from kinlint.formats.jsonld.compiled.table_compiler import TableCompiler
+from kinlint.formats.jsonld.compiled.lazy_places import LazyNodeSpans, LazyTripleSpans, first_uses, statements
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
@@ -33,7 +32,7 @@ from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.release_comparison import ReleaseComparison
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.source_layer import SourceLayer, namespaces, terms
+from kinlint.formats.source_layer import SourceLayer, namespaces
 from kinlint.text import SourceText, Span
 
 _RECURSION = 20_000
@@ -44,17 +43,22 @@ def read(source: SourceText, options: ReadOptions, *, compiled: bool = True) -> 
 
     Raises SourceError when it is no JSON, or breaks the rules of JSON-LD outside of a context.
     """
-    if compiled:
-        try:
-            outlined = outline(source)
-            if "@context" not in outlined.value:
-                raise NotOutlined
-            with undisturbed():
-                return _read(source, options, outlined)
-        except (NotOutlined, SourceError):
-            pass  # With places from the start, so that it is told where it is wrong.
+    with uncollected():
+        if compiled:
+            try:
+                return _read_outlined(source, options)
+            except (NotOutlined, SourceError):
+                pass  # With places from the start, so that it is told where it is wrong.
+        with undisturbed():
+            return _read(source, options, parse(source))
+
+
+def _read_outlined(source: SourceText, options: ReadOptions) -> Document:
+    outlined = outline(source)
+    if "@context" not in outlined.value:
+        raise NotOutlined
     with undisturbed():
-        return _read(source, options, parse(source))
+        return _read(source, options, outlined)
 
 
 def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Document:
@@ -68,18 +72,21 @@ def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Docum
     processor = Processor(memory, options.base, local)
     name, blanks, watch = document_iri(source.name), BlankNodes(source.name), LossObserver()
     triples = Triples(blanks, watch)
-    graph = CompiledGraph(TableCompiler(processor), blanks, triples, watch, parsed.repeats)
+    graph = CompiledGraph(processor, blanks, triples, watch, parsed.repeats)
     processor.on_node = lambda node: triples.add([node], parsed.span)
     processor.on_unplaced = graph.take
     _state(triples, processor, parsed, source)
     graph.finish()
 
-    spans, nodes = LazyTripleSpans(graph.groups), LazyNodeSpans(graph.groups)
+    nodes = LazyNodeSpans(graph.groups)
     layer = SourceLayer(name, blanks)
     layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
     file, described = tuple(layer.triples), tuple(nodes)
     layer.state_namespaces(namespaces(nodes))
-    layer.state_terms(terms(spans))
+    layer.state_terms({
+        term: graph.groups[number].spans[triple]
+        for term, (number, triple) in first_uses(graph.groups).items()
+    })
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
@@ -90,10 +97,10 @@ def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Docum
     state_losses(layer, losses)
 
     nodes.add_layer(layer)
-    spans.add_layer(file, described, layer, nodes)
-    places = SourceMap(spans, nodes)
+    said = statements(graph.groups, file, described, layer)
+    places = SourceMap(LazyTripleSpans(said, graph.groups, layer, nodes), nodes)
     return Document(
-        source, name, tuple(spans), places, record.prefixes, format=JSONLD, pieces=local.pieces
+        source, name, said, places, record.prefixes, format=JSONLD, pieces=local.pieces
     )
 
 
@@ -138,14 +145,23 @@ def _cause(fault: BaseException) -> str:
 @contextmanager
 def undisturbed() -> Iterator[None]:
     """Allow deep recursion, silence PyLD's warnings and suspend garbage collection."""
-    limit, collecting = sys.getrecursionlimit(), gc.isenabled()
+    limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, _RECURSION))
-    gc.disable()
     try:
-        with warnings.catch_warnings():
+        with uncollected(), warnings.catch_warnings():
             warnings.simplefilter("ignore", SyntaxWarning)
             yield
     finally:
         sys.setrecursionlimit(limit)
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """Suspend garbage collection."""
+    collecting = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
         if collecting:
             gc.enable()

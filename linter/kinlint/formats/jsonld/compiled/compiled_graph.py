@@ -15,6 +15,7 @@ from kinlint.formats.jsonld.compiled.placed_walk import PlacedWalk
 from kinlint.formats.jsonld.compiled.plain_walk import PlacesNeeded, PlainWalk
 from kinlint.formats.jsonld.compiled.table_compiler import TableCompiler
 from kinlint.formats.jsonld.compiled.term_table import Declined, Scope
+from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.terms import Term, Triple
@@ -91,7 +92,7 @@ class CompiledGraph:
 
     def __init__(
         self,
-        compiler: TableCompiler,
+        processor: Processor,
         blanks: BlankNodes,
         triples: Triples,
         watch: LossObserver,
@@ -99,7 +100,8 @@ class CompiledGraph:
     ) -> None:
         self.groups: list[Group] = []
         self.declined = Counter[str]()
-        self._compiler = compiler
+        self._compiler = TableCompiler(processor)
+        self._record = processor.record
         self._blanks = blanks
         self._triples = triples
         self._watch = watch
@@ -113,7 +115,9 @@ class CompiledGraph:
         """
         before = self._blanks.count
         try:
-            self._state(element, outer, key)
+            if self._scope is None:
+                self._scope = self._compiler.scope(outer, key)
+            self._state(element, self._scope, before)
         except Declined as reason:
             self.declined[str(reason)] += 1
             self._blanks.rewind(before)
@@ -124,35 +128,30 @@ class CompiledGraph:
             element.value = {}
         return None
 
-    def _state(self, element: Unplaced, outer: Any, key: str) -> None:
-        if self._compiler.shadowed:
+    def _state(self, element: Unplaced, scope: Scope, before: int) -> None:
+        if self._record.shadows:
             raise Declined("a term that shadows another")
-        self.finish()
-        if self._scope is None:
-            self._scope = self._compiler.scope(outer, key)
-        before = self._blanks.count
+        if self._triples.spans or self._triples.nodes:
+            self.finish()
         walk = PlainWalk(self._blanks)
         try:
-            walk.element(element.value, self._scope)
+            walk.element(element.value, scope)
+            self.groups.append(CompiledGroup(walk, element, scope, before))
         except PlacesNeeded:
             self._blanks.rewind(before)
-        else:
-            self.groups.append(CompiledGroup(walk, element, self._scope, before))
-            return
+            self._state_placed(element, scope)
+
+    def _state_placed(self, element: Unplaced, scope: Scope) -> None:
         watch = LossObserver()
-        placed = PlacedWalk(self._blanks, watch)
-        found, repeats = element.placed()
-        if repeats:
-            raise Declined("a key that stands twice")
-        placed.element(found, self._scope)
+        walk = PlacedWalk(self._blanks, watch)
+        walk.element(element.placed()[0], scope)
         self._watch.losses += watch.losses
         for outermost, inner in watch.within.items():
             self._watch.within.setdefault(outermost, []).extend(inner)
-        self.groups.append(PlacedGroup(placed.spans, placed.nodes))
+        self.groups.append(PlacedGroup(walk.spans, walk.nodes))
 
     def finish(self) -> None:
         """Add what was expanded by PyLD since the last element."""
         triples = self._triples
-        if triples.spans or triples.nodes:
-            self.groups.append(PlacedGroup(triples.spans, triples.nodes))
-            triples.spans, triples.nodes = {}, {}
+        self.groups.append(PlacedGroup(triples.spans, triples.nodes))
+        triples.spans, triples.nodes = {}, {}

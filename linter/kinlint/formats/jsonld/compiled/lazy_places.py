@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import repeat
+from functools import cached_property
+from itertools import chain, repeat
 
 from kinlint.document import NodeSpans
 from kinlint.formats.jsonld.compiled.compiled_graph import Group
 from kinlint.formats.source_layer import DESCRIBED, SourceLayer
-from kinlint.terms import Term, Triple
+from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.text import Span
+
+
+ASIDE = -1
+"""Stands for the number of a group where the source layer states a thing."""
 
 
 class LazyNodeSpans(Mapping[Term, NodeSpans]):
@@ -27,7 +32,7 @@ class LazyNodeSpans(Mapping[Term, NodeSpans]):
         """Add the nodes of *layer*, whose places go before."""
         self._own = layer.nodes
         for node in layer.nodes:
-            self._numbers.setdefault(node, -1)
+            self._numbers.setdefault(node, ASIDE)
 
     def __getitem__(self, node: Term) -> NodeSpans:
         own = self._own.get(node)
@@ -44,48 +49,66 @@ class LazyNodeSpans(Mapping[Term, NodeSpans]):
 
 
 class LazyTripleSpans(Mapping[Triple, Span]):
-    """Places of what *groups* state; each has that of the first."""
+    """Places of what *groups* and *layer* state; each has that of the first.
 
-    def __init__(self, groups: Sequence[Group]) -> None:
-        self._groups = groups
-        self._numbers: dict[Triple, int] = {}
-        size = 0
-        for number, group in enumerate(groups):
-            self._numbers.update(zip(group.triples, repeat(number)))
-            size += len(group.triples)
-        if size > len(self._numbers):
-            for number in range(len(groups) - 1, -1, -1):
-                self._numbers.update(zip(groups[number].triples, repeat(number)))
-        self._own: dict[Triple, Span] = {}
-        self._nodes: Mapping[Term, NodeSpans] = {}
+    *described* says which nodes are described, whose places *nodes* has.
+    """
 
-    def add_layer(
+    def __init__(
         self,
-        file: Iterable[Triple],
-        described: Iterable[Term],
+        stated: Sequence[Triple],
+        groups: Sequence[Group],
         layer: SourceLayer,
         nodes: Mapping[Term, NodeSpans],
     ) -> None:
-        """Add the statements of *layer*: on the *file*, which nodes are *described*, the others."""
-        self._own, self._nodes = layer.triples, nodes
-        for triple in file:
-            self._numbers.setdefault(triple, -1)
-        for node in described:
-            self._numbers.setdefault((node, DESCRIBED, layer.document), -1)
-        for triple in layer.triples:
-            self._numbers.setdefault(triple, -1)
+        self._stated = stated
+        self._groups = groups
+        self._layer = layer
+        self._nodes = nodes
+
+    @cached_property
+    def _numbers(self) -> dict[Triple, int]:
+        numbers = dict.fromkeys(self._stated, ASIDE)
+        for number in range(len(self._groups) - 1, -1, -1):
+            numbers.update(zip(self._groups[number].triples, repeat(number)))
+        return numbers
 
     def __getitem__(self, triple: Triple) -> Span:
         number = self._numbers[triple]
-        if number >= 0:
+        if number != ASIDE:
             return self._groups[number].spans[triple]
-        return self._own[triple] if triple in self._own else self._nodes[triple[0]].best
+        own = self._layer.triples.get(triple)
+        if own is not None:
+            return own
+        return self._nodes[triple[0]].best
 
     def __iter__(self) -> Iterator[Triple]:
-        return iter(self._numbers)
+        return iter(self._stated)
 
     def __contains__(self, triple: object) -> bool:
         return triple in self._numbers
 
     def __len__(self) -> int:
-        return len(self._numbers)
+        return len(self._stated)
+
+
+def first_uses(groups: Sequence[Group]) -> dict[Term, tuple[int, Triple]]:
+    """Return the properties and classes, with the first statement of each and its group."""
+    found: dict[Term, tuple[int, Triple]] = {}
+    for number, group in enumerate(groups):
+        for triple in group.triples:
+            _, prop, value = triple
+            term = value if prop == RDF_TYPE else prop
+            if term not in found:
+                found[term] = number, triple
+    return {term: use for term, use in found.items() if is_iri(term)}
+
+
+def statements(
+    groups: Sequence[Group], file: Iterable[Triple], described: Iterable[Term], layer: SourceLayer
+) -> tuple[Triple, ...]:
+    """Return what *groups* and *layer* state: on the *file*, what is *described*, all the rest."""
+    ours = ((node, DESCRIBED, layer.document) for node in described)
+    theirs = chain.from_iterable(group.triples for group in groups)
+    return tuple(dict.fromkeys(chain(theirs, file, ours, layer.triples)))
+

@@ -7,7 +7,7 @@ from typing import Any
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.json_text.json_values import Array, Key, Object
-from kinlint.formats.jsonld.compiled.term_table import Declined, Meaning, TermTable
+from kinlint.formats.jsonld.compiled.term_table import Declined, Meaning, Shape, TermTable
 from kinlint.formats.jsonld.compiled.walk import Walk
 from kinlint.formats.jsonld.expansion_observer import Slot
 from kinlint.formats.jsonld.losses import LossObserver
@@ -27,14 +27,12 @@ class PlacedWalk(Walk):
         """What it describes."""
         self._watch = watch
 
-    def _types(self, subject: Term, table: TermTable, key: str, value: Any) -> None:
-        slot = Slot(RDF_TYPE, "@type", _span(key))
-        names, places = _items(key, value)
-        self._state(subject, slot, [table.types[name] for name in names], places)
+    def _shape(self, element: dict[str, Any], table: TermTable) -> Shape:
+        return table.shape(tuple(element))
 
-    def _state(self, subject: Term, slot: Slot, terms: list[Term], places: list[Span]) -> None:
-        seen = set[Term]()
-        for term, place in zip(terms, places, strict=True):
+    def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:
+        slot, seen = Slot(RDF_TYPE, "@type", _span(key)), set[Term]()
+        for term, place in zip(classes, _items(key, value)[1], strict=True):
             self._add(subject, slot, term, place, seen)
 
     def _add(self, subject: Term, slot: Slot, term: Term, place: Span, seen: set[Term]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.jsonld.compiled.term_table import Meaning, TermTable
+from kinlint.formats.jsonld.compiled.term_table import Meaning, NoWord, Shape, TermTable
 from kinlint.formats.jsonld.compiled.walk import Walk
 from kinlint.formats.jsonld.triples import FIRST, NIL, REST
 from kinlint.terms import RDF_TYPE, Term, Triple
@@ -25,12 +25,15 @@ class PlainWalk(Walk):
         self.nodes: list[Term] = []
         """What it describes."""
 
-    def _types(self, subject: Term, table: TermTable, key: str, value: Any) -> None:
-        types = table.types
-        if type(value) is str:
-            self.triples.append((subject, RDF_TYPE, types[value]))
-        else:
-            self._distinct([(subject, RDF_TYPE, types[name]) for name in value])
+    def _shape(self, element: dict[str, Any], table: TermTable) -> Shape:
+        keys = tuple(element)
+        known = table.shapes.get(keys)
+        if known is None:
+            known = table.shapes[keys] = table.shape(keys)
+        return known
+
+    def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:
+        self._distinct([(subject, RDF_TYPE, each) for each in classes])
 
     def _distinct(self, stated: list[Triple]) -> None:
         if len(stated) > 1 and len(set(stated)) < len(stated):
@@ -46,17 +49,25 @@ class PlainWalk(Walk):
             self.triples.append((subject, predicate, meaning.words[value]))
         elif type(value) is not list:
             self.triples.append((subject, predicate, self._value(meaning, key, value)))
-        elif all(type(each) is str for each in value):
+        elif value and type(value[0]) is str:
             words = meaning.words
-            self._distinct([(subject, predicate, words[each]) for each in value])
+            try:
+                found = [(subject, predicate, words[each]) for each in value]
+            except (NoWord, TypeError):
+                self._values(subject, meaning, key, value)
+            else:
+                self._distinct(found)
         else:
-            seen = set()
-            for each in value:
-                term = self._value(meaning, key, each)
-                self.triples.append((subject, predicate, term))
-                seen.add(term)
-            if len(seen) < len(value):
-                raise PlacesNeeded
+            self._values(subject, meaning, key, value)
+
+    def _values(self, subject: Term, meaning: Meaning, key: str, values: list[Any]) -> None:
+        seen = set()
+        for each in values:
+            term = self._value(meaning, key, each)
+            self.triples.append((subject, meaning.predicate, term))
+            seen.add(term)
+        if len(seen) < len(values):
+            raise PlacesNeeded
 
     def _list(self, meaning: Meaning, key: str, value: Any) -> Term:
         elements = value if type(value) is list else [value]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -47,14 +47,10 @@ class TableCompiler:
         self._processor: Any = processor
         self._base = processor.options["base"]
         self._around = Origin(Object(0), None, None)
-        self._lookups: dict[tuple[int, str, bool], Lookup] = {}
+        self._lookups: dict[Hashable, Lookup] = {}
+        self._abbreviations: dict[int, Any] = {}
         self._scopes: dict[tuple[int, int | None], Scope] = {}
         self._kept: list[Context] = []
-
-    @property
-    def shadowed(self) -> bool:
-        """Tell whether uses of some terms are told, since they shadow others."""
-        return bool(self._processor.record.shadows)
 
     def scope(self, outer: Context, key: str) -> Scope:
         """Return the scope of the objects under *key* of an object with the context *outer*."""
@@ -92,47 +88,68 @@ class TableCompiler:
             raise Declined("a type that redefines the key of types")
         self._kept.append(active)
         return TermTable(
-            self._lookup(active, "keys", True, lambda key: self._meaning(active, key)),
+            self._lookup(active, "keys", lambda key: self._meaning(active, key)),
+            types,
             self._terms(context, "type", vocab=True),
-            self._terms(active, "identifier", vocab=False),
-            self._lookup(
-                context, "datatypes", True, lambda name: self._iri(context, name, "datatype", True)
-            ),
+            self._terms(active, "value", vocab=False),
+            self._lookup(context, "datatypes", lambda name: self._datatype(context, name)),
         )
 
-    def _lookup(
-        self, context: Context, role: str, vocab: bool, meaning: Callable[[str], Any]
-    ) -> Lookup:
-        about = (id(context), role, vocab)
+    def _lookup(self, context: Context, role: str, meaning: Callable[[str], Any]) -> Lookup:
+        about = (id(context), role)
         if about not in self._lookups:
             self._kept.append(context)
             self._lookups[about] = Lookup(meaning)
         return self._lookups[about]
 
     def _terms(self, context: Context, role: str, *, vocab: bool) -> Lookup:
-        """Return the terms that strings mean as IRIs."""
-        known = self._lookups.get((id(context), role, vocab))
-        if known is not None:
-            return known
-        mappings = context["mappings"]
+        """Return the terms that strings mean as IRIs.
+
+        Without *vocab* they depend on prefixes and base alone, which most contexts have in common.
+        """
+        about = (id(context), role) if vocab else (self._prefixes(context), role)
+        if about not in self._lookups:
+            self._kept.append(context)
+            self._lookups[about] = Lookup(self._term(context, role, vocab=vocab))
+        return self._lookups[about]
+
+    def _prefixes(self, context: Context) -> Any:
+        """Return what gives relative and compact IRIs their meaning under *context*."""
+        if id(context) not in self._abbreviations:
+            self._kept.append(context)
+            found = frozenset(
+                (prefix, mapping["@id"])
+                for prefix, mapping in context["mappings"].items()
+                if mapping and mapping["_prefix"]
+            )
+            self._abbreviations[id(context)] = (found, "@base" in context, context.get("@base"))
+        return self._abbreviations[id(context)]
+
+    def _term(
+        self, context: Context, role: str, *, vocab: bool
+    ) -> Callable[[str], Term | None]:
+        mappings = context["mappings"] if vocab else {}
         prefixes = {
-            prefix: mapping["@id"]
-            for prefix, mapping in mappings.items()
-            if mapping and mapping["_prefix"] and prefix != "_" and _is_sound(mapping["@id"])
+            prefix: namespace
+            for prefix, namespace in self._prefixes(context)[0]
+            if prefix != "_" and _is_sound(namespace)
         }
 
         def term(written: str) -> Term | None:
-            prefix, _, rest = written.partition(":")
+            prefix, colon, rest = written.partition(":")
             namespace = prefixes.get(prefix)
-            plain = namespace is not None and ":" in written and _SAFE.fullmatch(rest)
-            if plain and not (vocab and written in mappings):
-                return iri(f"{namespace}{rest}")
-            found = self._iri(context, written, role, vocab)
+            if namespace and colon and _SAFE.fullmatch(rest) and written not in mappings:
+                return f"<{namespace}{rest}>"
+            found = self._iri(context, written, role, vocab=vocab)
             return None if found is None or not _ABSOLUTE.fullmatch(found) else iri(found)
 
-        return self._lookup(context, role, vocab, term)
+        return term
 
-    def _iri(self, context: Context, written: str, role: str, vocab: bool) -> str | None:
+    def _datatype(self, context: Context, written: str) -> str | None:
+        found = self._iri(context, written, "datatype", vocab=True)
+        return found if found is not None and _ABSOLUTE.fullmatch(found) else None
+
+    def _iri(self, context: Context, written: str, role: str, *, vocab: bool) -> str | None:
         """Return the IRI that *written* means; None if anything is to be told of it."""
         found = self._expanded(context, _at_nowhere(Text, written), vocab=vocab)
         return found if found is not None and _is_silent(found, role) else None

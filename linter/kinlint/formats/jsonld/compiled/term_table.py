@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from kinlint.terms import Term
 
 
 class Declined(Exception):
     """PyLD has to expand this: something about it is told, or the compiled walk leaves it out."""
+
+
+class NoWord(Exception):
+    """A value that is no string was looked up as one."""
 
 
 class Kind(Enum):
@@ -36,6 +40,8 @@ class Lookup(dict[str, Any]):
         self._meaning = meaning
 
     def __missing__(self, written: str) -> Any:
+        if not isinstance(written, str):
+            raise NoWord
         plain = str(written)
         meaning = self._meaning(plain)
         if meaning is None:
@@ -63,22 +69,59 @@ class Meaning:
         """Contexts of objects under it."""
 
 
+class Shape(NamedTuple):
+    """What the keys of a node are, in their order."""
+
+    naming: str | None
+    """The key of its name."""
+    typing: str | None
+    """The key of its types."""
+    members: tuple[tuple[Meaning, str], ...]
+    """Properties and their keys."""
+
+
 class TermTable:
     """Meanings at an object, given its contexts and those of its types."""
 
-    __slots__ = ("datatypes", "identifiers", "keys", "types")
-
-    def __init__(
-        self, keys: Lookup, types: Lookup, identifiers: Lookup, datatypes: Lookup
+    def __init__(  # noqa: PLR0913
+        self,
+        keys: Lookup,
+        names: Iterable[str],
+        types: Lookup,
+        identifiers: Lookup,
+        datatypes: Lookup,
     ) -> None:
         self.keys = keys
         """A `Meaning` for each key."""
-        self.types = types
-        """Terms of the names of types."""
+        self._names = names
+        self._types = types
         self.identifiers = identifiers
         """Terms of identifiers of nodes."""
         self.datatypes = datatypes
         """IRIs of the names of datatypes."""
+        self.shapes: dict[tuple[str, ...], Shape] = {}
+        """Shapes of nodes, by their keys."""
+
+    @cached_property
+    def classes(self) -> list[Term]:
+        """Terms of the types of the object."""
+        return [self._types[name] for name in self._names]
+
+    def shape(self, keys: Iterable[str]) -> Shape:
+        """Return the shape of a node with *keys*. Raises Declined if it has none."""
+        naming = typing = None
+        members: dict[Term, tuple[Meaning, str]] = {}
+        for key in keys:
+            meaning: Meaning = self.keys[key]
+            if meaning.kind is Kind.PROPERTY and meaning.predicate not in members:
+                members[meaning.predicate] = meaning, key
+            elif meaning.kind is Kind.ID and naming is None:
+                naming = key
+            elif meaning.kind is Kind.TYPE and typing is None:
+                typing = key
+            else:
+                raise Declined("a keyword, or two keys for one property")
+        return Shape(naming, typing, tuple(members.values()))
 
 
 class Scope:

@@ -12,12 +12,12 @@ from kinlint.formats.jsonld.compiled.term_table import (
     Kind,
     Meaning,
     Scope,
+    Shape,
     TermTable,
 )
 from kinlint.formats.jsonld.rdf_literals import value_literal
 from kinlint.terms import Term
 
-PROPERTY, ID, TYPE = Kind.PROPERTY, Kind.ID, Kind.TYPE
 DEEPEST = 50
 """Number of nodes within each other beyond which PyLD expands an element."""
 
@@ -42,8 +42,12 @@ class Walk(ABC):
         self._node(element, scope.table(element))
 
     @abstractmethod
-    def _types(self, subject: Term, table: TermTable, key: str, value: Any) -> None:
-        """State the types of a node."""
+    def _shape(self, element: dict[str, Any], table: TermTable) -> Shape:
+        """Return the meanings of the keys of a node."""
+
+    @abstractmethod
+    def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:
+        """State the types of a node, *value* under *key*, as they are written."""
 
     @abstractmethod
     def _property(self, subject: Term, meaning: Meaning, key: str, value: Any) -> None:
@@ -88,30 +92,16 @@ class Walk(ABC):
 
     def _node(self, element: dict[str, Any], table: TermTable) -> tuple[Term, str | None]:
         """State a node; return its term, and the key of its name."""
-        keys = table.keys
-        naming = typing = None
-        members = []
-        for key, value in element.items():
-            meaning = keys[key]
-            kind = meaning.kind
-            if kind is PROPERTY:
-                members.append((meaning, key, value))
-            elif kind is ID and naming is None:
-                naming = key
-            elif kind is TYPE and typing is None:
-                typing = key
-            else:
-                raise Declined(f"the keyword '{key}'")
-        if len(members) > 1 and len({each[0].predicate for each in members}) < len(members):
-            raise Declined("two keys for one property")
+        naming, typing, members = self._shape(element, table)
         subject = self.blanks.fresh() if naming is None else _name(table, element[naming])
         self.around.append(subject)
         if len(self.around) > DEEPEST:
             raise Declined("nodes within nodes")
         if typing is not None:
-            self._types(subject, table, typing, element[typing])
-        stating = typing is not None and element[typing] != []
-        for meaning, key, value in members:
+            self._types(subject, table.classes, typing, element[typing])
+        stating = typing is not None and bool(table.classes)
+        for meaning, key in members:
+            value = element[key]
             self._property(subject, meaning, key, value)
             stating = stating or value != [] or meaning.listed
         if not stating:
@@ -134,7 +124,7 @@ class Walk(ABC):
         keys = table.keys
         kind = keys[first].kind
         if len(element) == 1:
-            if kind is ID:
+            if kind is Kind.ID:
                 return _name(table, element[first]), first
             if kind is Kind.LIST:
                 return self._list(_inner(table, meaning, key), first, element[first]), first
@@ -169,7 +159,7 @@ def _literal(table: TermTable, element: dict[str, Any]) -> tuple[Term, str]:
         if kind is Kind.VALUE and "@value" not in item and isinstance(value, (str, int, float)):
             item["@value"] = value
             standing = key
-        elif kind is TYPE and "@type" not in item and isinstance(value, str):
+        elif kind is Kind.TYPE and "@type" not in item and isinstance(value, str):
             item["@type"] = table.datatypes[value]
         elif kind is Kind.LANGUAGE and "@language" not in item and isinstance(value, str):
             item["@language"] = value.lower()
