@@ -11,6 +11,8 @@ from pathlib import Path
 from time import monotonic
 
 from fuzzing.corpus import SUFFIXES
+from fuzzing.expansion import difference
+from fuzzing.expansion import made as made_for_expansion
 from fuzzing.trial import Input, fault, made, reduced
 
 TOGETHER = 40
@@ -26,7 +28,10 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--format", choices=SUFFIXES, action="append", help="only this format")
     parser.add_argument("--seed", type=int, default=0, help="the first number")
     parser.add_argument("--only", type=int, nargs="+", help="these as one model, with their texts")
+    parser.add_argument("--expansion", type=int, metavar="N", help="compare N expansions instead")
     options = parser.parse_args(arguments)
+    if options.expansion:
+        return _expansions(range(options.seed, options.seed + options.expansion))
     forms = options.format or list(SUFFIXES)
     if options.only:
         for form in forms:
@@ -77,3 +82,18 @@ def _memory() -> int:
     except OSError:
         return 0
     return pages * 4096 // 2**20
+
+
+def _expansions(seeds: Sequence[int]) -> int:
+    """Compare both ways of expanding JSON-LD; 1 if any text is read in two ways."""
+    differing = 0
+    for tried, seed in enumerate(seeds, 1):
+        found = difference(made_for_expansion(seed))
+        if found is not None:
+            differing += 1
+            sys.stdout.write(f"{seed}: {found[:1000]}\n")
+        if tried % EVERY == 0:
+            sys.stdout.write(f"{tried} texts, {differing} differences\n")
+        sys.stdout.flush()
+    sys.stdout.write(f"{len(seeds)} texts from seed {seeds[0]}, {differing} differences\n")
+    return 1 if differing else 0

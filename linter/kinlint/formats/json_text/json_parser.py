@@ -70,6 +70,8 @@ def element(source: SourceText, at: int, *, first: bool, depth: int) -> ArrayEle
 
 
 class Parser:
+    """Reader of one text; offsets go in and come out."""
+
     def __init__(self, source: SourceText) -> None:
         self.source = source
         self.text = source.text
@@ -77,10 +79,12 @@ class Parser:
         self.tokens: dict[int, dict[str, Key]] = {}
 
     def fail(self, cause: str, at: int) -> NoReturn:
+        """Refuse the text at an offset."""
         place = self.source.position(at)
         raise SourceError(self.source.name, cause, place.line, place.column)
 
     def document(self) -> ParsedJson:
+        """Return the whole text."""
         text = self.text
         at = self.space(0)
         if at == len(text):
@@ -95,6 +99,7 @@ class Parser:
         return ParsedJson(value, Span(at, end), self.repeats)
 
     def space(self, at: int) -> int:
+        """Return the offset behind white space."""
         match = _SPACE.match(self.text, at)
         return match.end() if match else at
 
@@ -106,6 +111,7 @@ class Parser:
         return f"'{word.group() if word else self.text[at]}'"
 
     def unexpected(self, wanted: str, at: int) -> NoReturn:
+        """Refuse what stands in the place of what is *wanted*."""
         if at >= len(self.text):
             self.fail(f"the file is cut off: expected {wanted}", at)
         self.fail(f"not JSON: expected {wanted}, found {self.shown(at)}", at)
@@ -171,6 +177,7 @@ class Parser:
         return ArrayElement(value, Span(at, end), self.repeats)
 
     def close(self, current: Array | Object, at: int) -> int:
+        """End *current*, and return the offset behind its bracket."""
         at = self.space(at)
         if type(current) is Object:
             if not self.text.startswith("}", at):
@@ -181,6 +188,7 @@ class Parser:
         return at + 1
 
     def misplaced(self, at: int, after_comma: str, otherwise: str) -> NoReturn:
+        """Refuse what follows a value, or a comma behind it."""
         if self.text.startswith(",", at):
             self.unexpected(after_comma, self.space(at + 1))
         self.unexpected(otherwise, at)
@@ -188,6 +196,7 @@ class Parser:
     def add(
         self, current: Array | Object, key: Key | None, value: Any, start: int, end: int
     ) -> None:
+        """Add a value between two offsets to *current*, under *key* if that is an object."""
         if isinstance(current, Array):
             if value is None or value is True or value is False:
                 if current.literals is None:
@@ -205,6 +214,7 @@ class Parser:
         current[key] = value
 
     def repeat(self, current: Object, key: Key) -> None:
+        """Note that *key* stands in *current* once more."""
         # A dictionary keeps the first of two equal keys, so the earlier one must go.
         if current.overwritten is None:
             current.overwritten = []
@@ -227,6 +237,7 @@ class Parser:
         return key, colon.end()
 
     def string(self, at: int) -> tuple[str, int]:
+        """Return the string at an offset, and the offset behind it."""
         text = self.text
         plain = _PLAIN.match(text, at)
         if plain is not None:
@@ -243,6 +254,7 @@ class Parser:
         return content, end
 
     def scalar(self, at: int) -> tuple[Any, int]:
+        """Return the value at an offset, no array or object, and the offset behind it."""
         text = self.text
         opening = text[at : at + 1]
         if opening == '"':
@@ -266,6 +278,7 @@ class Parser:
             self.fail(f"not JSON: expected a value, found {self.shown(at)}", at)
 
     def number(self, match: re.Match[str]) -> tuple[Integer | Real, int]:
+        """Return the matched number, and the offset behind it."""
         at, end = match.span()
         self.boundary(end, at)
         if end - at > MAX_DIGITS:

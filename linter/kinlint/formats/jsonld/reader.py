@@ -17,7 +17,12 @@ from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, ParsedJson
 from kinlint.formats.jsonld.active_context import FAULTS, complaint
 from kinlint.formats.jsonld.compiled.compiled_graph import CompiledGraph
-from kinlint.formats.jsonld.compiled.lazy_places import LazyNodeSpans, LazyTripleSpans, first_uses, statements
+from kinlint.formats.jsonld.compiled.lazy_places import (
+    LazyNodeSpans,
+    LazyTripleSpans,
+    first_uses,
+    statements,
+)
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expander import Processor
 from kinlint.formats.jsonld.format import JSONLD
@@ -55,7 +60,7 @@ def read(source: SourceText, options: ReadOptions, *, compiled: bool = True) -> 
 
 def _read_outlined(source: SourceText, options: ReadOptions) -> Document:
     outlined = outline(source)
-    if "@context" not in outlined.value:
+    if not isinstance(outlined.value, Object) or "@context" not in outlined.value:
         raise NotOutlined
     with undisturbed():
         return _read(source, options, outlined)
@@ -83,10 +88,12 @@ def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Docum
     layer.state_file(JSONLD.name, source.name, Span(0, len(source.text)))
     file, described = tuple(layer.triples), tuple(nodes)
     layer.state_namespaces(namespaces(nodes))
-    layer.state_terms({
-        term: graph.groups[number].spans[triple]
-        for term, (number, triple) in first_uses(graph.groups).items()
-    })
+    layer.state_terms(
+        {
+            term: graph.groups[number].spans[triple]
+            for term, (number, triple) in first_uses(graph.groups).items()
+        }
+    )
     record = processor.record
     uses = ((token.span, str(token)) for token in record.uses.values())
     state_uses(layer, uses, options.contexts.release)
@@ -99,9 +106,7 @@ def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Docum
     nodes.add_layer(layer)
     said = statements(graph.groups, file, described, layer)
     places = SourceMap(LazyTripleSpans(said, graph.groups, layer, nodes), nodes)
-    return Document(
-        source, name, said, places, record.prefixes, format=JSONLD, pieces=local.pieces
-    )
+    return Document(source, name, said, places, record.prefixes, format=JSONLD, pieces=local.pieces)
 
 
 def _check_contexts(parsed: ParsedJson, source: SourceText) -> None:

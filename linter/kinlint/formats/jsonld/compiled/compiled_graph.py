@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.json_text.json_outline import Repeating, Unplaced
+from kinlint.formats.json_text.json_outline import Unplaced
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.compiled.placed_walk import PlacedWalk
 from kinlint.formats.jsonld.compiled.plain_walk import PlacesNeeded, PlainWalk
@@ -57,9 +57,7 @@ class PlacedGroup:
 class CompiledGroup:
     """Statements of an element that is walked again, with places, when one is asked for."""
 
-    def __init__(
-        self, walk: PlainWalk, element: Unplaced, scope: Scope, before: int
-    ) -> None:
+    def __init__(self, walk: PlainWalk, element: Unplaced, scope: Scope, before: int) -> None:
         self.triples = walk.triples
         self.described = walk.nodes
         self._element = element

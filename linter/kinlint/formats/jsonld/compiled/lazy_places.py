@@ -12,7 +12,6 @@ from kinlint.formats.source_layer import DESCRIBED, SourceLayer
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.text import Span
 
-
 ASIDE = -1
 """Stands for the number of a group where the source layer states a thing."""
 
@@ -111,4 +110,3 @@ def statements(
     ours = ((node, DESCRIBED, layer.document) for node in described)
     theirs = chain.from_iterable(group.triples for group in groups)
     return tuple(dict.fromkeys(chain(theirs, file, ours, layer.triples)))
-

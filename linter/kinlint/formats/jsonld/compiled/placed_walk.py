@@ -22,9 +22,9 @@ class PlacedWalk(Walk):
     def __init__(self, blanks: BlankNodes, watch: LossObserver) -> None:
         super().__init__(blanks)
         self.spans: dict[Triple, Span] = {}
-        """What it states, with the places of the values."""
+        """Statements with the places of the values."""
         self.nodes: dict[Term, NodeSpans] = {}
-        """What it describes."""
+        """Nodes that it describes."""
         self._watch = watch
 
     def _shape(self, element: dict[str, Any], table: TermTable) -> Shape:

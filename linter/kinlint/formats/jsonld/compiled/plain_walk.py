@@ -21,9 +21,9 @@ class PlainWalk(Walk):
     def __init__(self, blanks: BlankNodes) -> None:
         super().__init__(blanks)
         self.triples: list[Triple] = []
-        """What it states, in the order of the text."""
+        """Statements in the order of the text."""
         self.nodes: list[Term] = []
-        """What it describes."""
+        """Nodes that it describes."""
 
     def _shape(self, element: dict[str, Any], table: TermTable) -> Shape:
         keys = tuple(element)
@@ -32,7 +32,7 @@ class PlainWalk(Walk):
             known = table.shapes[keys] = table.shape(keys)
         return known
 
-    def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:
+    def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:  # noqa: ARG002
         self._distinct([(subject, RDF_TYPE, each) for each in classes])
 
     def _distinct(self, stated: list[Triple]) -> None:
@@ -81,11 +81,9 @@ class PlainWalk(Walk):
             self.triples.append((cell, REST, cells[number + 1]))
         return cells[0]
 
-    def _describe(self, subject: Term, element: dict[str, Any], naming: str | None) -> None:
+    def _describe(self, subject: Term, *_: Any) -> None:
         self.nodes.append(subject)
 
-    def _nested(
-        self, node: Term, meaning: Meaning, key: str, element: dict[str, Any], naming: str | None
-    ) -> None:
+    def _nested(self, *_: Any) -> None:
         if len(self.around) > 1:
             raise PlacesNeeded

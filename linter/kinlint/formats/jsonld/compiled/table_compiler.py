@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 from kinlint.formats.json_text.json_values import Key, Object, Text
@@ -32,6 +33,7 @@ _KEYWORDS = {
     "@list": Kind.LIST,
     "@set": Kind.SET,
 }
+PROPERTY = Kind.PROPERTY
 _CONTAINERS: tuple[list[str], ...] = ([], ["@set"], ["@list"])
 _SAFE = re.compile(r"(?!//)[A-Za-z0-9_.~/-]*")
 _ABSOLUTE = re.compile(r"[A-Za-z][A-Za-z0-9+-.]*:[^\s]*")
@@ -60,7 +62,7 @@ class TableCompiler:
             scoped = processor.get_context_value(outer, key, "@context")
             kept = outer
             for propagate in ({"propagate": True}, {}) if scoped is not None else ():
-                kept = processor._process_context(
+                kept = processor._process_context(  # noqa: SLF001
                     kept, scoped, processor.options, override_protected=True, **propagate
                 )
         return self._scope(reverted, kept if "previousContext" in kept else None)
@@ -71,7 +73,10 @@ class TableCompiler:
             self._kept += (context, unreverted)
             inside = None if unreverted is None else lambda: self._scope(unreverted, None)
             self._scopes[about] = Scope(
-                _type_keys(context), lambda types: self._table(context, types), inside
+                _type_keys(context),
+                self._lookup(context, "kinds", lambda key: self._kind(context, key)),
+                lambda types: self._table(context, types),
+                inside,
             )
         return self._scopes[about]
 
@@ -81,7 +86,7 @@ class TableCompiler:
             for name in sorted(types):
                 scoped = processor.get_context_value(context, name, "@context")
                 if scoped is not None and scoped is not False:
-                    active = processor._process_context(
+                    active = processor._process_context(  # noqa: SLF001
                         active, scoped, processor.options, propagate=False
                     )
         if _type_keys(active) != _type_keys(context):
@@ -125,9 +130,7 @@ class TableCompiler:
             self._abbreviations[id(context)] = (found, "@base" in context, context.get("@base"))
         return self._abbreviations[id(context)]
 
-    def _term(
-        self, context: Context, role: str, *, vocab: bool
-    ) -> Callable[[str], Term | None]:
+    def _term(self, context: Context, role: str, *, vocab: bool) -> Callable[[str], Term | None]:
         mappings = context["mappings"] if vocab else {}
         prefixes = {
             prefix: namespace
@@ -157,7 +160,10 @@ class TableCompiler:
     def _expanded(self, context: Context, token: Text, *, vocab: bool) -> Any:
         with self._unnoticed():
             base = None if isinstance(token, Key) else self._base
-            return self._processor._expand_iri(context, token, base=base, vocab=vocab)
+            return self._processor._expand_iri(context, token, base=base, vocab=vocab)  # noqa: SLF001
+
+    def _kind(self, context: Context, key: str) -> Kind:
+        return _KEYWORDS.get(self._expanded(context, _at_nowhere(Key, key), vocab=True), PROPERTY)
 
     def _meaning(self, active: Context, key: str) -> Meaning | None:
         found = self._expanded(active, _at_nowhere(Key, key), vocab=True)
@@ -175,7 +181,7 @@ class TableCompiler:
         inner = active
         if mapping.get("@context") is not None:
             with self._unnoticed():
-                inner = self._processor._process_context(
+                inner = self._processor._process_context(  # noqa: SLF001
                     active, mapping["@context"], self._processor.options,
                     propagate=True, override_protected=True,
                 )  # fmt: skip
@@ -190,28 +196,39 @@ class TableCompiler:
         else:
             made.words = Lookup(lambda value: self._literal(inner, key, value))
         made.numbers = Lookup(lambda spelled: self._literal(inner, key, _number(spelled)))
-        made.scope = self.scope(inner, key)
+        made.scoped = lambda: self.scope(inner, key)
         return made
 
     def _literal(self, context: Context, key: str, value: Any) -> Term | None:
         with self._unnoticed():
-            item = self._processor._expand_value(context, key, value, self._processor.options)
+            item = self._processor._expand_value(context, key, value, self._processor.options)  # noqa: SLF001
             return value_literal(item) if isinstance(item, dict) and "@value" in item else None
 
     @contextmanager
     def _unnoticed(self) -> Iterator[None]:
-        """Work for the sake of the tables. Raises Declined if anything is noted or fails."""
+        """Work for the sake of the tables.
+
+        Raises Declined if anything fails, or is noted wherever it is met: so are the terms of
+        scoped contexts in the file.
+        """
         processor = self._processor
         record, trail, site = processor.record, processor.trail, processor.site
-        processor.record, processor.trail = ExpansionRecord(), [self._around, self._around]
+        aside = processor.record = ExpansionRecord()
+        processor.trail = [self._around, self._around]
         try:
             yield
-            if processor.record != ExpansionRecord():
-                raise Declined("something is told of a context or a word")
+            self._keep(record, aside)
         except FAULTS as fault:
             raise Declined("a context that is not valid") from fault
         finally:
             processor.record, processor.trail, processor.site = record, trail, site
+
+    def _keep(self, record: ExpansionRecord, aside: ExpansionRecord) -> None:
+        """Keep what is noted of a context wherever it is used first, and refuse all the rest."""
+        for start, datatype in aside.unprefixed.items():
+            record.unprefixed.setdefault(start, datatype)
+        if replace(aside, unprefixed={}) != ExpansionRecord():
+            raise Declined("something is told of a context or a word")
 
 
 def _number(spelled: str) -> bool | int | float:

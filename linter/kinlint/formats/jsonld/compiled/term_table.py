@@ -19,7 +19,7 @@ class NoWord(Exception):
 
 
 class Kind(Enum):
-    """What a key of an object is."""
+    """Kind of a key of an object."""
 
     PROPERTY = auto()
     ID = auto()
@@ -51,9 +51,7 @@ class Lookup(dict[str, Any]):
 
 
 class Meaning:
-    """What a key means."""
-
-    __slots__ = ("kind", "listed", "numbers", "predicate", "scope", "words")
+    """Meaning of a key."""
 
     def __init__(self, kind: Kind, predicate: Term = "", *, listed: bool = False) -> None:
         self.kind = kind
@@ -65,12 +63,17 @@ class Meaning:
         """Terms of strings under it."""
         self.numbers: Lookup
         """Terms of numbers and truth values under it, by their Python spelling."""
-        self.scope: Scope
+        self.scoped: Callable[[], Scope]
+        """Function that compiles `scope`."""
+
+    @cached_property
+    def scope(self) -> Scope:
         """Contexts of objects under it."""
+        return self.scoped()
 
 
 class Shape(NamedTuple):
-    """What the keys of a node are, in their order."""
+    """Roles of the keys of a node, in their order."""
 
     naming: str | None
     """The key of its name."""
@@ -83,7 +86,7 @@ class Shape(NamedTuple):
 class TermTable:
     """Meanings at an object, given its contexts and those of its types."""
 
-    def __init__(  # noqa: PLR0913
+    def __init__(
         self,
         keys: Lookup,
         names: Iterable[str],
@@ -130,10 +133,12 @@ class Scope:
     def __init__(
         self,
         aliases: tuple[str, ...],
+        kinds: Lookup,
         compiled: Callable[[tuple[str, ...]], TermTable],
         unreverted: Callable[[], Scope] | None = None,
     ) -> None:
         self._aliases = aliases
+        self._kinds = kinds
         self._compiled = compiled
         self._tables: dict[Any, TermTable] = {}
         self._unreverted = unreverted
@@ -176,9 +181,5 @@ class Scope:
 
     def keeps(self, element: dict[str, Any]) -> bool:
         """Tell whether the contexts of the types around *element* hold in it (API 5.1.2, 7)."""
-        keys = self._table(()).keys
-        kinds = [keys[key].kind for key in element]
+        kinds = [self._kinds[key] for key in element]
         return Kind.VALUE in kinds or kinds == [Kind.ID]
-
-    def _table(self, types: tuple[str, ...]) -> TermTable:
-        return self._tables.get(types) or self._add(types)

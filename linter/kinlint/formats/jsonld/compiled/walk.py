@@ -1,4 +1,4 @@
-"""Walk through an element of the outermost graph that states it, in the order of `Triples`."""
+"""States an element of the outermost graph, in the order of `Triples`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ DEEPEST = 50
 
 
 class Walk(ABC):
-    """What both walks have in common: which nodes there are, and in which order.
+    """Common part of both walks: which nodes there are, and in which order.
 
     Raises Declined for what only PyLD expands: whatever is told of, and rare keywords.
     """
