@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from typing import Any
 
 from kinlint.formats.json_text.json_values import Key, Object, Text
@@ -23,6 +22,7 @@ from kinlint.formats.jsonld.expansion_record import ExpansionRecord
 from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.rdf_literals import malformed, value_literal
 from kinlint.formats.jsonld.traced_values import Iri, Origin, Reach
+from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, iri
 
 _KEYWORDS = {
