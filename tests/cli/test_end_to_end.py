@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import subprocess
 import sys
 
@@ -200,3 +201,26 @@ def test_statistics_tell_where_time_went_if_asked(kinlint, write):
     assert [*spent][9:] == ["checking", "locating", "fixing", "reporting", "total"]
     assert abs(2 * spent["total"] - sum(spent.values())) < 1
     assert "%" not in kinlint("arm.jsonld", "--statistics")[2]
+    assert "slowest" not in err
+
+
+def test_statistics_list_the_slowest_rules_facts_and_lifting_queries(kinlint, write):
+    """With `-vv`: the slowest first, a last line for all others; shares of a kind add up."""
+    write("arm.urdf", '<robot name="arm"><link name="base"/><link name="tip"/></robot>')
+    _, _, err = kinlint("arm.urdf", "--statistics", "-vv", "--jobs", "2")
+    _, *kinds = err.split("\nslowest ")
+    found = {}
+    for text in kinds:
+        title, *lines = text.splitlines()
+        rows = [line.rsplit(None, 3) for line in lines if line.endswith("%")]
+        found[title] = [(name, float(took)) for name, took, _, _ in rows]
+
+    assert set(found) == {"lifting queries:", "facts:", "rules:"}
+    for rows in found.values():
+        *slowest, (last, _) = rows
+        assert len(rows) <= 11
+        assert slowest == sorted(slowest, key=lambda row: -row[1])
+        assert last.endswith(" others") == (len(rows) == 11)
+    names = {title: {name for name, _ in rows[:-1]} for title, rows in found.items()}
+    assert all(name.startswith("urdf/") for name in names["lifting queries:"])
+    assert all(re.fullmatch(r"[A-Z]+[0-9]{3}", name) for name in names["rules:"])

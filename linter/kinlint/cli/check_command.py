@@ -14,7 +14,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.check_options import parser
 from kinlint.cli.commands import hint
-from kinlint.cli.lint_run import LintRun
+from kinlint.cli.lint_run import LintRun, profiled
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
@@ -95,7 +95,8 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
     run = LintRun(settings, found, book, phases, outputs.watched, options.color)
-    report = run.report(options, outputs, wanted)
+    with phases.counting_parts(wanted=profiled(options)):
+        report = run.report(options, outputs, wanted)
     report = report if knowledge is None else knowledge.apply_to(report)
     if options.verbose:
         from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
@@ -113,9 +114,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         fixing = options.fix or options.fix_only or options.add_ignore is not None
         outputs.emit(told, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
     if options.statistics and options.verbose:
-        from kinlint.reporters import time_profile  # noqa: PLC0415
-
-        sys.stderr.writelines(time_profile.render(phases.seconds))
+        _tell_times(phases, book)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
     left = replace(report, findings=()) if options.fix_only or options.diff else report
@@ -173,7 +172,7 @@ def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
         shapes=tuple(absolute(path) for path in options.shapes or ()),
         cache=None if options.no_cache else cache_directory(os.environ, options.cache_dir),
         ignore_suppressions=options.ignore_suppressions,
-        verbose=options.verbose,
+        verbose=bool(options.verbose),
     )
 
 
@@ -196,6 +195,16 @@ def _knowledge(
         revision = find_revision(options, found.inputs)
         before = FindingsAtRevision(revision, found, layers, book, settings_of).ledger(options)
     return KnownFindings(settings, book.rules, baseline, before, options)
+
+
+def _tell_times(phases: Phases, book: Rulebook) -> None:
+    """Write to standard error what took which time; rules by their codes."""
+    from kinlint.reporters import time_profile  # noqa: PLC0415  few runs ask for it
+
+    codes = {iri: rule.code for iri, rule in book.by_iri.items()}
+    parts = {(kind, codes.get(name, name)): took for (kind, name), took in phases.parts.items()}
+    sys.stderr.writelines(time_profile.render(phases.seconds))
+    sys.stderr.writelines(time_profile.render_parts(parts))
 
 
 def _tell(lines: Iterable[str]) -> None:

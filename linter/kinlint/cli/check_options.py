@@ -179,7 +179,13 @@ def _output(made: Parser) -> None:
     add("-e", "--exit-zero", **FLAG, help="exit with 0 even if there are findings")
     add("-q", "--quiet", **FLAG, help="findings only, no summary")
     add("-s", "--silent", **FLAG, help="nothing but the exit code and errors")
-    add("-v", "--verbose", **FLAG, help="say what was read and how")
+    add(
+        "-v",
+        "--verbose",
+        action="count",
+        default=0,
+        help="say what was read and how; with --statistics where time went, as -vv by rule",
+    )
     add(
         "--color",
         type=one_of(("auto", "always", "never")),

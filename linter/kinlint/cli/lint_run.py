@@ -29,9 +29,17 @@ if TYPE_CHECKING:
     from kinlint.parallel.runner import ParallelRunner
 
 
+def profiled(options: Namespace) -> bool:
+    """Tell whether *options* ask for the time that each rule takes."""
+    return bool(options.statistics and options.verbose > 1)
+
+
 def process_count(options: Namespace) -> int:
-    """Return the number of processes that *options* ask for, else that of processors."""
-    return options.jobs or os.cpu_count() or 1
+    """Return the number of processes that *options* ask for, else that of processors.
+
+    Rules are timed in this process, so it is the only one then.
+    """
+    return 1 if profiled(options) else options.jobs or os.cpu_count() or 1
 
 
 @dataclass(frozen=True)

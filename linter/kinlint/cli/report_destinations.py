@@ -30,7 +30,7 @@ def destinations(options: Namespace, project: Config) -> Outputs:
         statistics=options.statistics,
         quiet=options.quiet,
         silent=options.silent,
-        verbose=options.verbose,
+        verbose=bool(options.verbose),
         show_fixes=options.show_fixes,
         only_fixes=options.fix_only or options.diff,
         would=options.diff,

@@ -16,6 +16,7 @@ from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
 from kinlint.formats.records import LIFTED
 from kinlint.light_dataclasses import dataclass
+from kinlint.phases import part
 from kinlint.sparql.ast import Group, render
 from kinlint.sparql.ast_json import from_json
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value
@@ -131,7 +132,8 @@ def lift(
     store.oxigraph.clear_graph(ox.NamedNode(iri_value(LIFTED_GRAPH)))
     for each in asked({document.format for document in store.documents.values()}, wanted):
         try:
-            store.oxigraph.update(each.update(kept))
+            with part("lifting queries", f"{each.format}/{each.name}.rq"):
+                store.oxigraph.update(each.update(kept))
         except SyntaxError as error:
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
 

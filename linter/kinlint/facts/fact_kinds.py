@@ -31,6 +31,9 @@ from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
 
+LABELLED = 4
+"""The number of facts in the label of a kind."""
+
 
 class FactKind(NamedTuple):
     """Facts of one kind, which are computed together."""
@@ -48,6 +51,11 @@ class FactKind(NamedTuple):
     """The parts of scans that this takes; what a part of `FactContext` is made of comes with it."""
     details: tuple[str, ...] = ()
     """Further properties of their nodes."""
+
+    @property
+    def label(self) -> str:
+        """Return the module and the first of the facts."""
+        return f"{self.module}: {', '.join([*self.needs][:LABELLED])}"
 
 
 QUANTITIES = {

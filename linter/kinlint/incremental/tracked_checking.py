@@ -13,6 +13,7 @@ from kinlint.engine.pruning import Presence
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store, rank, token
 from kinlint.incremental.change import Changes
+from kinlint.phases import part
 from kinlint.terms import RDF_TYPE, Term, is_blank, is_iri
 
 if TYPE_CHECKING:
@@ -77,8 +78,9 @@ class TrackedChecking:
 
     def _all(self, number: int) -> list[Row]:
         """Return all violations of a constraint; note how long that took."""
-        started = time.perf_counter()
-        found = list[Row](rows(self.store, self.constraints[number]))
+        started, constraint = time.perf_counter(), self.constraints[number]
+        with part("rules", constraint.owner):
+            found = list[Row](rows(self.store, constraint))
         self._seconds[number] = time.perf_counter() - started
         return found
 

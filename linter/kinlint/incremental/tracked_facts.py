@@ -10,6 +10,7 @@ from kinlint.facts.fact_context import FactContext
 from kinlint.facts.fact_kinds import FactKind
 from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.tracked_index import TrackedIndex
+from kinlint.phases import part
 from kinlint.terms import Term, Triple
 from kinlint.vocabulary import FACTS_GRAPH
 
@@ -43,7 +44,8 @@ class TrackedFacts:
         for number, kind in enumerate(self._kinds if hinting else self._asked):
             if number in self._stale:
                 ask()
-                self._found[number] = tuple(kind.found(self._context))
+                with part("facts", kind.label):
+                    self._found[number] = tuple(kind.found(self._context))
                 self._stale.discard(number)
         found = [each for _, found in sorted(self._found.items()) for each in found]
         before, self._facts = self._facts, dict.fromkeys((*found, *named))
