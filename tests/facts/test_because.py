@@ -139,7 +139,7 @@ def test_a_piece_of_a_chain_is_shown_by_the_chain(faults: Rulebook) -> None:
     )
 
     assert told(premises)[:2] == [
-        (0, "ex:chain component component 1", "computed from"),
+        (0, "ex:chain has a part of ex:arm, ex:base and ex:j", "computed from"),
         (1, "ex:chain is a KinematicChain", ""),
     ]
 

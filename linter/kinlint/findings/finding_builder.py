@@ -252,6 +252,8 @@ def _because(
         place = None if step.axiom else locator.premise(step.triple)
         if place is not None or step.axiom:
             statement = _statement(step.triple, locator.store, wording)
+            if not statement and not wording.in_xml:
+                continue
             found.append(Premise(statement, place, step.axiom, step.depth))
             others = () if step.axiom else locator.sources(*step.triple)[1:]
             found += [

@@ -21,7 +21,9 @@ from kinlint.term_format import NUMBERS, TermFormatter
 from kinlint.terms import (
     Term,
     Triple,
+    iri,
     iri_value,
+    is_blank,
     is_iri,
     is_literal,
     literal_datatype,
@@ -35,6 +37,14 @@ KINDS = frozenset({"world", "model", "link", "joint", "frame", "group", "actor",
 
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
 """The IRI of a computed node: its kind and number."""
+
+PART = "<urn:kinlint:fact:component:"
+"""The beginning of the IRI of a computed part of a chain."""
+MEMBER = iri(f"{FACT}member")
+DEFINED = iri(f"{SRC}term")
+"""The property of a definition that has the prefix or term."""
+NAMESPACE = iri(f"{SRC}namespace")
+"""The property of the definition of a prefix that has what it stands for."""
 
 TEXT = f"<{SRC}text"
 """Beginning of the property of the text of an element, and those of the words in it."""
@@ -149,11 +159,7 @@ class Wording:
         fact = property_.startswith(f"<{FACT}")
         name = iri_value(property_).removeprefix(FACT).replace("-", " ") if fact else ""
         if self._element(subject) is None:
-            if fact:
-                return f"{self._mention(subject)} {name} {self._mention(value)}"
-            if self._element(value) is not None:
-                return ""
-            return FACT_NODE.sub(r"\1 \2", self.display.triple(triple).replace(FACT, ""))
+            return self._statement(triple, name)
         if not name:
             stated = property_.startswith((f"<{ATTRIBUTE}", TEXT)) or self.locator.origins(subject)
             if not (is_literal(value) and stated):
@@ -162,6 +168,24 @@ class Wording:
         if property_.startswith(TEXT):
             return f"{self._mention(subject)}: {self._mention(value)}"
         return f"{self._mention(subject)}: {name} {self._mention(value)}"
+
+    def _statement(self, triple: Triple, fact: str) -> str:
+        """Return *triple* about no element; *fact* is the name of its property if it is computed.
+
+        Empty for what only the graph has.
+        """
+        subject, property_, value = triple
+        if fact:
+            if parts := self._parts(value):
+                return f"{self._mention(subject)} has a part of {parts}"
+            told = f"{self._mention(subject)} {fact} {self._mention(value)}"
+            return "" if self._parts(subject) else told
+        if is_blank(subject) and any(self.locator.store.values(subject, DEFINED)):
+            told = f"{self._mention(subject)} is {self._mention(value)}"
+            return told if property_ == NAMESPACE else ""
+        if self._element(value) is not None:
+            return ""
+        return FACT_NODE.sub(r"\1 \2", self.display.triple(triple).replace(FACT, ""))
 
     def source(self, triple: Triple) -> str:
         """Return what has the value of a *triple* of a document, by the name it has there.
@@ -192,7 +216,18 @@ class Wording:
             return " of ".join(_phrases(*element))
         if is_number(term):
             return brief(self.display.term(term))
+        if is_blank(term) and (prefix := next(self.locator.store.values(term, DEFINED), None)):
+            return f"prefix '{literal_value(prefix)}'"
         return FACT_NODE.sub(r"\1 \2", self.display.term(term))
+
+    def _parts(self, term: Term) -> str:
+        """Return the names of what a computed part of a chain consists of; empty for the rest."""
+        if not term.startswith(PART):
+            return ""
+        names = [
+            self.display.term(each) for each in sorted(self.locator.store.values(term, MEMBER))
+        ]
+        return " and ".join((", ".join(names[:-1]), names[-1])) if names[1:] else "".join(names)
 
     def _written_as(self, subject: Term, property_: Term) -> str:
         """Return the attribute or element that a lifted *property_* of *subject* is from."""
