@@ -6,7 +6,7 @@ import pytest
 
 from kinlint.catalogue import rulebook
 from kinlint.configuration.settings import Settings
-from kinlint.findings.wording import brief
+from kinlint.findings.brief_numbers import brief
 from kinlint.lint import run
 from kinlint.message_template import counted, filled
 from kinlint.text import SourceText

@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from math import isfinite
 from typing import TypeGuard
 
 from kinlint.addresses import document_of, is_element, local_name, unordered, way_out
 from kinlint.document import Document
+from kinlint.findings.brief_numbers import DIGITS, MOST_DIGITS, brief
 from kinlint.findings.locator import Locator, Source
 from kinlint.light_dataclasses import dataclass
 from kinlint.message_template import VARIABLE
@@ -57,15 +57,6 @@ SYNONYMS = {"body": "link", "root": "link", "shape": "collision", "part": "link"
 
 TOLD = frozenset({"visual", "collision", "axis2"})
 """Elements without a name that tell apart what is within them."""
-
-DIGITS = 6
-"""Significant digits of a number, unless more are needed to tell it from another."""
-MOST_DIGITS = 17
-"""Significant digits of any double."""
-SMALLEST = 1e-4
-"""Smaller numbers are written with an exponent."""
-GREATEST = 1e16
-"""Numbers from here on are written with an exponent."""
 
 
 @dataclass(frozen=True)
@@ -267,29 +258,6 @@ class Wording:
 def is_number(term: Term | None) -> TypeGuard[Term]:
     """Tell whether *term* is a literal with a numeric datatype."""
     return term is not None and is_literal(term) and literal_datatype(term) in NUMBERS
-
-
-def brief(number: str, digits: int = DIGITS) -> str:
-    """Return *number* to at most so many significant *digits*.
-
-    More are kept where it would otherwise read as a round number that it is not.
-    """
-    try:
-        value = float(number)
-    except ValueError:
-        return number
-    written = number.lower().partition("e")[0].lstrip("+-0.").replace(".", "").rstrip("0")
-    if len(written) <= digits or not isfinite(value):
-        return number
-    while (short := f"{value:.{digits}g}") and _is_round(short) and digits < MOST_DIGITS:
-        digits += 1
-    exponent = not SMALLEST <= abs(value) < GREATEST
-    return short if exponent or "e" not in short else f"{float(short):.0f}"
-
-
-def _is_round(number: str) -> bool:
-    """Tell whether *number* has so few digits that it looks chosen: 1, 0.5, but not 0.333333."""
-    return len(number.partition("e")[0].strip("-0.").replace(".", "")) <= 1
 
 
 def _phrases(document: Document, node: Term) -> Iterator[str]:
