@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -71,12 +72,19 @@ def _model(content: str) -> str:
 
 def _ring(count: int) -> list[Node]:
     """The chain whose last joint leads back to its first body."""
+    return _rejoined(count, f"rob:joint{count - 1}", f"rob:link{count}-")
+
+
+def _star(count: int) -> list[Node]:
+    """The chain whose joints all begin at its first body."""
+    return _rejoined(count, "rob:joint", r"rob:link\d+-tip", "rob:link0-tip")
+
+
+def _rejoined(count: int, joints: str, old: str, new: str = "rob:link0-") -> list[Node]:
+    """The chain whose *joints* have *new* for *old*."""
     nodes = json.loads(robot.chain(count))["@graph"]
-    last = f"rob:link{count}-"
     return [
-        json.loads(json.dumps(node).replace(last, "rob:link0-"))
-        if node["@id"] == f"rob:joint{count - 1}"
-        else node
+        json.loads(re.sub(old, new, json.dumps(node))) if node["@id"].startswith(joints) else node
         for node in nodes
     ]
 
@@ -166,6 +174,19 @@ INPUTS: tuple[tuple[str, str, Text, int], ...] = (
         "r.jsonld",
         graph(_ring),
         50,
+    ),
+    ("JSON-LD: star of joints", "r.jsonld", graph(_star), 50),
+    (
+        "JSON-LD: copies of one node",
+        "r.jsonld",
+        graph(lambda n: [{"@id": "rob:p", "@type": "Point"}] * n),
+        250,
+    ),
+    (
+        "JSON-LD: errors",
+        "r.jsonld",
+        graph(lambda n: [{"@id": f"rob:f{k}", "@type": "Frame", "origin": "p"} for k in range(n)]),
+        250,
     ),
     (
         "JSON-LD: values of one functional property",
