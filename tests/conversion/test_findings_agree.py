@@ -113,3 +113,21 @@ def test_one_robot_with_many_faults(code):
     robot = SourceText("broken.urdf", BROKEN.strip())
     assert code in codes([robot])
     assert code in codes([converted(robot)])
+
+
+FREE = """<sdf version="1.9"><model name="desk">
+<link name="base"/><link name="drawer"/><link name="lamp">{pose}</link>
+<joint name="slide" type="prismatic"><parent>base</parent><child>drawer</child>
+<axis><xyz>1 0 0</xyz><limit><lower>0</lower><upper>0.4</upper></limit></axis></joint>
+<frame name="edge" attached_to="base"/></model></sdf>"""
+
+
+@pytest.mark.parametrize(
+    "pose", ["", "<pose>1 2 3 0 0 0.5</pose>", '<pose relative_to="edge">1 0 0 0 0 0</pose>']
+)
+def test_a_body_without_joint_is_somewhere(pose: str) -> None:
+    source = SourceText("desk.sdf", FREE.format(pose=pose))
+    text = jsonld(compose([read(source, ReadOptions())]))
+
+    assert "link/lamp/pose" in text
+    assert "TOP018" not in codes(text, "desk.jsonld")

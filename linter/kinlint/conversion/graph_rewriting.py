@@ -14,7 +14,7 @@ from kinlint.terms import Triple
 from kinlint.vocabulary import INTERMEDIATE, LIFTED_GRAPH
 
 STEPS = (
-    *("unlifted", "coordinates", "frames", "axes", "replacement"),
+    *("free-bodies", "unlifted", "coordinates", "frames", "axes", "replacement"),
     *("fixed-joints", "vectors", "limits", "scales"),
 )
 """Updates of `shapes/conversion`, in their order."""
