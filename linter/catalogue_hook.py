@@ -18,7 +18,11 @@ class CatalogueHook(BuildHookInterface):  # type: ignore[type-arg]
             return
         sys.path.insert(0, str(Path(self.root) / "linter"))
         from kinlint.catalogue import rulebook  # noqa: PLC0415
+        from kinlint.catalogue.compiled_store import STORED  # noqa: PLC0415
 
         compiled = Path(self.directory) / rulebook.SHIPPED.name
         rulebook.load(cache=compiled)
-        build_data["force_include"][str(compiled)] = f"kinlint/catalogue/{compiled.name}"
+        for file in compiled.glob(STORED[0]):
+            build_data["force_include"][str(file)] = (
+                f"kinlint/catalogue/{compiled.name}/{file.name}"
+            )
