@@ -10,6 +10,7 @@ from benchmarks.growth.other_inputs import OTHERS
 from benchmarks.growth.urdf_inputs import URDF
 from support.linting import lint
 
+from kinlint.engine.literal_spelling import Spelling
 from kinlint.engine.store import Store
 from kinlint.facts import dangling_references
 from kinlint.formats.sdf import name_references
@@ -82,3 +83,18 @@ def test_inputs_of_the_benchmark_are_read(title):
     codes = {each.rule.code for each in report.findings}
     assert ("SRC019" in codes) == (title == "URDF: never ended")
     assert not report.errors
+
+
+def test_what_many_files_say_is_looked_up_where_it_is_said(calls):
+    """Not in each of them for each finding."""
+    text = """{"@context": ["https://w3id.org/kinlint/composable.json", {"r": "https://x.example/%d#"}],
+    "@graph": [{"@id": "r:a", "@type": "Frame", "origin": "r:b"}, {"@id": "r:o", "@type": "Point"}]}
+    """
+    calls.of(Spelling, "as_written")
+    found = []
+    for count in (10, 40):
+        calls.clear()
+        report = lint({f"{each}.jsonld": text % each for each in range(count)})
+        assert len(report.findings) == count
+        found.append(calls["as_written"])
+    assert found[1] <= 4 * found[0]

@@ -6,6 +6,8 @@ import json
 
 import pytest
 
+from kinlint.project import turtle_parts
+
 GEOMETRY = "https://comp-rob2b.github.io/metamodels/geometry/structural-entities"
 MODEL = json.dumps(
     {
@@ -108,3 +110,22 @@ def test_turtle_alone_is_told(kinlint, write) -> None:
 
     assert code == 2
     assert "skeleton.ttl was not checked" in err
+
+
+@pytest.mark.parametrize(("name", "read"), [("tip-origin", 1), ("gripper", 0), ("Frame", 0)])
+def test_models_are_read_for_turtle_only_where_they_have_its_names(
+    name, read, kinlint, write, monkeypatch
+) -> None:
+    """A vocabulary beside them costs nothing."""
+    seen = []
+    parse = turtle_parts._document
+
+    def counted(source, options):
+        seen.append(source.name)
+        return parse(source, options)
+
+    monkeypatch.setattr(turtle_parts, "_document", counted)
+    write("model.json", MODEL)
+    write("other.ttl", f"{HEAD}{'geom' if name == 'Frame' else 'arm'}:{name} a geom:Point .")
+    kinlint(".", *FLAGS)
+    assert seen.count("model.json") == read

@@ -67,14 +67,15 @@ def told(wire, name):
     )
 
 
-def found(texts, folder, capsys):
+def found(texts, folder, capsys, monkeypatch):
     """What the command finds in *texts*, by file."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     for name, text in texts.items():
         (folder / name).write_text(text, "utf-8", newline="")
     capsys.readouterr()
-    main([str(folder), "--isolated", "--no-cache", "--output-format", "json"])
+    monkeypatch.chdir(folder)
+    main(["--isolated", "--no-cache", "--output-format", "json"])
     answer = {name: [] for name in texts}
     for one in json.loads(capsys.readouterr().out):
         ends = [one["location"], one["end_location"] or one["location"]]
@@ -87,7 +88,6 @@ def found(texts, folder, capsys):
 
 def test_edits(wire, tmp_path, monkeypatch, capsys):
     """The server tells what the command finds, and its memory does not grow."""
-    monkeypatch.chdir(wire.here)
     texts = dict(NAMES)
     edits = {
         name: versions(text, list(NAMES.values())[number : number + 1], number, EDITS)
@@ -102,7 +102,7 @@ def test_edits(wire, tmp_path, monkeypatch, capsys):
         if number % 3:
             wire.request("textDocument/codeLens", textDocument={"uri": wire.uri(name)})
         if number % EVERY == 0:
-            expected = found(texts, tmp_path / "alone" / "robots", capsys)
+            expected = found(texts, tmp_path / "alone" / "robots", capsys, monkeypatch)
             assert {name: told(wire, name) for name in texts} == expected, number
         if number % max(1, EDITS // 10) == 0:
             for each, text in NAMES.items():

@@ -85,8 +85,8 @@ def either(name: str, tables: Kind, others: Kind) -> Kind:
 
 def _strings(value: object) -> str:
     if isinstance(value, list):
-        wrong = next((one for one in value if not isinstance(one, str)), None)
-        return "" if wrong is None else expected_message("only strings in the list", wrong)
+        wrong = [one for one in value if not isinstance(one, str)]
+        return expected_message("only strings in the list", wrong[0]) if wrong else ""
     return expected_message("a list of strings", value)
 
 

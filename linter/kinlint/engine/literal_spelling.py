@@ -84,7 +84,17 @@ class Spellings:
                 return tuple(self.documents.values())
             home = self._homes.get(subject)
             return () if home is None else (home,)
-        return [each for each in self.documents.values() if not each.format.is_tree]
+        return self._speakers.get(subject, ())
+
+    @cached_property
+    def _speakers(self) -> Mapping[Term, Sequence[Document]]:
+        """The documents with places for statements about each subject that has an IRI."""
+        found: dict[Term, list[Document]] = {}
+        for document in self.documents.values():
+            if not document.format.is_tree:
+                for subject in dict.fromkeys(each[0] for each in document.map.triples):
+                    found.setdefault(subject, []).append(document)
+        return found
 
     @cached_property
     def _homes(self) -> Mapping[Term, Document]:

@@ -20,6 +20,7 @@ from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias
 from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_kinds import resemblances
+from kinlint.facts.namesakes import namesakes
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.prefix_disagreement import disagreements
@@ -262,6 +263,7 @@ KINDS = (
         ("described", "first", "subject", "property", *NODES),
     ),
     _alone("shared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
+    _alone("namesakes", namesakes, {"namesake": ()}),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )
 """All kinds of facts that rules may ask for."""

@@ -23,6 +23,8 @@ from kinlint.vocabulary import DOCUMENT_BASE, KINLINT, METAMODELS, SH, SRC
 _VOCABULARIES = (DOCUMENT_BASE, METAMODELS, KINLINT, "http://qudt.org/", "http://www.w3.org/")
 _WORD = re.compile(r"[^\s\"'<>#/:,;]+")
 """A word that may be a part of an IRI or of a prefixed name."""
+_LAST = re.compile(r"(?<=[#/:])[^\s\"'<>#/:,;]+(?=[\s>,;]|$)")
+"""The last word of an IRI or of a prefixed name, in Turtle."""
 
 
 def turtle_texts(paths: Iterable[Path]) -> Iterator[SourceText]:
@@ -39,6 +41,7 @@ class TurtleParts:
 
     def __init__(self) -> None:
         self._read: dict[str, tuple[SourceText, Document | None]] = {}
+        self._last: dict[str, tuple[SourceText, frozenset[str]]] = {}
         self._own: set[str] = set()
         self._used: dict[str, tuple[SourceText, frozenset[tuple[str, int]]]] = {}
         self._verdict: tuple[object, frozenset[str]] = (None, frozenset())
@@ -63,7 +66,10 @@ class TurtleParts:
         if own != self._own:
             self._own, self._used = own, {}
         words = tuple(map(self._own_words, models))
-        if not any(words):
+        ends = {end for each in turtle for end in self._ends(each)}
+        # Whoever refers to a node has the last word of its name, escaped or not.
+        used = (word for own_words in words for word, _ in own_words)
+        if ends.isdisjoint(used) and not any("\\u" in each.text for each in models):
             return []
         state = words, tuple(each.text for each in turtle), tuple(each.name for each in models)
         if state != self._verdict[0]:
@@ -99,6 +105,19 @@ class TurtleParts:
         """Return the words of the names that *source* describes, or all of a broken one."""
         document = self._document(source)
         return _WORD.findall(source.text if document is None else " ".join(document.map.nodes))
+
+    def _ends(self, source: SourceText) -> Iterable[str]:
+        """Return the last words of what *source* describes, or of all names of a broken one."""
+        if source.name not in self._last or self._last[source.name][0] is not source:
+            document = self._document(source)
+            if document is None:
+                found = frozenset(_LAST.findall(source.text))
+            else:
+                nodes = filter(is_iri, document.map.nodes)
+                own = (each for each in nodes if not iri_value(each).startswith(_VOCABULARIES))
+                found = frozenset(map(_end, own))
+            self._last[source.name] = source, found
+        return self._last[source.name][1]
 
     def _own_words(self, source: SourceText) -> frozenset[tuple[str, int]]:
         """Return the words of Turtle files that the model *source* has, with their numbers."""

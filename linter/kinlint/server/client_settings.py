@@ -59,7 +59,7 @@ class ClientSettings:
         if run not in RUNS:
             problems.append(f"{ORIGIN}: run: expected one of {', '.join(RUNS)}, got '{run}'")
         try:
-            parse_config(keys, ORIGIN, Path.cwd())
+            parse_config(keys, ORIGIN, Path(os.sep))
         except KinlintError as error:
             problems.append(str(error))
             keys = {}

@@ -72,7 +72,8 @@ class Workspace:
     def step(self, snapshot: FrozenState, cancelled: Callable[[], bool]) -> Step:
         """Examine the most urgent model that changed.
 
-        Stops when *cancelled*, with a step that found nothing and is not done.
+        Stops when *cancelled*, or the working directory is removed meanwhile, with a step that
+        found nothing and is not done.
         """
         faults: list[str] = []
         looking = self._turn(snapshot)
@@ -94,6 +95,9 @@ class Workspace:
                 fresh |= model.key
                 continue
             except Exception:  # noqa: BLE001  a fault in a rule or a reader ends no session
+                if _is_astray():
+                    self._sessions[model.key].invalidate()
+                    return Step(snapshot.generation)
                 faults.append(format_exc())
                 shown = self._sessions[model.key]
             self._blamed.pop(model.key, None)
@@ -203,13 +207,14 @@ class Workspace:
         """Go on to *snapshot*; whether files on disk may have changed since the last time."""
         before = self._stock
         before_generation = -1 if before is None else before.snapshot.generation
-        if before is None or before.snapshot.epoch != snapshot.epoch or _is_astray():
+        astray = _is_astray()
+        if before is None or before.snapshot.epoch != snapshot.epoch or astray:
             work_in(snapshot.roots)
             self._projects.clear()
         if before is None:
             self._stock = DocumentStore(snapshot)
         self._documents.advance(snapshot)
-        if before is None or before_generation != snapshot.generation:
+        if before is None or before_generation != snapshot.generation or astray:
             self._problems = []
             self._models = {model.key: model for model in self._found(snapshot)}
             self._sessions = {k: one for k, one in self._sessions.items() if k in self._models}
