@@ -75,6 +75,13 @@ class Workspace:
         Stops when *cancelled*, or the working directory is removed meanwhile, with a step that
         found nothing and is not done.
         """
+        step = self._try(snapshot, cancelled)
+        if step.faults and _is_astray():
+            self._sessions[step.key].invalidate()
+            return Step(snapshot.generation)
+        return step
+
+    def _try(self, snapshot: FrozenState, cancelled: Callable[[], bool]) -> Step:
         faults: list[str] = []
         looking = self._turn(snapshot)
         fresh: set[Path] = set()
@@ -95,9 +102,6 @@ class Workspace:
                 fresh |= model.key
                 continue
             except Exception:  # noqa: BLE001  a fault in a rule or a reader ends no session
-                if _is_astray():
-                    self._sessions[model.key].invalidate()
-                    return Step(snapshot.generation)
                 faults.append(format_exc())
                 shown = self._sessions[model.key]
             self._blamed.pop(model.key, None)
