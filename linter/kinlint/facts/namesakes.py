@@ -16,7 +16,7 @@ from kinlint.terms import Term, Triple, iri, iri_value, is_iri, literal_value
 NAME = re.compile(r"[^#/:]+$")
 """The part of an IRI after its namespace."""
 FRAME = re.compile(r"^https?://|[#/:]+$")
-"""What two spellings of one namespace may differ in."""
+"""The parts of a namespace that may differ between two spellings of it."""
 
 
 def namesakes(scan: PredicateIndex) -> Iterator[Triple]:
