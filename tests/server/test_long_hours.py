@@ -209,6 +209,7 @@ def test_messages_that_make_no_sense(wire):
     for each in asked:
         wire.answer(each)
     name = "arm-urdf.urdf"
+    wire.tell("workspace/didChangeConfiguration", settings={"kinlint": {}})
     wire.open(name, NAMES[name])
     assert "LIM001" in {one.get("code") for one in wire.diagnostics(name)}
     assert not [each for each in wire.logged if "kinlint/" in each.partition("lsprotocol")[0]]
