@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import cached_property
 from typing import Any, Protocol
 
 from kinlint.document import NodeSpans
@@ -57,6 +56,8 @@ class PlacedGroup:
 class CompiledGroup:
     """Statements of an element that is walked again, with places, when one is asked for."""
 
+    __slots__ = ("_before", "_blanks", "_element", "_scope", "_walk", "described", "triples")
+
     def __init__(self, walk: PlainWalk, element: Unplaced, scope: Scope, before: int) -> None:
         self.triples = walk.triples
         self.described = walk.nodes
@@ -64,12 +65,15 @@ class CompiledGroup:
         self._scope = scope
         self._blanks = walk.blanks
         self._before = before
+        self._walk: PlacedWalk | None = None
 
-    @cached_property
+    @property
     def _placed(self) -> PlacedWalk:
-        walk = PlacedWalk(self._blanks.since(self._before), LossObserver())
-        walk.element(self._element.placed()[0], self._scope)
-        return walk
+        if self._walk is None:
+            walk = PlacedWalk(self._blanks.since(self._before), LossObserver())
+            walk.element(self._element.placed()[0], self._scope)
+            self._walk = walk
+        return self._walk
 
     @property
     def spans(self) -> Mapping[Triple, Span]:

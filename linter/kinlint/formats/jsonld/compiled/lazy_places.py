@@ -21,10 +21,10 @@ class LazyNodeSpans(Mapping[Term, NodeSpans]):
 
     def __init__(self, groups: Sequence[Group]) -> None:
         self._groups = groups
-        self._numbers: dict[Term, int] = {}
-        for number, group in enumerate(groups):
-            for node in group.described:
-                self._numbers.setdefault(node, number)
+        self._numbers = dict.fromkeys(
+            chain.from_iterable(group.described for group in groups), ASIDE
+        )
+        self._unnumbered = True
         self._own: Mapping[Term, NodeSpans] = {}
 
     def add_layer(self, layer: SourceLayer) -> None:
@@ -35,7 +35,13 @@ class LazyNodeSpans(Mapping[Term, NodeSpans]):
 
     def __getitem__(self, node: Term) -> NodeSpans:
         own = self._own.get(node)
-        return self._groups[self._numbers[node]].nodes[node] if own is None else own
+        if own is not None:
+            return own
+        if self._unnumbered:
+            for number in range(len(self._groups) - 1, -1, -1):
+                self._numbers.update(zip(self._groups[number].described, repeat(number)))
+            self._unnumbered = False
+        return self._groups[self._numbers[node]].nodes[node]
 
     def __iter__(self) -> Iterator[Term]:
         return iter(self._numbers)

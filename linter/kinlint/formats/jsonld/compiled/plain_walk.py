@@ -33,32 +33,36 @@ class PlainWalk(Walk):
         return known
 
     def _types(self, subject: Term, classes: list[Term], key: str, value: Any) -> None:  # noqa: ARG002
-        self._distinct([(subject, RDF_TYPE, each) for each in classes])
+        self._state(subject, RDF_TYPE, classes)
 
-    def _distinct(self, stated: list[Triple]) -> None:
-        if len(stated) > 1 and len(set(stated)) < len(stated):
+    def _state(self, subject: Term, predicate: Term, values: list[Term]) -> None:
+        if len(values) > 1 and len(set(values)) < len(values):
             raise PlacesNeeded
-        self.triples += stated
+        self.triples += [(subject, predicate, value) for value in values]
 
     def _property(self, subject: Term, meaning: Meaning, key: str, value: Any) -> None:
-        predicate = meaning.predicate
+        kind = type(value)
         if meaning.listed:
-            head = self._listed(meaning, key, value)
-            self.triples.append((subject, predicate, head))
-        elif type(value) is str:
-            self.triples.append((subject, predicate, meaning.words[value]))
-        elif type(value) is not list:
-            self.triples.append((subject, predicate, self._value(meaning, key, value)))
+            term = self._listed(meaning, key, value)
+        elif kind is str:
+            term = meaning.words[value]
+        elif kind is float:
+            term = meaning.numbers[repr(value)]
+        elif kind is not list:
+            term = self._value(meaning, key, value)
         elif value and type(value[0]) is str:
             words = meaning.words
             try:
-                found = [(subject, predicate, words[each]) for each in value]
+                terms = [words[each] for each in value]
             except (NoWord, TypeError):
                 self._values(subject, meaning, key, value)
             else:
-                self._distinct(found)
+                self._state(subject, meaning.predicate, terms)
+            return
         else:
             self._values(subject, meaning, key, value)
+            return
+        self.triples.append((subject, meaning.predicate, term))
 
     def _values(self, subject: Term, meaning: Meaning, key: str, values: list[Any]) -> None:
         seen = set()
