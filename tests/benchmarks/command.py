@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-from benchmarks import editing
+from benchmarks import editing, reading
 from benchmarks.fleet import Fleet
 from benchmarks.growth.measurement import growth_table, measured
 from benchmarks.keystrokes import Keystrokes
@@ -38,12 +38,9 @@ def main(arguments: Sequence[str]) -> int:
         sys.stderr.write(f"measured: {row.ours}\n")
         rows.append(row)
     joints = 70 if options.quick else 700
-    shares = (
-        []
-        if options.fleet or options.starting or options.keystrokes or options.proofs
-        else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
-    )
-    lines = [*markdown(rows), "", *shares, _made(arguments, catalogue)]
+    few = (options.fleet, options.starting, options.reading, options.keystrokes, options.proofs)
+    parts = [] if any(few) else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
+    lines = [*markdown(rows), "", *parts, _made(arguments, catalogue)]
     sys.stdout.writelines(f"{line}\n" for line in lines)
     return int(not all(row.met for row in rows))
 
@@ -66,6 +63,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--starting", action="store_true", help="only runs on small files, and recalled ones"
     )
+    parser.add_argument("--reading", action="store_true", help="only reading JSON-LD")
     parser.add_argument(
         "--keystrokes", action="store_true", help="only typing, alone and through the server"
     )
@@ -92,6 +90,9 @@ def _parser() -> argparse.ArgumentParser:
 def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
         yield from Fleet(options.fleet).rows(options.runs)
+        return
+    if options.reading:
+        yield from reading.rows(options.runs)
         return
     if options.starting:
         with tempfile.TemporaryDirectory() as directory:
@@ -121,6 +122,7 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
         yield from Proving(place).rows(options.runs, quick=options.quick)
         yield from Keystrokes(place).rows(4 * options.runs)
         yield from editing.rows(place, options.runs)
+    yield from reading.rows(options.runs)
     from benchmarks.checking import compared  # noqa: PLC0415  rdflib weighs on what is timed
 
     for joints in SIZES:
