@@ -17,15 +17,15 @@ from zlib import crc32
 from kinlint.catalogue.deferred import ConstraintHead, ConstraintTable, Deferred
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
-from kinlint.light_dataclasses import dataclass, fields
+from kinlint.light_dataclasses import MISSING, dataclass, fields
 from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
 STORED = ("catalogue-*.jsonl", "catalogue-*.tmp")
 """Patterns for the names of compiled catalogues in a cache, and of those being written."""
 KEPT = 8
 """The number of compiled catalogues that a cache keeps: one for each set of rules lately in use."""
-EMPTY: tuple[object, ...] = ("", (), [], False)
-"""Defaults of fields of rules, which are not kept."""
+OPTIONAL = frozenset(each.name for each in fields(Rule) if each.default is not MISSING)
+"""Fields of rules that are kept only where they say something."""
 Place: TypeAlias = list[int]
 """Offsets of the beginning and the end of a line, in bytes from the second line on."""
 LATER = ("examples", "repairs")
@@ -55,7 +55,7 @@ class CompiledCatalogue:
             return [size - len(line) - 1, size - 1]
 
         def rule(values: Mapping[str, Any]) -> dict[str, Any]:
-            said = {name: value for name, value in values.items() if value not in EMPTY}
+            said = {name: each for name, each in values.items() if each or name not in OPTIONAL}
             return said | {name: place(said[name]) for name in LATER if name in said}
 
         def constraint(values: Mapping[str, Any]) -> list[Any]:

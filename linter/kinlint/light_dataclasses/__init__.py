@@ -3,9 +3,19 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from dataclasses import asdict, astuple, dataclass, field, fields, is_dataclass, replace
+    from dataclasses import (
+        MISSING,
+        asdict,
+        astuple,
+        dataclass,
+        field,
+        fields,
+        is_dataclass,
+        replace,
+    )
 else:
     from kinlint.light_dataclasses.decorator import dataclass, field
+    from kinlint.light_dataclasses.fields import MISSING
     from kinlint.light_dataclasses.operations import (
         asdict,
         astuple,
@@ -14,4 +24,13 @@ else:
         replace,
     )
 
-__all__ = ["asdict", "astuple", "dataclass", "field", "fields", "is_dataclass", "replace"]
+__all__ = [
+    "MISSING",
+    "asdict",
+    "astuple",
+    "dataclass",
+    "field",
+    "fields",
+    "is_dataclass",
+    "replace",
+]
