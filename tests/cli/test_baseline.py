@@ -267,7 +267,8 @@ def test_it_is_no_place_for_a_report(kinlint, known):
 def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, write):
     """What is found of an IRI may depend on files that were not given this time."""
     write("one.jsonld", NODE)
-    write("two.jsonld", NODE.replace("1.5", "1.25"))
+    same, other = NODE.replace("1.5", "1.25"), NODE.replace("ex:limit", "ex:other")
+    write("two.jsonld", f"[{same}, {other}]")
     options = ("--select", "ID004,LIM001,LNT", "--output-format", "concise")
     assert kinlint("--write-baseline", *options)[0] == 0
     assert any(each["rule"] == "ID004" for each in said(here)["findings"])
