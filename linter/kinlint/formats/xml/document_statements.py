@@ -108,18 +108,20 @@ def _spaced(places: ElementPlaces) -> Iterator[tuple[int, str, Span]]:
 MATERIAL = f"<{KINLINT}urdf#material>"
 LOOKS = frozenset({f"<{KINLINT}urdf#color>", f"<{KINLINT}urdf#texture>"})
 NAME = f"<{ATTRIBUTE}name>"
+NAMELESS = literal("")
 
 
 def state_early_uses(layer: SourceLayer, places: ElementPlaces, elements: Elements) -> None:
     """State each material that is used before the one in which it is defined, in a visual.
 
-    Those of the robot are read first, wherever they are.
+    Those of the robot are read first, wherever they are, and one without a name is no other's.
     """
     index, root = elements.index, next(iter(elements.index), "")
     holders = {o: s for s, p, o in elements.statements if p == MATERIAL}
     if not holders:
         return
-    named = {s: o for s, p, o in elements.statements if p == NAME and s in holders}
+    names = (each for each in elements.statements if each[1] == NAME and each[2] != NAMELESS)
+    named = {node: name for node, _, name in names if node in holders}
     defined: dict[Term, int] = {}
     for node, prop, _ in elements.statements:
         if prop in LOOKS and (name := named.get(node)) is not None:
