@@ -72,6 +72,7 @@ def test_a_limit_that_holds_changes_nothing(here, capsys):
     assert said(capsys, "--file-timeout", "300") == said(capsys)
 
 
+@pytest.mark.slow
 def test_a_slow_file_of_a_model_is_as_good_as_unreadable(here, capsys):
     """The other files of the model are judged without it."""
     for number in range(3):
@@ -113,6 +114,7 @@ def test_a_process_that_ends_is_reported(here, capsys):
     assert "ended with 9" in errors[0][2]
 
 
+@pytest.mark.slow
 def test_what_is_too_slow_is_not_fixed(here, capsys):
     """The others are."""
     (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
@@ -125,6 +127,7 @@ def test_what_is_too_slow_is_not_fixed(here, capsys):
     assert all("<lnk" not in (here / f"r{number}.urdf").read_text() for number in range(3))
 
 
+@pytest.mark.slow
 def test_a_file_that_was_too_slow_is_tried_again(here, capsys, monkeypatch):
     """It is not among the reports that are kept."""
     evil = here / "evil.urdf"
@@ -136,6 +139,7 @@ def test_a_file_that_was_too_slow_is_tried_again(here, capsys, monkeypatch):
     assert main([".", "--isolated", "--output-format", "json", "--file-timeout", "300"]) == 1
 
 
+@pytest.mark.slow
 def test_the_configuration_sets_it(here, capsys):
     """The command line wins, also with 0, which is no limit."""
     (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))

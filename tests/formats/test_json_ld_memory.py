@@ -30,6 +30,7 @@ def check(texts: dict[str, str], contexts: Contexts) -> None:
         assert after.prefixes == alone.prefixes, name
 
 
+@pytest.mark.slow
 def test_samples() -> None:
     check({path.name: path.read_text("utf-8") for path in SAMPLES}, Contexts.bundled())
 

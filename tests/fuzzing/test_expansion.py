@@ -48,6 +48,7 @@ TEXTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", range(PARTS))
 def test_mutated_models_are_read_alike(part: int) -> None:
     seeds = range(part * SHARE, (part + 1) * SHARE)
