@@ -135,3 +135,66 @@ def test_the_search_ends_whatever_links_and_pipes_lie_in_the_way(tmp_path):
     assert packages.find("hand", arm / "urdf") is None
     assert packages.find("..", arm / "urdf") is None
     assert packages.resolve("package://../../etc/passwd", arm) is None
+
+
+def test_what_is_linted_comes_before_the_repository(tmp_path):
+    """And that in the order in which it was named."""
+    one, two = package(tmp_path / "one" / "hand"), package(tmp_path / "two" / "hand")
+    (tmp_path / "three" / ".git").mkdir(parents=True)
+    three = package(tmp_path / "three" / "lib" / "hand")
+    near = tmp_path / "three" / "robots" / "cell"
+    assert find("hand", near) == three
+    assert find("hand", near, linted=(tmp_path / "two", tmp_path / "one")) == two
+    assert find("hand", near, linted=(tmp_path / "one",)) == one
+
+
+@pytest.mark.parametrize("space", packages.SPACES)
+def test_the_workspace_of_a_build_tool(tmp_path, space):
+    """It has `src` beside what is built; several repositories may lie in it."""
+    hand = package(tmp_path / "ws" / "src" / "hands" / "hand")
+    near = package(tmp_path / "ws" / "src" / "arms" / "arm") / "urdf"
+    assert find("hand", near) is None
+    (tmp_path / "ws" / space).mkdir()
+    assert find("hand", near) == hand
+    assert find("hand", tmp_path / "x") is None
+
+
+@pytest.mark.parametrize(
+    "place", ["install/share/hand", "install/hand/share/hand", "devel/share/hand"]
+)
+def test_the_install_space_of_the_workspace(tmp_path, place):
+    """For packages whose source is not there."""
+    near = tmp_path / "src" / "arm" / "urdf"
+    near.mkdir(parents=True)
+    home = package(tmp_path / place)
+    assert find("hand", near) == home
+
+
+def test_the_order_of_the_environment(tmp_path):
+    """Ament, then rospack, then CMake; a prefix of CMake has a manifest, or says its sources."""
+    ament, cmake = tmp_path / "ament", tmp_path / "cmake"
+    environment = {
+        "AMENT_PREFIX_PATH": str(ament),
+        "ROS_PACKAGE_PATH": str(tmp_path / "ros"),
+        "CMAKE_PREFIX_PATH": str(cmake),
+    }
+    near = tmp_path / "x"
+    (cmake / "share" / "hand").mkdir(parents=True)
+    assert find("hand", near, environment=environment) is None
+    (cmake / ".catkin").write_text(f"{tmp_path / 'sources'}")
+    source = package(tmp_path / "sources" / "hand")
+    assert find("hand", near, environment=environment) == source
+    installed = package(cmake / "share" / "hand")
+    assert find("hand", near, environment=environment) == installed
+    ros = package(tmp_path / "ros" / "hand")
+    assert find("hand", near, environment=environment) == ros
+    (ament / "share" / "hand").mkdir(parents=True)
+    assert find("hand", near, environment=environment) == ament / "share" / "hand"
+
+
+def test_how_a_package_was_found_is_told(tmp_path):
+    """In words, for `-v`."""
+    home = package(tmp_path / "ros" / "hand")
+    found = Packages(environment={"ROS_PACKAGE_PATH": str(tmp_path / "ros")})
+    assert found.locate("hand", tmp_path / "x") == (home, "by ROS_PACKAGE_PATH")
+    assert found.locate("foot", tmp_path / "x") is None

@@ -101,7 +101,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     if options.verbose:
         from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
 
-        _tell(verbose.pairing_lines(run.paired))
+        _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
         _warn(found, report.passed_over)
@@ -137,6 +137,7 @@ def _find(options: Namespace, layers: Layers) -> Found:
         layers.exclusions,
         force=options.force_exclude,
         stdin=shown(absolute(stdin), stdin) if stdin else "<stdin>",
+        gitignored=layers.respects_gitignore,
     )
     paths = options.paths or (["-"] if stdin else ["."])
     _no_command(paths[0])
@@ -168,6 +169,7 @@ def _warn(found: Found, passed_over: Iterable[SourceError] = ()) -> None:
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
     return layers.settings(
         found.inputs,
+        found.directories,
         rules=tuple(absolute(path) for path in options.rules or ()),
         shapes=tuple(absolute(path) for path in options.shapes or ()),
         cache=None if options.no_cache else cache_directory(os.environ, options.cache_dir),

@@ -119,6 +119,11 @@ def _files(made: Parser) -> None:
     add = made.add_argument_group("Files").add_argument
     add("--exclude", metavar="GLOB", **LISTS, help="pass over these in directories")
     add("--extend-exclude", metavar="GLOB", **LISTS, help="pass over these, too")
+    add(
+        "--respect-gitignore",
+        action=BooleanOptionalAction,
+        help="skip what git ignores in directories (the default)",
+    )
     add("--force-exclude", **FLAG, help="pass over them even if they are named")
     add("--in-project", **FLAG, help="judge them as parts of all that is below this directory")
     add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")

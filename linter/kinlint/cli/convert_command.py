@@ -140,8 +140,8 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     said += [f"--xacro-arg={each}" for each in options.xacro_arg or ()]
     same = linting.parser().read([*said, "--", *options.paths])
     layers = Layers(configs(same), overrides(same))
-    found = Search(layers.exclusions).find(options.paths)
-    return found, layers.settings(found.inputs)
+    found = Search(layers.exclusions, gitignored=layers.respects_gitignore).find(options.paths)
+    return found, layers.settings(found.inputs, found.directories)
 
 
 def _check(outputs: Iterable[Path], found: Found) -> None:

@@ -122,9 +122,11 @@ def _found(options: Namespace) -> tuple[Found, Settings]:
     layers = Layers(configs(same), overrides(same))
     name = options.stdin_filename
     stdin = shown(absolute(name), name) if name else "<stdin>"
-    found = Search(layers.exclusions, stdin=stdin).find(paths)
+    search = Search(layers.exclusions, stdin=stdin, gitignored=layers.respects_gitignore)
+    found = search.find(paths)
     settings = layers.settings(
         found.inputs,
+        found.directories,
         rules=tuple(absolute(path) for path in options.rules or ()),
     )
     return found, replace(settings, drawn=True)

@@ -58,6 +58,8 @@ class LintRun:
     """True if progress is shown."""
     color: When = "auto"
     """The choice of `--color`, which progress follows."""
+    read: list[SourceText] = field(default_factory=list)
+    """The texts that were read, once they are."""
     paired: list[SourceText] = field(default_factory=list)
     """The texts of SRDF, with the robots by which they are judged."""
     _passed: list[SourceError] = field(default_factory=list)
@@ -118,6 +120,7 @@ class LintRun:
 
                 sources = affecting_sources(sources, asides, self.settings)
             sources = pair(sources, self.settings)
+            self.read[:] = sources
             self.paired[:] = (each for each in sources if each.pairing is not None)
             return sources, [*self.found.errors, *errors]
 

@@ -61,7 +61,9 @@ class FindingsAtRevision:
                 path = checkout_path(then, revision, root)
                 inputs.append(Input(str(path), path, named=False))
                 homes.append(Input(str(path), then, named=False))
-            settings = self._moved(self.settings_of(Found(homes)), root)
+            settings = self._moved(
+                self.settings_of(Found(homes, directories=self.found.directories)), root
+            )
             run = LintRun(settings, Found(inputs), self.book, Phases())
             report = run.linted(process_count(options), fixing=False)
             names = Names(root, renamed)
@@ -121,6 +123,7 @@ class FindingsAtRevision:
             settings,
             extra_contexts={iri: moved(path) for iri, path in settings.extra_contexts.items()},
             context_directories=tuple(map(moved, settings.context_directories)),
+            linted=tuple(map(moved, settings.linted)),
             default=file(settings.default),
             files=files,
             # Nothing will ever be asked of the snapshot again.

@@ -42,6 +42,7 @@ def overrides(options: Namespace) -> Config:
             choices=_choices(options),
             exclude=_globs(options.exclude),
             extend_exclude=_globs(options.extend_exclude) or (),
+            respect_gitignore=options.respect_gitignore,
             per_file_ignores=_per_file(options.per_file_ignores),
             extend_per_file_ignores=_per_file(options.extend_per_file_ignores) or (),
             target=None if options.target is None else tuple(options.target),

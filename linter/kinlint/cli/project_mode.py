@@ -49,7 +49,8 @@ def merge_with_project(given: Found, project: Found) -> Found:
     named = {_identity(one) for one in given.inputs}
     turtle = [path for path in project.turtle if os.path.realpath(path) not in named]
     asides.update(map(shown, turtle))
-    return Found(inputs, errors, given.barren, turtle, frozenset(asides))
+    directories = [*given.directories, *project.directories]
+    return Found(inputs, errors, given.barren, turtle, frozenset(asides), directories)
 
 
 def affecting_sources(

@@ -37,6 +37,29 @@ def lines_before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> 
                 yield f"deferred to pySHACL: a constraint of {each.owner}, {each.deferred}"
 
 
+def lines_of_files(
+    read: Iterable[SourceText], paired: Iterable[SourceText], settings: Settings
+) -> Iterator[str]:
+    """Lines that say which packages and robots the files of a run depend on."""
+    yield from package_lines(read, settings)
+    yield from pairing_lines(paired)
+
+
+def package_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator[str]:
+    """Lines that say where each package that *sources* name was found."""
+    from kinlint.formats.dependencies.named_packages import named_packages  # noqa: PLC0415
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
+
+    packages_of = ReadOptions.from_settings(settings).packages_of
+    for (name, found), files in sorted(named_packages(sources, packages_of).items(), key=str):
+        if found is None:
+            first, *others = files
+            more = f" and {plural(len(others), 'other file')}" if others else ""
+            yield f"package {name}: not found, named by {first}{more}"
+        else:
+            yield f"package {name}: {found.directory}, found {found.origin}"
+
+
 def pairing_lines(paired: Iterable[SourceText]) -> Iterator[str]:
     """Lines that say by which URDF each SRDF among *paired* is judged, and why."""
     for each in paired:

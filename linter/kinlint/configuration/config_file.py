@@ -53,6 +53,7 @@ class Config:
     """Layers of rule selection, the lowest first."""
     exclude: tuple[Glob, ...] | None = None
     extend_exclude: tuple[Glob, ...] = ()
+    respect_gitignore: bool | None = None
     per_file_ignores: tuple[PerFile, ...] | None = None
     extend_per_file_ignores: tuple[PerFile, ...] = ()
     require_reason: bool | None = None
@@ -115,6 +116,7 @@ def parse_config(
         choices=_choices(said, origin),
         exclude=_globs(said.get("exclude"), root),
         extend_exclude=_globs(said.get("extend-exclude"), root) or (),
+        respect_gitignore=said.get("respect-gitignore"),
         per_file_ignores=ignores,
         extend_per_file_ignores=more or (),
         require_reason=said.get("require-reason"),

@@ -169,6 +169,12 @@ KEYS: Mapping[str, Key] = {
     "extend-exclude": Key(
         STRINGS, "[]", "What it passes over beside that.", 'extend-exclude = ["generated"]'
     ),
+    "respect-gitignore": Key(
+        SWITCH,
+        "true",
+        "Whether a search of directories passes over what git ignores.",
+        "respect-gitignore = false",
+    ),
     "target": Key(
         STRINGS,
         "[]",

@@ -76,7 +76,7 @@ class FileSettings:
     packages: tuple[tuple[str, Path], ...] = ()
     """ROS packages and their directories; later ones win."""
     workspace: Path | None = None
-    """Directory in which other packages are searched for."""
+    """Directory of its configuration file, below which packages are searched for."""
     xacro_args: tuple[tuple[str, str], ...] = ()
     """Arguments for xacro; later ones win."""
     xacro_env: tuple[str, ...] = ()
@@ -99,6 +99,8 @@ class Settings:
     """SHACL files to check in addition to the rules."""
     engine: Engine = "oxigraph"
     """The SHACL engine."""
+    linted: tuple[Path, ...] = ()
+    """Directories that are linted, and the working directory; packages are searched for there."""
     partial: bool = False
     """True if the files are a part of a model."""
     file_timeout: float | None = None

@@ -3,17 +3,20 @@
 A package is looked for in this order, and nowhere before it is asked for:
 
 1. where the user says (`--package x=DIR`, `[tool.kinlint.packages]`); 2. in the directories above
-the file, by the name in their `package.xml`, or their own name; 3. in the workspace: below the
-configuration's directory or else in the repository, by the names in `package.xml`; 4. in
-ROS_PACKAGE_PATH, GZ_SIM_RESOURCE_PATH and its elders for models, and AMENT_PREFIX_PATH.
+the file, by the name in their `package.xml`, or their own name, and beside these; 3. below what is
+linted and below the working directory; 4. in the workspace: below the configuration's directory, in
+`src` of the colcon or catkin workspace around the file, in its repository, and in the install space
+of that workspace; 5. in the environment: AMENT_PREFIX_PATH, ROS_PACKAGE_PATH, CMAKE_PREFIX_PATH,
+and for models GZ_SIM_RESOURCE_PATH and its elders. Below a directory, names in `package.xml` count.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
+from typing import NamedTuple
 from urllib.parse import unquote
 
 from kinlint.files.bounded_read import head
@@ -35,6 +38,21 @@ MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH", "
 _NAME = re.compile(r"<name>\s*([^<>\s]+)\s*</name>")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _URI = re.compile(r"(package|model)://([^/]+)/?(.*)", re.DOTALL)
+AMENT = "AMENT_PREFIX_PATH"
+SOURCE = "src"
+SPACES = ("build", "install", "log", "devel", ".catkin_tools")
+"""Directories beside `src` that colcon and catkin make in a workspace."""
+CATKIN = ".catkin"
+"""File of a catkin space that lists where its packages were built from, with semicolons."""
+
+
+class PackageLocation(NamedTuple):
+    """Directory of a package, and how it was found."""
+
+    directory: Path
+    """The directory."""
+    origin: str
+    """Where it was found, in words that follow "found"."""
 
 
 @dataclass
@@ -44,24 +62,51 @@ class Packages:
     given: Mapping[str, Path] = field(default_factory=dict)
     """Packages that the user configured."""
     workspace: Path | None = None
-    """Directory in which others are searched for; by default, the repository of the file."""
+    """Directory of the configuration file."""
     environment: Mapping[str, str] = field(default_factory=Environment)
     """Environment variables with the search paths of ROS and Gazebo."""
-    _known: dict[tuple[str, Path], Path | None] = field(default_factory=dict, repr=False)
+    linted: tuple[Path, ...] = ()
+    """Directories that are linted, and the working directory: their packages come first."""
+    _known: dict[tuple[str, Path], PackageLocation | None] = field(default_factory=dict, repr=False)
     _indexed: dict[Path, Mapping[str, Path]] = field(default_factory=dict, repr=False)
     _names: dict[Path, str | None] = field(default_factory=dict, repr=False)
 
     def find(self, name: str, near: Path) -> Path | None:
         """Return the directory of the package *name* for a file in the directory *near*."""
+        found = self.locate(name, near)
+        return None if found is None else found.directory
+
+    def locate(self, name: str, near: Path) -> PackageLocation | None:
+        """Return where the package *name* is for a file in *near*; None if it is not found."""
         if not name or "/" in name or name in (".", ".."):
             return None
         if name in self.given:
-            return self.given[name]
+            return PackageLocation(self.given[name], "as configured")
         key = name, near
         if key not in self._known:
-            found = (*self._above(name, near), *self._below(name, near), *self._installed(name))
-            self._known[key] = found[0] if found else None
+            self._known[key] = next(self._places(name, near), None)
         return self._known[key]
+
+    def _places(self, name: str, near: Path) -> Iterator[PackageLocation]:
+        for each in self._above(name, near):
+            yield PackageLocation(each, "above the file or beside it")
+        for root, origin in self._roots(near):
+            if found := self._index(root).get(name):
+                yield PackageLocation(found, origin)
+        if (top := colcon_workspace(near)) is not None:
+            spaces = ("install", f"install/{name}", "devel")
+            yield from self._shared(name, [top / each for each in spaces], "in the install space")
+        yield from self._in_environment(name)
+
+    def _roots(self, near: Path) -> Iterator[tuple[Path, str]]:
+        """Yield the directories below which packages of source code are searched, nearest first."""
+        yield from ((root, f"in {root}, which is linted") for root in self.linted)
+        if self.workspace is not None:
+            yield self.workspace, f"below the configuration, in {self.workspace}"
+        if (top := colcon_workspace(near)) is not None:
+            yield top / SOURCE, f"in the workspace {top}"
+        if (top := repository(near)) is not None:
+            yield top, f"in the repository {top}"
 
     def resolve(self, uri: str, near: Path) -> Path | None:
         """Return the file of *uri*, `package://x/…` or `model://x/…`, be it there or not.
@@ -89,21 +134,28 @@ class Packages:
             ):
                 yield sibling
 
-    def _below(self, name: str, near: Path) -> Iterator[Path]:
-        root = self.workspace or repository(near)
-        if root is not None and (found := self._index(root).get(name)):
-            yield found
+    def _in_environment(self, name: str) -> Iterator[PackageLocation]:
+        for variable in (AMENT, "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH"):
+            origin, roots = f"by {variable}", [*self._path(variable)]
+            if variable == "ROS_PACKAGE_PATH":
+                sources = roots
+            else:
+                yield from self._shared(name, roots, origin)
+                sources = [each for root in roots for each in _built_from(root)]
+            for root in sources:
+                if found := self._index(root).get(name):
+                    yield PackageLocation(found, origin)
 
-    def _installed(self, name: str) -> Iterator[Path]:
-        for root in self._path("ROS_PACKAGE_PATH"):
-            if root.name == name and kind(root / MANIFEST) == "file":
-                yield root
-            elif found := self._index(root).get(name):
-                yield found
-        for root in self._path("AMENT_PREFIX_PATH"):
+    def _shared(self, name: str, roots: Iterable[Path], origin: str) -> Iterator[PackageLocation]:
+        """Yield the directory that one of the prefixes *roots* keeps for the package *name*.
+
+        A prefix of ament needs no manifest.
+        """
+        ament = origin == f"by {AMENT}"
+        for root in roots:
             share = root / "share" / name
-            if kind(share) == "directory":
-                yield share
+            if kind(share / MANIFEST) == "file" or (ament and kind(share) == "directory"):
+                yield PackageLocation(share, origin)
 
     def _model(self, name: str) -> Path | None:
         """Return the directory *name* in one where Gazebo keeps models."""
@@ -126,6 +178,25 @@ class Packages:
         if directory not in self._names:
             self._names[directory] = package_name(directory)
         return self._names[directory]
+
+
+@question
+def _linked(marker: Path) -> str:
+    """Return the text of the file *marker*; empty if there is none."""
+    return head(marker, HEAD) or ""
+
+
+def _built_from(prefix: Path) -> list[Path]:
+    """Return the directories from which the catkin space *prefix* was built."""
+    return [absolute(each) for each in _linked(prefix / CATKIN).split(";") if each.strip()]
+
+
+def colcon_workspace(near: Path) -> Path | None:
+    """Return the directory above *near* with `src` beside what colcon or catkin make, if any."""
+    for each in (near, *near.parents):
+        if kind(each / SOURCE) == "directory" and any(kind(each / name) for name in SPACES):
+            return each
+    return None
 
 
 def _is_top(directory: Path) -> bool:
@@ -175,7 +246,7 @@ def _directories(root: Path) -> Iterator[Path]:
             except OSError:
                 continue
             names = {each.name for each in listed}
-            if not names.isdisjoint(IGNORED):
+            if directory != root and not names.isdisjoint(IGNORED):
                 continue
             yield directory
             if MANIFEST not in names:

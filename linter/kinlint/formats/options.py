@@ -99,7 +99,7 @@ def _packages_of(settings: Settings) -> Callable[[str], Packages]:
         own = settings.for_file(name)
         key = own.packages, own.workspace
         if key not in known:
-            known[key] = Packages(dict(own.packages), own.workspace)
+            known[key] = Packages(dict(own.packages), own.workspace, linted=settings.linted)
         return known[key]
 
     return packages

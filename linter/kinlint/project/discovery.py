@@ -13,16 +13,23 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from kinlint.errors import SourceError
+from kinlint.files.environment import listing
+from kinlint.files.gitignore import GitIgnore
 from kinlint.files.globbing import ANY_DEPTH, matches
+from kinlint.files.packages import CATKIN, IGNORED
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
 from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED
 from kinlint.light_dataclasses import dataclass, field
 
-SKIPPED = (".*", "node_modules", "__pycache__", "site-packages", "venv", "build", "dist")
+SKIPPED = (
+    *(".*", "node_modules", "__pycache__", "site-packages", "venv"),
+    *("build", "dist", "install", "log"),
+)
 """Names of directories that hold no models; the default of `exclude`."""
-ENVIRONMENT = "pyvenv.cfg"
-"""File that marks a directory as a virtual environment of Python."""
+MARKERS = frozenset({"pyvenv.cfg", CATKIN, *IGNORED})
+"""Files that mark a directory as no part of a project: a virtual environment of Python, a space
+that catkin builds in, or what build tools of ROS ignore."""
 HEAD = 1 << 16
 TURTLE = BY_NAME["turtle"].suffixes[0]
 KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
@@ -60,6 +67,8 @@ class Found:
     """Names of files that are read for what they state about others; their findings are not
     reported.
     """
+    directories: list[Path] = field(default_factory=list)
+    """Directories that were named, and searched."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +81,8 @@ class Search:
     """True if these patterns hold for named files, too."""
     stdin: str = "<stdin>"
     """The name of `-`."""
+    gitignored: Callable[[Path], bool] = field(default=lambda _: True)
+    """Function that tells whether what git ignores in a directory is passed over."""
 
     def find(self, paths: Sequence[str]) -> Found:
         """The inputs that *paths* stand for, each file once, in their order."""
@@ -112,7 +123,13 @@ class Search:
             found.errors.append(SourceError(printable(given), missing(path)))
 
     def _glob(self, pattern: str, found: Found) -> Iterator[Input]:
-        paths = matches(pattern, self._passed_over, _teller(pattern, found.errors))
+        ignore = GitIgnore(Path.cwd(), Path.cwd())
+
+        def skip(path: Path) -> bool:
+            marked = not MARKERS.isdisjoint(listing(path))
+            return marked or self._passed_over(path, ignore, directory=path.is_dir())
+
+        paths = matches(pattern, skip, _teller(pattern, found.errors))
         if not paths:
             found.errors.append(SourceError(printable(pattern), "no file matches"))
         for path in paths:
@@ -125,22 +142,32 @@ class Search:
         """Models below *top*, by name. Links to directories are not followed."""
         if self._forced_out(top):
             return
+        found.directories.append(top)
+        ignore = GitIgnore(top, Path.cwd() if top.is_relative_to(Path.cwd()) else top)
         for here, folders, files in os.walk(top, onerror=_teller(str(top), found.errors)):
             base = Path(here)
-            if ENVIRONMENT in files and base != top:
+            if base != top and not MARKERS.isdisjoint(files):
                 folders.clear()
                 continue
-            folders[:] = sorted(name for name in folders if not self._excluded(base / name))
+            folders[:] = sorted(
+                name
+                for name in folders
+                if not self._passed_over(base / name, ignore, directory=True)
+            )
             for name in sorted(files):
                 path = base / name
                 suffix = path.suffix.lower()
-                if suffix == TURTLE and not self._excluded(path):
+                if suffix not in (TURTLE, *SEARCHED) or self._passed_over(path, ignore):
+                    continue
+                if suffix == TURTLE:
                     found.turtle.append(path)
-                elif suffix in SEARCHED and not self._excluded(path):
+                else:
                     yield from self._candidate(path, found.errors)
 
-    def _passed_over(self, path: Path) -> bool:
-        return self._excluded(path) or (path / ENVIRONMENT).is_file()
+    def _passed_over(self, path: Path, ignore: GitIgnore, *, directory: bool = False) -> bool:
+        if self._excluded(path):
+            return True
+        return self.gitignored(path.parent) and ignore.ignores(path, directory=directory)
 
     def _excluded(self, path: Path) -> bool:
         return any(pattern.matches(path) for pattern in self.excluding(path.parent))

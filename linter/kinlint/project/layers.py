@@ -61,6 +61,10 @@ class Layers:
         exclude = self._skipped if config.exclude is None else config.exclude
         return (*exclude, *config.extend_exclude)
 
+    def respects_gitignore(self, directory: Path) -> bool:
+        """Tell whether what git ignores in *directory* is passed over."""
+        return self.config_for(directory).respect_gitignore is not False
+
     @cached_property
     def _skipped(self) -> tuple[Glob, ...]:
         return tuple(Glob(self.here, name) for name in SKIPPED)
@@ -79,10 +83,13 @@ class Layers:
         found = {id(config): config for config in map(self._home, inputs)}
         return [config for config in found.values() if config.untrusted]
 
-    def settings(self, inputs: Sequence[Input], **given: Any) -> Settings:
+    def settings(
+        self, inputs: Sequence[Input], directories: Iterable[Path] = (), **given: Any
+    ) -> Settings:
         """The settings of a run over *inputs*; *given* are those that only options decide.
 
-        Raises `ConfigError` if files differ in what concerns the whole graph.
+        *directories* are those that were searched for *inputs*. Raises `ConfigError` if files
+        differ in what concerns the whole graph.
         """
         project = self.project_config(inputs)
         wide = self._wide(project, inputs)
@@ -98,6 +105,7 @@ class Layers:
             **wide,
             unsafe_fixes=project.unsafe_fixes,
             file_timeout=project.file_timeout or None,
+            linted=tuple(dict.fromkeys((*directories, *_unless_home(self.here)))),
             default=_file(project, self.here),
             files={
                 one.name: _file(self.config_for(governing_directory(one)), _path(one))
@@ -130,6 +138,12 @@ class Layers:
 
     def _home(self, one: Input) -> Config:
         return self.config_for(governing_directory(one))
+
+
+def _unless_home(directory: Path) -> tuple[Path, ...]:
+    """Return *directory*, unless it holds the home directory: all of that is no workspace."""
+    home = absolute(os.path.expanduser("~"))  # noqa: PTH111  never fails
+    return () if home.is_relative_to(directory) else (directory,)
 
 
 def governing_directory(one: Input) -> Path:

@@ -66,7 +66,9 @@ class WorkspaceFolder:
         self._turtle: list[Input] = []
         self._parts = TurtleParts()
         if not loose:
-            found = Search(self._layers.exclusions).find([str(directory)])
+            layers = self._layers
+            search = Search(layers.exclusions, gitignored=layers.respects_gitignore)
+            found = search.find([str(directory)])
             self._found = [
                 one for one in found.inputs if one.path and self._own(one.path, snapshot)
             ]

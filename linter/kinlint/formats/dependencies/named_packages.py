@@ -1,0 +1,31 @@
+"""Names of the ROS packages that texts refer to, and where these packages are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+from kinlint.files.packages import PackageLocation, Packages
+from kinlint.files.pathglob import absolute
+from kinlint.text import SourceText
+
+_NAMED = re.compile(r"package://([\w.-]+)/|\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
+def named_packages(
+    sources: Iterable[SourceText], packages_of: Callable[[str], Packages]
+) -> dict[tuple[str, PackageLocation | None], list[str]]:
+    """Return the packages that *sources* name, where each is, and the files that name it.
+
+    A package that is not found is there with None. *packages_of* returns the packages that a file,
+    by its name, can name.
+    """
+    found: dict[tuple[str, PackageLocation | None], list[str]] = {}
+    for source in sources:
+        text = _COMMENT.sub("", source.text)
+        names = {one or other for one, other in _NAMED.findall(text)}
+        for name in sorted(names):
+            place = packages_of(source.name).locate(name, absolute(source.name).parent)
+            found.setdefault((name, place), []).append(source.name)
+    return found
