@@ -1,4 +1,4 @@
-"""What git ignores: patterns of `.gitignore` and `.git/info/exclude` (gitignore(5))."""
+"""Ignored files of git: patterns of `.gitignore` and `.git/info/exclude` (gitignore(5))."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Rules(NamedTuple):
 
 @dataclass
 class GitIgnore:
-    """What is ignored in a walk from `top`, which itself is wanted even if git ignores it.
+    """Ignored files in a walk from `top`, which itself is wanted even if git ignores it.
 
     In a repository its files of patterns count, outside of one those at or below `outer`.
     """

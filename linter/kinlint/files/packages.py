@@ -52,7 +52,7 @@ class PackageLocation(NamedTuple):
     directory: Path
     """The directory."""
     origin: str
-    """Where it was found, in words that follow "found"."""
+    """Words on where it was found, which follow "found"."""
 
 
 @dataclass
