@@ -139,7 +139,7 @@ def test_far_places_of_a_group_are_named_and_not_drawn(find):
     found = find('"package"', ("arm", tuple(f"a/{number}" for number in range(40))))
     text = "".join(render(Report(tuple(found)), Style()))
 
-    assert "note: the same at 38 other places: arm.jsonld:" in text
+    assert "note: the same at 38 other places: line" in text
     assert " and 28 more" in text
     assert ":::" not in text
 

@@ -8,7 +8,7 @@ from kinlint import __version__
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.light_dataclasses import dataclass, field, replace
-from kinlint.rule import Repair, Rule
+from kinlint.rule import Repair, Rule, Severity
 from kinlint.structure import Structure
 
 STDIN_NAMES = frozenset({"", "-", "<stdin>"})
@@ -21,6 +21,8 @@ class Report:
 
     findings: tuple[Finding, ...] = ()
     """Findings by `Finding.sort_key`; suppressed ones only if they are to be shown."""
+    hidden: tuple[Finding, ...] = ()
+    """Findings of a severity that the output does not show (`--show`)."""
     suppressed: tuple[Finding, ...] = ()
     """Suppressed findings that are not shown."""
     files: tuple[str, ...] = ()
@@ -65,6 +67,12 @@ class Report:
         told = [each for one in self.findings for each in (one, *one.listed_consequences)]
         told += [each for error in self.errors for each in error.consequences]
         return replace(self, findings=tuple(sorted(told, key=lambda each: each.sort_key)))
+
+    def shown_from(self, least: Severity) -> Report:
+        """Return this report with the findings below *least* in `hidden`."""
+        kept = tuple(each for each in self.findings if each.severity >= least)
+        hidden = tuple(each for each in self.unsuppressed if each.severity < least)
+        return replace(self, findings=kept, hidden=hidden)
 
     @property
     def unsuppressed(self) -> tuple[Finding, ...]:

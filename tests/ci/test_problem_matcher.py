@@ -44,7 +44,7 @@ def lint(tmp_path, rules_cache, monkeypatch, capsys):
 @pytest.mark.parametrize("name", [name for name in NAMES if ":7:" not in name])
 def test_each_line_is_an_issue_at_its_place(lint, name):
     """Whatever brackets and colons a message has."""
-    lines, objects = lint({name: BAD}, "--info", "INE001", "--warning", "FRM007")
+    lines, objects = lint({name: BAD}, "--info", "INE001", "--show", "info")
     assert len(lines) == len(objects) == 2
     for line, one in zip(lines, objects, strict=True):
         severity = {"info": "notice"}.get(one["severity"], one["severity"])
@@ -88,5 +88,5 @@ def test_nothing_else_is_an_issue(lint):
     """Neither the summary nor a clean run."""
     lines, _ = lint({"arm.urdf": GOOD, "axis.urdf": AXIS}, "--select", "INE003")
     assert lines == []
-    for line in ("Found 2 errors in 1 file (1 file, 3 triples, 0.1 s).", "All checks passed!", ""):
+    for line in ("Found 2 errors in 1 of 3 files.", "All checks passed!", ""):
         assert matched(line) is None

@@ -308,4 +308,4 @@ def test_fixes_are_proven_of_what_is_new(kinlint, known, write, monkeypatch):
 
     assert (code, tried) == (1, ["b.urdf"])
     assert "Swap the two limits" in out
-    assert "1 fixable" in out
+    assert "1 can be fixed" in out

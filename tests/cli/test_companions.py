@@ -6,7 +6,7 @@ URDF = '<robot name="{robot}"><link name="base"/></robot>'
 SRDF = """<robot name="arm">
 <group name="arm"><link name="base"/><link name="tip"/></group>
 </robot>"""
-FLAGS = ("--select", "CMP", "--output-format", "concise", "-q")
+FLAGS = ("--select", "CMP", "--output-format", "concise", "--show", "info", "-q")
 DANGLING = "arm/config/arm.srdf:2:50: error: The robot has no link named 'tip'. [CMP001]\n"
 UNJOINED = "The URDF of robot 'arm' was not found"
 

@@ -45,7 +45,7 @@ def test_unsafe_fixes_are_not_made_unless_asked_for(kinlint, arm):
     code, out, _ = kinlint("arm.urdf", "--fix", "--select", "LIM001")
 
     assert (code, arm.read_bytes()) == (1, ARM.encode())
-    assert "1 fixable with `--fix --unsafe-fixes`" in out
+    assert "1 can be fixed with --fix --unsafe-fixes" in out
 
 
 def test_exit_codes(kinlint, arm):

@@ -102,6 +102,29 @@ def test_statistics(kinlint, pipeline, write):
     assert "UNI002" in err
 
 
+def test_infos_are_counted_and_not_shown_to_people(kinlint, pipeline, write, here):
+    """Unless they are asked for, or decide the exit code; machines get everything."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002", "LIM009"]
+
+    for form in ("full", "concise", "grouped"):
+        code, out, _ = kinlint("arm.jsonld", "--output-format", form)
+        assert (code, "UNI002" in out, "LIM009" in out) == (1, True, False)
+        assert out.endswith("Found 1 error in 1 file; 1 info not shown (--show info).\n")
+        for option in ("--show=info", "--show=note", "--fail-on=info", '--config=show="info"'):
+            out = kinlint("arm.jsonld", "--output-format", form, option)[1]
+            assert "LIM009" in out, option
+    machine = kinlint("arm.jsonld", "--output-format", "json", "--show", "error")
+    assert [one["code"] for one in json.loads(machine[1])] == ["UNI002", "LIM009"]
+    copies = ("--concise-output", "c.txt", "--json-output", "c.json", "--statistics")
+    assert "LIM009" in kinlint("arm.jsonld", *copies)[1]
+    assert "LIM009" not in (here / "c.txt").read_text("utf-8")
+    assert "LIM009" in (here / "c.json").read_text("utf-8")
+    pipeline.found = ["UNI001", "LIM009"]
+    alone = kinlint("arm.jsonld", "--show", "error")
+    assert alone == (1, "No errors in 1 file; 1 warning and 1 info not shown (--show info).\n", "")
+
+
 def test_quiet_and_silent(kinlint, pipeline, write):
     """Findings without a summary, and nothing at all."""
     write("arm.jsonld")

@@ -25,13 +25,13 @@ def cell(tmp_path):
 
 
 def run(capfd, *arguments):
-    code = main(["--output-format", "concise", "-q", "--select", "SRC,ID", *arguments])
+    code = main(["--output-format", "concise", "--show", "info", "-q", "--select", "SRC,ID", *arguments])
     out, err = capfd.readouterr()
     return code, [line.split(" ")[0] for line in out.splitlines()], err
 
 
 def codes(capfd, *arguments):
-    main(["--output-format", "concise", "-q", "--select", "SRC,ID", *arguments])
+    main(["--output-format", "concise", "--show", "info", "-q", "--select", "SRC,ID", *arguments])
     return {line[-7:-1] for line in capfd.readouterr().out.splitlines()}
 
 
@@ -63,13 +63,13 @@ def test_configuration(cell, capfd):
         "other = true\n"
         '"*.urdf.xacro" = { prefix = "other_" }\n'
     )
-    main(["--output-format", "concise", "-q", "--select", "ID", "arm.xacro"])
+    main(["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.xacro"])
     assert "1base" in capfd.readouterr().out
     (cell / "arm.urdf.xacro").write_text(ARM)
-    main(["--output-format", "concise", "-q", "--select", "ID", "arm.urdf.xacro"])
+    main(["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.urdf.xacro"])
     assert "other_base" in capfd.readouterr().out
     told = ["--xacro-arg", "prefix:=x_"]
-    main(["--output-format", "concise", "-q", "--select", "ID", "arm.xacro", *told])
+    main(["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.xacro", *told])
     assert "x_base" in capfd.readouterr().out
     main(["--show-settings", "arm.xacro"])
     shown = capfd.readouterr().out

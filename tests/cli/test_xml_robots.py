@@ -93,7 +93,7 @@ def test_standard_input_is_recognised_by_content(kinlint, monkeypatch):
         code, out, _ = kinlint("-", *more, "--select", "LIM001", "--output-format", "concise")
 
         assert code == 1
-        assert out.startswith(f"{name}:8:19: error: <limit> of joint 'elbow': lower limit 3")
+        assert out.startswith(f"{name}:8:19: error: [*!] <limit> of joint 'elbow': lower limit 3")
 
 
 def test_columns_count_characters(kinlint, write):

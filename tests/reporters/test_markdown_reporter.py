@@ -27,7 +27,7 @@ GFM = MarkdownIt("commonmark").enable("table").enable("strikethrough")
 def test_there_is_a_table_by_rule_and_each_finding_at_its_place() -> None:
     text = "".join(markdown.render(replace(BOTH, seconds=1.5), PLAIN))
     assert text == (
-        "## kinlint\n\nFound 1 error and 1 warning in 1 file (1 file, 1,204 triples).\n"
+        "## kinlint\n\nFound 2 findings (1 error, 1 warning) in 1 file.\n"
         "\n"
         "| Rule | What | Severity | Count |\n"
         "| --- | --- | --- | --: |\n"

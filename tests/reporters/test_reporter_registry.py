@@ -27,8 +27,8 @@ def test_only_formats_for_people_end_in_a_summary(name: str) -> None:
     text = written(BOTH, name)
     machine = reporter_registry.FORMATS[name].machine
     itself = name in {"markdown", "html"}  # documents that say it anyway
-    assert ("Found 1 error" in text) is (itself or not machine)
-    assert ("Found 1 error" in written(BOTH, name, summarise=False)) is itself
+    assert ("Found 2 findings" in text) is (itself or not machine)
+    assert ("Found 2 findings" in written(BOTH, name, summarise=False)) is itself
     assert machine is (name not in {"full", "concise", "grouped"})
 
 
@@ -55,7 +55,7 @@ def test_every_stream_takes_every_text(name: str, encoding: str) -> None:
 def test_the_summary_can_stand_alone() -> None:
     out = io.StringIO()
     reporter_registry.write_summary(replace(BOTH, seconds=None), out)
-    assert out.getvalue() == ("Found 1 error and 1 warning in 1 file (1 file, 1,204 triples).\n")
+    assert out.getvalue() == ("Found 2 findings (1 error, 1 warning) in 1 file.\n")
 
 
 def test_statistics_count_by_rule() -> None:

@@ -9,7 +9,7 @@ from kinlint.errors import SourceError
 from kinlint.finding import Fix
 from kinlint.report import Report
 from kinlint.reporters.applied_fixes import listing, verdict
-from kinlint.reporters.summary import hint, summary
+from kinlint.reporters.summary import summary
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
 
@@ -34,19 +34,38 @@ def test_findings_are_counted_by_severity_and_file() -> None:
         baseline=3,
     )
     assert said(made) == (
-        "Found 2 errors and 1 warning in 2 files (7 files, 1,204 triples, 0.4 s); "
-        "1 suppressed, 3 in the baseline.\n"
+        "Found 3 findings (2 errors, 1 warning) in 2 of 7 files; 1 suppressed; 3 in the baseline.\n"
+    )
+    assert "in 2 of 7 files (7 files, 1,204 triples, 0.4 s);" in said(made, verbose=True)
+
+
+def test_hidden_findings_are_counted_with_the_option_that_shows_them() -> None:
+    info = replace(WARNING, severity=Severity.INFO, fixes=(SAFE,))
+    made = report(ERROR, WARNING, info, info, files=("a", "b"))
+    assert said(made.shown_from(Severity.WARNING)) == (
+        "Found 2 findings (1 error, 1 warning) in 1 of 2 files; 2 can be fixed with --fix [*]; "
+        "2 infos not shown (--show info).\n"
+    )
+    assert said(made.shown_from(Severity.ERROR)).endswith(
+        "; 1 warning and 2 infos not shown (--show info).\n"
+    )
+    assert said(report(WARNING).shown_from(Severity.ERROR)) == (
+        "No errors in 1 file; 1 warning not shown (--show warning).\n"
+    )
+    assert said(report(info).shown_from(Severity.WARNING)).startswith("No errors or warnings in 1 ")
+    assert said(report(info, fixed=(ERROR,)).shown_from(Severity.WARNING)).startswith(
+        "Found 2 findings (1 error, 1 info): 1 fixed, 1 remaining; 1 can be fixed with --fix [*]; 1"
     )
 
 
 def test_three_severities_make_a_list() -> None:
     info = replace(WARNING, severity=Severity.INFO)
     made = report(ERROR, WARNING, info, triples=1)
-    assert said(made) == "Found 1 error, 1 warning and 1 info in 1 file (1 file, 1 triple).\n"
+    assert said(made) == "Found 3 findings (1 error, 1 warning, 1 info) in 1 file.\n"
 
 
 def test_little_time_is_told_more_exactly() -> None:
-    assert "0.02 s)" in said(replace(BOTH, seconds=0.021))
+    assert "0.02 s)" in said(replace(BOTH, seconds=0.021), verbose=True)
 
 
 def test_a_clean_run_says_so_and_how_much_was_checked_if_asked() -> None:
@@ -60,7 +79,7 @@ def test_a_clean_run_says_so_and_how_much_was_checked_if_asked() -> None:
 def test_what_is_shown_though_suppressed_is_no_finding() -> None:
     silent = replace(WARNING, suppressed="known")
     assert said(report(silent)) == "All checks passed! 1 suppressed.\n"
-    assert said(report(ERROR, silent)).endswith("; 1 suppressed.\n")
+    assert said(report(ERROR, silent)).endswith("in 1 file; 1 suppressed.\n")
 
 
 @pytest.mark.parametrize(
@@ -90,21 +109,21 @@ def test_a_run_without_findings_never_passes_silently(made: Report, expected: st
 @pytest.mark.parametrize(
     ("fixes", "unsafe", "expected"),
     [
-        ([], None, ""),
-        ([SAFE], None, "[*] 1 fixable with `--fix`.\n"),
+        ([], None, "!"),
+        ([SAFE], None, "; 1 can be fixed with --fix [*]; "),
         (
             [SAFE, UNSAFE, UNSAFE],
             None,
-            "[*] 1 fixable with `--fix` ([*!] 2 more with `--fix --unsafe-fixes`).\n",
+            "; 1 can be fixed with --fix [*], 2 more with --fix --unsafe-fixes [*!]; ",
         ),
-        ([UNSAFE], None, "[*!] 1 fixable with `--fix --unsafe-fixes`.\n"),
-        ([SAFE, UNSAFE], True, "[*] 2 fixable with `--fix`.\n"),
-        ([SAFE, UNSAFE], False, "[*] 1 fixable with `--fix`.\n"),
-        ([UNSAFE], False, ""),
-        ([DISPLAY], None, ""),
+        ([UNSAFE], None, "; 1 can be fixed with --fix --unsafe-fixes [*!]; "),
+        ([SAFE, UNSAFE], True, "; 2 can be fixed with --fix [*]; "),
+        ([SAFE, UNSAFE], False, "; 1 can be fixed with --fix [*]; "),
+        ([UNSAFE], False, "1 file; "),
+        ([DISPLAY], None, "1 file; "),
     ],
 )
-def test_the_last_line_tells_what_can_be_fixed(
+def test_the_line_tells_what_can_be_fixed(
     fixes: list[Fix],
     unsafe: bool | None,  # noqa: FBT001
     expected: str,
@@ -113,8 +132,7 @@ def test_the_last_line_tells_what_can_be_fixed(
     findings = [replace(INERTIA_FINDING, fixes=(one,)) for one in fixes]
     silent = replace(INERTIA_FINDING, fixes=(SAFE,), suppressed="known")
     made = report(*findings, silent, unsafe=unsafe)
-    assert "".join(hint(made)) == expected
-    assert said(made).endswith(expected)
+    assert said(made).endswith(f"{expected}1 suppressed.\n".replace("!1", "! 1"))
 
 
 MENDED = report(
@@ -129,9 +147,9 @@ MENDED = report(
 
 
 def test_a_run_that_fixes_tells_what_it_fixed_and_what_is_left() -> None:
-    assert said(MENDED) == "Found 3 errors and 2 warnings (4 fixed, 1 remaining).\n"
+    assert said(MENDED) == "Found 5 findings (3 errors, 2 warnings): 4 fixed, 1 remaining.\n"
     assert said(replace(MENDED, findings=())) == (
-        "Found 2 errors and 2 warnings (4 fixed, 0 remaining).\n"
+        "Found 4 findings (2 errors, 2 warnings): 4 fixed, 0 remaining.\n"
     )
 
 

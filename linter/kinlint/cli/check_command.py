@@ -71,7 +71,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     _tell(() if options.silent else map(untrusted_message, layers.untrusted(found.inputs)))
     project = layers.project_config(found.inputs)
     fail_on = project.fail_on or THRESHOLD
-    outputs = destinations(options, project)
+    outputs = destinations(options, project, fail_on)
     settings = replace(settings, drawn=outputs.shows_structure)
     if settled is not None:
         settled(settings)
@@ -85,7 +85,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         )
     Policies(settings, book.rules).check_selectors()
     if options.show_settings:
-        more = {"output-format": outputs.main, "fail-on": fail_on}
+        more = {"output-format": outputs.main, "show": outputs.show.label, "fail-on": fail_on}
         more |= {"baseline": shown(Path(known[0]))} if known else {}
         return _show_settings(settings, more, found, book)
     if options.verbose:

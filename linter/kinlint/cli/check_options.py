@@ -176,6 +176,12 @@ def _output(made: Parser) -> None:
         help="show which symptoms of the anti-patterns come with the format of each file, and stop",
     )
     add(
+        "--show",
+        type=one_of(SEVERITIES, ALIASES),
+        metavar="|".join(SEVERITIES),
+        help="least severity that full, concise and grouped show (default: warning)",
+    )
+    add(
         "--fail-on",
         type=one_of(THRESHOLDS, ALIASES),
         metavar="|".join(THRESHOLDS),

@@ -48,6 +48,7 @@ def overrides(options: Namespace) -> Config:
             target=None if options.target is None else tuple(options.target),
             unsafe_fixes=options.unsafe_fixes,
             fail_on=options.fail_on,
+            show=options.show,
             contexts=options.contexts,
             partial=options.partial,
             file_timeout=options.file_timeout,

@@ -12,12 +12,16 @@ from kinlint.configuration.config_file import Config
 from kinlint.configuration.keys import OUTPUT_FORMATS
 from kinlint.configuration.value_kinds import unknown_message
 from kinlint.errors import UsageError
+from kinlint.rule import Severity
 
 STDOUT = "-"
 
 
-def destinations(options: Namespace, project: Config) -> Outputs:
-    """Return the outputs that options ask for, else the environment, else *project*."""
+def destinations(options: Namespace, project: Config, fail_on: str) -> Outputs:
+    """Return the outputs that options ask for, else the environment, else *project*.
+
+    Those for people show infos only on request, or where infos fail the run by *fail_on*.
+    """
     said = os.environ.get("KINLINT_OUTPUT_FORMAT")
     if said and (problem := unknown_message(said, OUTPUT_FORMATS)):
         raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")
@@ -26,6 +30,7 @@ def destinations(options: Namespace, project: Config) -> Outputs:
         main=options.output_format or said or project.output_format or "full",
         path=None if path == STDOUT else Path(path),
         copies=tuple(_copies(options)),
+        show=Severity[(project.show or ("info" if fail_on == "info" else "warning")).upper()],
         color=options.color,
         statistics=options.statistics,
         quiet=options.quiet,

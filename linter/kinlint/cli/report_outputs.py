@@ -24,6 +24,7 @@ from kinlint.reporters.reporter_registry import (
     write_verdict,
 )
 from kinlint.reporters.terminal_style import Style, When, detect_style
+from kinlint.rule import Severity
 
 SUMMARY = "GITHUB_STEP_SUMMARY"
 """The variable that names the file in which GitHub expects the summary of a step."""
@@ -39,6 +40,8 @@ class Outputs:
     """The file of the main report; None for standard output."""
     copies: tuple[tuple[str, Path], ...] = ()
     """Further formats, each with its file."""
+    show: Severity = Severity.INFO
+    """Least severity of the findings that formats for people show."""
     color: When = "auto"
     """Choice of when reports are coloured."""
     statistics: bool = False
@@ -59,8 +62,10 @@ class Outputs:
     @property
     def tells_fixes(self) -> bool:
         """Tell whether any output contains fixes."""
-        told = any(FORMATS[name].fixes for name in self._written)
-        return told or (self.statistics and not self.silent)
+        formats = [FORMATS[name] for name in self._written]
+        summed = not (self.quiet or self.silent) and any(not each.machine for each in formats)
+        counted = summed or (self.statistics and not self.silent)
+        return counted or any(each.fixes for each in formats)
 
     @property
     def watched(self) -> bool:
@@ -84,9 +89,9 @@ class Outputs:
         for name, path in self.copies:
             try:
                 with replacing(path) as stream:
-                    write(told, name, stream, self._style(stream), summarise=False)
+                    self._write(told, name, stream)
                     if not FORMATS[name].machine:
-                        self._conclude(report, stream)
+                        self._conclude(report.shown_from(self.show), stream)
             except UsageError as error:
                 failures.append(error)
         if self.path is not None:
@@ -106,9 +111,14 @@ class Outputs:
         if self.statistics and not self._machine:
             write_statistics(told, stream, self._style(stream))
         else:
-            write(told, self.main, stream, self._style(stream), summarise=False)
+            self._write(told, self.main, stream)
         if not self._machine:
-            self._conclude(report, stream)
+            self._conclude(report if self.statistics else report.shown_from(self.show), stream)
+
+    def _write(self, report: Report, name: str, stream: TextIO) -> None:
+        """Write *report* in the format called *name*, without a summary."""
+        shown = report if FORMATS[name].machine else report.shown_from(self.show)
+        write(shown, name, stream, self._style(stream), summarise=False)
 
     def _aside(self, report: Report, told: Report, out: TextIO) -> None:
         """Write to standard error what standard output leaves out."""

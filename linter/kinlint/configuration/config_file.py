@@ -61,6 +61,7 @@ class Config:
     srdf: tuple[tuple[Glob, Path], ...] | None = None
     unsafe_fixes: bool | None = None
     fail_on: str | None = None
+    show: str | None = None
     output_format: str | None = None
     contexts: str | None = None
     extra_contexts: Mapping[str, Path] | None = None
@@ -124,6 +125,7 @@ def parse_config(
         srdf=_partners(said.get("srdf"), root),
         unsafe_fixes=said.get("unsafe-fixes"),
         fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
+        show=ALIASES.get(said.get("show", ""), said.get("show")),
         output_format=said.get("output-format"),
         contexts=said.get("contexts"),
         extra_contexts=_table(contexts, root) if isinstance(contexts, dict) else None,

@@ -193,6 +193,12 @@ KEYS: Mapping[str, Key] = {
         "The least severity that makes the exit code 1.",
         'fail-on = "error"',
     ),
+    "show": Key(
+        one_of(SEVERITIES),
+        '"warning", or "info" if fail-on is',
+        "The least severity that full, concise and grouped show; other formats report everything.",
+        'show = "info"',
+    ),
     "output-format": Key(
         one_of(OUTPUT_FORMATS), '"full"', "How findings are shown.", 'output-format = "concise"'
     ),

@@ -35,7 +35,7 @@ def listing(report: Report, style: Style, *, would: bool = False) -> Iterator[st
 
 def verdict(report: Report, *, would: bool = False) -> Iterator[str]:
     """Yield the number of fixes made, or that *would* be, in a run that reports nothing else."""
-    more = fixable(report.unsuppressed, unsafe=report.unsafe).with_care
+    more = fixable((*report.unsuppressed, *report.hidden), unsafe=report.unsafe).with_care
     what, word = (counts(report.fixed), "more") if report.fixed else ("nothing", "fixable")
     extra = f" ({more:,} {word} with `--unsafe-fixes`)" if more and report.unsafe is None else ""
     yield f"{_verb(would=would)} {what}{extra}.\n"

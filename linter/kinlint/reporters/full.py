@@ -65,7 +65,7 @@ def _block(
     for line in _because(finding.because, style):
         yield f"{lead if line.startswith('because') else margin + '  '} {line}\n"
     if others:
-        yield f"{lead} {_elsewhere(others, style)}\n"
+        yield f"{lead} {_elsewhere(finding.location.source.name, others, style)}\n"
     if finding.suppressed is not None:
         yield f"{lead} suppressed: {fold_lines(finding.suppressed, unicode=style.unicode)}\n"
     for line in FixPreview(style, gutter).block(finding):
@@ -132,8 +132,23 @@ def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
         yield f"{lead}and {more:,} more"
 
 
-def _elsewhere(others: Sequence[Location], style: Style) -> str:
-    places = ", ".join(_place(other, style) for other in others[:PLACES_SHOWN])
+def _elsewhere(name: str, others: Sequence[Location], style: Style) -> str:
+    """Return the lines of *others*; the file is named where it is not the one called *name*."""
+    files: dict[str, list[Location]] = {}
+    for other in others[:PLACES_SHOWN]:
+        files.setdefault(other.source.name, []).append(other)
+    places = [
+        _lines(each) if file == name else f"{printable(file, unicode=style.unicode)} {_lines(each)}"
+        for file, each in files.items()
+    ]
     rest = len(others) - PLACES_SHOWN
     more = f" and {rest:,} more" if rest > 0 else ""
-    return f"note: the same at {plural(len(others), 'other place')}: {places}{more}"
+    return f"note: the same at {plural(len(others), 'other place')}: {'; '.join(places)}{more}"
+
+
+def _lines(places: Sequence[Location]) -> str:
+    """Return `lines 69, 74`; the columns too where all are in one line."""
+    lines = list(dict.fromkeys(place.start.line for place in places))
+    if len(lines) == 1 < len(places):
+        return f"line {lines[0]}, columns {', '.join(str(each.start.column) for each in places)}"
+    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"

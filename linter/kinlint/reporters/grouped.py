@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from kinlint.report import Report
 from kinlint.reporters.display_width import fold_lines, printable
+from kinlint.reporters.fixability import sign as fix_sign
 from kinlint.reporters.terminal_style import INK_OF, Style
 
 
@@ -16,7 +17,8 @@ def render(report: Report, style: Style) -> Iterator[str]:
         kind = style.ink(finding.severity.label, INK_OF[finding.severity])
         aside = "" if finding.suppressed is None else " (suppressed)"
         code = style.link(finding.rule.code, finding.rule.iri)
-        text = f"{kind}: {fold_lines(finding.message, unicode=style.unicode)}{aside} [{code}]"
+        mark = f"{sign} " if (sign := fix_sign(finding, unsafe=report.unsafe)) else ""
+        text = f"{kind}: {mark}{fold_lines(finding.message, unicode=style.unicode)}{aside} [{code}]"
         line, column = finding.location.start
         groups.setdefault(finding.location.source.name, []).append((f"{line}:{column}", text))
     for error in report.errors:

@@ -23,7 +23,7 @@ class Format(NamedTuple):
     machine: bool = True
     """True if machines read it: the summary goes to standard error then."""
     fixes: bool = True
-    """True if it shows fixes, which are not computed otherwise."""
+    """True if it shows fixes; otherwise they are computed only where a summary counts them."""
     drawn: bool = False
     """True if it shows the structure of robots."""
     escape: str = log_commands.UNICODE

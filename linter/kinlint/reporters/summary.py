@@ -11,6 +11,7 @@ from kinlint.report import Report
 from kinlint.reporters.display_width import printable
 from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable
 from kinlint.reporters.terminal_style import Style
+from kinlint.rule import Severity
 
 _NOT_APPLIED = "0 rules applied: no known vocabulary"
 
@@ -28,39 +29,49 @@ def errors(report: Report, style: Style) -> Iterator[str]:
 
 
 def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[str]:
-    """A line for each file that no rule applied to, what was found in all, and what can be fixed.
+    """A line for each file that no rule applied to, and one for all that was found.
 
-    With *verbose* a clean run says what was checked, too.
+    With *verbose* it says how much was checked, too.
     """
     for name in report.unapplied:
         yield f"{printable(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
-    yield _verdict(report, style, verbose=verbose) + _asides(report) + "\n"
-    yield from hint(report)
+    asides = (*_fixability(report), *_asides(report))
+    yield _sentence(_verdict(report, style, verbose=verbose), asides)
 
 
 def verdict(report: Report) -> str:
     """Return the result of the run in one sentence that does not depend on its duration."""
     timeless = replace(report, seconds=None)
-    return _verdict(timeless, Style(), verbose=True) + _asides(report)
+    clean = not (report.unsuppressed or report.fixed)
+    return _sentence(_verdict(timeless, Style(), verbose=clean), [*_asides(report)]).rstrip()
 
 
-def hint(report: Report) -> Iterator[str]:
-    """Yield a line with the number of findings that `--fix` fixes; nothing if there are none."""
-    now, more = fixable(report.unsuppressed, unsafe=report.unsafe)
+def _sentence(verdict: str, asides: Sequence[str]) -> str:
+    """Return a line of *verdict* and *asides*; praise ends in a mark of its own."""
+    praised = verdict.endswith(("!", ")")) and "!" in verdict
+    told = "; ".join(asides)
+    if praised:
+        return f"{verdict} {told}.\n" if told else f"{verdict}\n"
+    return f"{verdict}; {told}.\n" if told else f"{verdict}.\n"
+
+
+def _fixability(report: Report) -> Iterator[str]:
+    """Yield the number of findings that `--fix` fixes; nothing if there are none."""
+    now, more = fixable((*report.unsuppressed, *report.hidden), unsafe=report.unsafe)
     if report.unsafe is False:
         more = 0
-    if now and more:
-        extra = f" ({WITH_CARE} {more:,} more with `--fix --unsafe-fixes`)"
-        yield f"{FIXABLE} {now:,} fixable with `--fix`{extra}.\n"
-    elif now:
-        yield f"{FIXABLE} {now:,} fixable with `--fix`.\n"
+    careful = f"with --fix --unsafe-fixes {WITH_CARE}"
+    if now:
+        extra = f", {more:,} more {careful}" if more else ""
+        yield f"{now:,} can be fixed with --fix {FIXABLE}{extra}"
     elif more:
-        yield f"{WITH_CARE} {more:,} fixable with `--fix --unsafe-fixes`.\n"
+        yield f"{more:,} can be fixed {careful}"
 
 
 def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
+    """Return the result without a full stop; with *verbose* also how much was read."""
     if report.unsuppressed or report.fixed:
-        return f"Found {_found(report)}"
+        return f"Found {_found(report)}" + (f" ({_extent(report)})" if verbose else "")
     if report.errors:
         unread = {error.name for error in report.errors}
         others = "; no findings in the others" if report.files else ""
@@ -70,10 +81,13 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
     if _idle(report):
         why = "no rule applies" if report.rules else "no rule is selected"
         return f"Nothing was checked: {why}"
+    extent = f"{_extent(report)}, {plural(report.applied, 'rule')} applied"
+    if report.hidden:
+        most = max(each.severity for each in report.hidden)
+        worse = " or ".join(f"{each.label}s" for each in reversed(Severity) if each > most)
+        return f"No {worse} in {plural(len(report.files), 'file')}" + f" ({extent})" * verbose
     praise = style.ink("All checks passed!", "note")
-    if not verbose:
-        return praise
-    return f"{praise} ({_extent(report)}, {plural(report.applied, 'rule')} applied)"
+    return f"{praise} ({extent})" if verbose else praise
 
 
 def _idle(report: Report) -> bool:
@@ -92,11 +106,22 @@ def counts(findings: Sequence[Finding]) -> str:
 
 
 def _found(report: Report) -> str:
+    """Return the number of findings by severity, and how many files have them."""
     if report.fixed:
-        left = f"{len(report.fixed):,} fixed, {len(report.unsuppressed):,} remaining"
-        return f"{counts((*report.fixed, *report.unsuppressed))} ({left})"
+        left = (*report.unsuppressed, *report.hidden)
+        numbers = f"{len(report.fixed):,} fixed, {len(left):,} remaining"
+        return f"{_total((*report.fixed, *left))}: {numbers}"
     names = {finding.location.source.name for finding in report.unsuppressed}
-    return f"{counts(report.unsuppressed)} in {plural(len(names), 'file')} ({_extent(report)})"
+    number, read = len(names), len(report.files)
+    where = f"{number:,} of {read:,} files" if number < read else plural(number, "file")
+    return f"{_total(report.unsuppressed)} in {where}"
+
+
+def _total(findings: Sequence[Finding]) -> str:
+    """Return the number of *findings*, by severity: `3 findings (2 errors, 1 warning)`."""
+    if len({each.severity for each in findings}) == 1:
+        return counts(findings)
+    return f"{plural(len(findings), 'finding')} ({counts(findings).replace(' and ', ', ')})"
 
 
 def _extent(report: Report) -> str:
@@ -106,17 +131,18 @@ def _extent(report: Report) -> str:
     return ", ".join(parts)
 
 
-def _asides(report: Report) -> str:
-    """Return the number of findings that are not shown, and the full stop before it."""
-    parts = []
-    if silenced := len(report.suppressed) + len(report.findings) - len(report.unsuppressed):
-        parts.append(f"{silenced:,} suppressed")
+def _asides(report: Report) -> Iterator[str]:
+    """Yield the numbers of findings that are not shown, and why."""
+    if report.hidden:
+        least = min(each.severity for each in report.hidden).label
+        yield f"{counts(report.hidden)} not shown (--show {least})"
+    if silenced := len(report.suppressed) + _suppressed_shown(report):
+        yield f"{silenced:,} suppressed"
     if report.baseline:
-        parts.append(f"{report.baseline:,} in the baseline")
+        yield f"{report.baseline:,} in the baseline"
     if report.elsewhere:
-        parts.append(f"{report.elsewhere:,} more in files that were not named")
-    passed = not (report.unsuppressed or report.errors or report.fixed) and report.files
-    clean = passed and not _idle(report)
-    if clean:
-        return f" {', '.join(parts)}." if parts else ""
-    return f"; {', '.join(parts)}." if parts else "."
+        yield f"{report.elsewhere:,} more in files that were not named"
+
+
+def _suppressed_shown(report: Report) -> int:
+    return len(report.findings) - len(report.unsuppressed)
