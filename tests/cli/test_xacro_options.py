@@ -25,7 +25,9 @@ def cell(tmp_path):
 
 
 def run(capfd, *arguments):
-    code = main(["--output-format", "concise", "--show", "info", "-q", "--select", "SRC,ID", *arguments])
+    code = main(
+        ["--output-format", "concise", "--show", "info", "-q", "--select", "SRC,ID", *arguments]
+    )
     out, err = capfd.readouterr()
     return code, [line.split(" ")[0] for line in out.splitlines()], err
 
@@ -69,7 +71,9 @@ def test_configuration(cell, capfd):
     main(["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.urdf.xacro"])
     assert "other_base" in capfd.readouterr().out
     told = ["--xacro-arg", "prefix:=x_"]
-    main(["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.xacro", *told])
+    main(
+        ["--output-format", "concise", "--show", "info", "-q", "--select", "ID", "arm.xacro", *told]
+    )
     assert "x_base" in capfd.readouterr().out
     main(["--show-settings", "arm.xacro"])
     shown = capfd.readouterr().out
