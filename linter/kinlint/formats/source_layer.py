@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
@@ -107,11 +107,16 @@ class SourceLayer:
 
 
 def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
-    """Return the namespaces of those of *nodes* that have IRIs, each where it comes first.
+    """Return the namespaces of *nodes*, each with the place of the first node in it."""
+    return {name: nodes[node].best for name, node in first_nodes(nodes).items()}
+
+
+def first_nodes(nodes: Iterable[Term]) -> dict[str, Term]:
+    """Return the namespaces of those of *nodes* that have IRIs, each with the first node in it.
 
     The sentinel base is no namespace of anybody.
     """
-    found: dict[str, Span] = {}
+    found: dict[str, Term] = {}
     last = " "
     for node in nodes:
         if node.startswith(last) and not _SEPARATOR.search(node, len(last)):
@@ -121,18 +126,23 @@ def namespaces(nodes: Mapping[Term, NodeSpans]) -> dict[str, Span]:
             namespace = name[: _namespace_end(name)]
             last = f"<{namespace}" if namespace[-1:] in ("#", "/") else " "
             if namespace not in found and namespace and not namespace.startswith(DOCUMENT_BASE):
-                found[namespace] = nodes[node].best
+                found[namespace] = node
     return found
 
 
 def terms(stated: Mapping[Triple, Span]) -> dict[Term, Span]:
     """Return the properties and classes in *stated*, each where it comes first."""
+    return {term: stated[triple] for term, triple in first_statements(stated).items()}
+
+
+def first_statements(stated: Iterable[Triple]) -> dict[Term, Triple]:
+    """Return the properties and classes in *stated*, each with the first statement about it."""
     first: dict[Term, Triple] = {}
     for triple in stated:
         term = triple[2] if triple[1] == RDF_TYPE else triple[1]
         if term not in first:
             first[term] = triple
-    return {term: stated[triple] for term, triple in first.items() if is_iri(term)}
+    return {term: triple for term, triple in first.items() if is_iri(term)}
 
 
 def _namespace_end(name: str) -> int:

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import chain, repeat
 
 from kinlint.document import NodeSpans
-from kinlint.formats.jsonld.compiled.compiled_graph import Group
+from kinlint.formats.jsonld.compiled.element_compiler import Group
 from kinlint.formats.source_layer import DESCRIBED, SourceLayer
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.text import Span

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from kinlint.document import Document
+from kinlint.formats.json_text.json_outline import NotOutlined, outline
 from kinlint.formats.json_text.json_parser import ArrayElement, parse
-from kinlint.formats.json_text.json_values import Object
+from kinlint.formats.json_text.json_values import Object, ParsedJson
 from kinlint.formats.jsonld.active_context import FAULTS
 from kinlint.formats.jsonld.incremental.alignment import align, difference
 from kinlint.formats.jsonld.incremental.document_assembly import Assembly, assemble
 from kinlint.formats.jsonld.incremental.part import Arrangement, Part
 from kinlint.formats.jsonld.incremental.part_expander import Indivisible
 from kinlint.formats.jsonld.incremental.part_statements import PartStatements
+from kinlint.formats.jsonld.missing_context import CONTEXT
 from kinlint.formats.jsonld.reader import undisturbed
 from kinlint.formats.options import ReadOptions
 from kinlint.light_dataclasses import dataclass, replace
@@ -71,7 +73,7 @@ def read_divided(source: SourceText, options: ReadOptions) -> Reading:
     JSON.
     """
     with undisturbed():
-        parsed = parse(source)
+        parsed = _parsed(source)
         if not isinstance(parsed.value, Object):
             raise Indivisible
         if isinstance(parsed.value.get("@context"), (int, float)):
@@ -84,6 +86,16 @@ def read_divided(source: SourceText, options: ReadOptions) -> Reading:
         unmoved = Arrangement(stating.parts, [0] * len(stating.parts))
         division = Division(stating, unmoved, hull, stating.place.end)
         return Reading(options, division, division.assembled(source))
+
+
+def _parsed(source: SourceText) -> ParsedJson:
+    """Return *source*, its elements without the places in them unless all have to be known."""
+    try:
+        outlined = outline(source)
+    except NotOutlined:
+        return parse(source)
+    found = isinstance(outlined.value, Object) and CONTEXT in outlined.value
+    return outlined if found else parse(source)
 
 
 def reread(

@@ -217,9 +217,9 @@ def _first(found: Iterable[Mapping[str, Span]], shifts: Sequence[int]) -> dict[s
     first: dict[str, Span] = {}
     for places, by in zip(found, shifts, strict=True):
         if not places.keys() <= first.keys():
-            for name, span in places.items():
+            for name in places:
                 if name not in first:
-                    first[name] = shifted(span, by)
+                    first[name] = shifted(places[name], by)
     return first
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TypeAlias
+from typing import Generic, TypeAlias, TypeVar
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
@@ -26,6 +26,17 @@ class DeferredBlankNodes(BlankNodes):
         super().__init__("")
         self.order: list[tuple[Term, str | None]] = []
         self._named: dict[str, Term] = {}
+
+    def rewind(self, count: int) -> None:
+        """Forget the nodes after the first *count*, none of which has a name in the text."""
+        super().rewind(count)
+        del self.order[count:]
+
+    def since(self, count: int) -> BlankNodes:
+        """Return labels that are those given after the first *count*, once more."""
+        again = BlankNodes("")
+        again.rewind(count)
+        return again
 
     def fresh(self) -> Term:
         """Return a blank node without a name in the text."""
@@ -104,6 +115,32 @@ class PartNotes:
 
 NOTHING = PartNotes()
 
+K = TypeVar("K")
+N = TypeVar("N")
+P = TypeVar("P")
+
+
+class LazyPlaces(Mapping[K, P], Generic[K, N, P]):
+    """Places of things that are called by *names* where *place* looks them up, one at a time."""
+
+    __slots__ = ("_names", "_place")
+
+    def __init__(self, names: Mapping[K, N], place: Callable[[N], P]) -> None:
+        self._names = names
+        self._place = place
+
+    def __getitem__(self, key: K) -> P:
+        return self._place(self._names[key])
+
+    def __contains__(self, key: object) -> bool:
+        return key in self._names
+
+    def __iter__(self) -> Iterator[K]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
@@ -125,10 +162,14 @@ class Part:
     def renamed(self, names: Names) -> Part:
         """Return the same with the blank nodes called by their final *names*."""
         get = names.get
+        triples = {
+            (get(each[0], each[0]), each[1], get(each[2], each[2])): each for each in self.spans
+        }
+        nodes = {get(node, node): node for node in self.nodes}
         return replace(
             self,
-            spans={(get(s, s), p, get(o, o)): span for (s, p, o), span in self.spans.items()},
-            nodes={get(node, node): spans for node, spans in self.nodes.items()},
+            spans=LazyPlaces(triples, self.spans.__getitem__),
+            nodes=LazyPlaces(nodes, self.nodes.__getitem__),
             described=tuple((get(s, s), p, o) for s, p, o in self.described),
             notes=self.notes.renamed(names),
         )

@@ -30,7 +30,7 @@ class DividedProcessor(Processor):
         memory: ContextCache,
         base: str,
         local: LocalContexts,
-        take: Callable[[Array], None],
+        take: Callable[[Array, Context, str], None],
     ) -> None:
         super().__init__(memory, base, local)
         self._take = take
@@ -79,5 +79,5 @@ class DividedProcessor(Processor):
             raise Indivisible
         self._there, self.around = there, self.trail[-1]
         self.place = element.span
-        self._take(element)
+        self._take(element, active_ctx, active_property)
         return ExpandedArray(element.span)

@@ -7,10 +7,19 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from kinlint.addresses import document_iri
+from kinlint.formats.json_text.json_outline import Unplaced
 from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
+from kinlint.formats.jsonld.active_context import Context
+from kinlint.formats.jsonld.compiled.element_compiler import ElementCompiler
 from kinlint.formats.jsonld.context_cache import ContextCache
 from kinlint.formats.jsonld.expansion_record import ExpansionRecord
-from kinlint.formats.jsonld.incremental.part import NOTHING, DeferredBlankNodes, Part, PartNotes
+from kinlint.formats.jsonld.incremental.part import (
+    NOTHING,
+    DeferredBlankNodes,
+    LazyPlaces,
+    Part,
+    PartNotes,
+)
 from kinlint.formats.jsonld.incremental.part_expander import DividedProcessor, Indivisible
 from kinlint.formats.jsonld.local_contexts import LocalContexts
 from kinlint.formats.jsonld.loss_report import LossReport
@@ -20,7 +29,7 @@ from kinlint.formats.jsonld.release_comparison import LOOKED_UP, ReleaseComparis
 from kinlint.formats.jsonld.traced_values import Expanded, Origin
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.source_layer import DESCRIBED, namespaces, terms
+from kinlint.formats.source_layer import DESCRIBED, first_nodes, first_statements, namespaces, terms
 from kinlint.text import SourceText, Span
 
 
@@ -140,11 +149,8 @@ class PartStatements:
 
         Raises Indivisible if it is entangled with others, and what expansion raises.
         """
-        self._count += 1
-        processor, known = self._processor, self._known
-        record = ExpansionRecord(shadows=dict(known.shadows), uses=dict(known.uses))
-        processor.record, processor.repeated = record, {}
-        nodes = processor.expand(element)
+        known, record = self._known, self._begun()
+        nodes = self._processor.expand(element)
         part = self._part(element.span, nodes, repeats, known.uses)
         if record.shadows != known.shadows or record.problems or record.prefixes:
             raise Indivisible
@@ -154,14 +160,55 @@ class PartStatements:
             raise Indivisible
         return part
 
-    def _take(self, elements: Array) -> None:
+    def _begun(self) -> ExpansionRecord:
+        """Begin another part, and return the record of what is noted in it."""
+        self._count += 1
+        processor, known = self._processor, self._known
+        record = ExpansionRecord(shadows=dict(known.shadows), uses=dict(known.uses))
+        processor.record, processor.repeated = record, {}
+        return record
+
+    def _unplaced(
+        self, element: Unplaced, compiler: ElementCompiler, outer: Context, key: str
+    ) -> Part:
+        """Read *element* under *key* of the object with the context *outer*, by PyLD if need be."""
+        self._begun()
+        blanks, watch = DeferredBlankNodes(), LossObserver()
+        group = compiler.state(element, outer, key, blanks, watch)
+        if group is None:
+            placed, repeats = element.placed()
+            return self.part(placed, repeats)
+        count = blanks.count
+        triples = {triple: triple for triple in group.triples}
+        nodes = {node: node for node in group.described}
+        losing = watch.losses or watch.within or self._processor.record.unprefixed
+        noticed = PartObservations(
+            self._processor.record, self._known.uses, watch, Triples(blanks), blanks, (), {}
+        )
+        return Part(
+            element.span,
+            LazyPlaces(triples, lambda triple: group.spans[triple]),
+            LazyPlaces(nodes, lambda node: group.nodes[node]),
+            tuple((node, DESCRIBED, self._graph) for node in nodes),
+            LazyPlaces(first_statements(triples), lambda triple: group.spans[triple]),
+            LazyPlaces(first_nodes(nodes), lambda node: group.nodes[node].best),
+            tuple(blanks.order),
+            (count, count, count),
+            noticed.notes(self._compared)[0] if losing else NOTHING,
+        )
+
+    def _take(self, elements: Array, outer: Context, key: str) -> None:
         processor, hull = self._processor, self._hull
         repeated = processor.repeated
         self._known = ExpansionRecord(shadows=dict(hull.shadows), uses=dict(hull.uses))
+        compiler = ElementCompiler(processor)
         for index, element in enumerate(elements):
-            if not isinstance(element, Object):
+            if isinstance(element, Unplaced):
+                self.parts.append(self._unplaced(element, compiler, outer, key))
+            elif isinstance(element, Object):
+                self.parts.append(self.part(element, self._repeated(element)))
+            else:
                 raise Indivisible
-            self.parts.append(self.part(element, self._repeated(element)))
             # A large text is in memory but once.
             elements[index] = None
         processor.record, processor.repeated = hull, repeated
