@@ -242,7 +242,7 @@ def test_what_drake_refuses_of_sdf_is_an_error_for_it(change: str, tmp_path: Pat
     assert has_error(path, "drake") == refuses("drake", path)
 
 
-@pytest.mark.parametrize("change", ["nothing", "a plate"])
+@pytest.mark.parametrize("change", ["nothing", "a plate", "moments of 1e-14"])
 def test_what_a_consumer_takes_is_no_error_for_it(
     change: str, consumer: str, tmp_path: Path
 ) -> None:

@@ -15,7 +15,7 @@ from kinlint.facts.dependency_cycles import dependency_cycles
 from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.loop_closure import cycles
-from kinlint.facts.mass_distribution import com_outside, proportions
+from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, proportions
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias
 from kinlint.facts.missing_contexts import missing_contexts
@@ -157,6 +157,13 @@ KINDS = (
         lambda own: com_outside(own.assemblies, own.geometries, own.placements),
         ("assemblies", "geometries", "placements"),
         ("remote-error",),
+    ),
+    FactKind(
+        "mass_distribution",
+        {"beyond-joints": (*inputs.MASSES, *inputs.PLACED, *inputs.SHAPES)},
+        lambda own: com_far_from_joints(own.assemblies, own.geometries, own.placements),
+        ("assemblies", "geometries", "placements"),
+        ("widest",),
     ),
     FactKind(
         "parallel_axis",

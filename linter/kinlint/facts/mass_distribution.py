@@ -8,10 +8,11 @@ from collections.abc import Iterator
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.body_shapes import UNKNOWN, BodyShapes
 from kinlint.facts.fact_statements import numbers
-from kinlint.facts.frame_placement import Placements
+from kinlint.facts.frame_placement import PARENT_BODY, Placements
 from kinlint.facts.inertia import Inertias
-from kinlint.facts.linear_algebra import IDENTITY
-from kinlint.terms import Triple
+from kinlint.facts.linear_algebra import IDENTITY, ZERO, Vector, length, subtract
+from kinlint.facts.mechanism import model_of
+from kinlint.terms import Term, Triple
 
 
 def com_outside(
@@ -30,6 +31,30 @@ def com_outside(
         if error is None:
             yield from numbers(body, [("astray", gap)])
         yield from numbers(body, [("remote", gap), ("remote-error", error or 0.0)])
+
+
+def com_far_from_joints(
+    assemblies: Assemblies, geometries: BodyShapes, placements: Placements
+) -> Iterator[Triple]:
+    """Yield how far, in m, the centre of mass of each body without shapes is from its joints.
+
+    `beyond-joints` is the distance to the nearest of them and of the body's own frame, and
+    `widest` that of the joint of the same model that is farthest from the frame of its own body.
+    """
+    anchors: dict[Term, list[Vector]] = {}
+    widest: dict[str, float] = {}
+    carriers = placements.scan.single(PARENT_BODY)
+    for joint, point in placements.origins.items():
+        anchors.setdefault(carriers[joint], []).append(point)
+        model = model_of(joint)
+        widest[model] = max(widest.get(model, 0.0), length(point))
+    for body, centre in sorted(placements.centres.items()):
+        reach = widest.get(model_of(body), 0.0)
+        shaped = body in geometries.references
+        if shaped or reach == 0.0 or assemblies.masses.get(body, 0.0) <= 0.0:
+            continue
+        gap = min(length(subtract(centre, each)) for each in (ZERO, *anchors.get(body, ())))
+        yield from numbers(body, [("beyond-joints", gap), ("widest", reach)])
 
 
 def proportions(

@@ -36,6 +36,8 @@ def decode(name: str, data: bytes) -> SourceText:
             raise SourceError(name, f"the file is {named}; kinlint reads UTF-8", 1, 1)
     marked = data.startswith(codecs.BOM_UTF8)
     content = data[len(codecs.BOM_UTF8) :] if marked else data
+    if marked and content.startswith(codecs.BOM_UTF8):
+        raise SourceError(name, "the file begins with two byte order marks", 1, 1)
     zero = content.find(b"\0")
     if zero >= 0:
         guess = _guess(content)
@@ -67,7 +69,9 @@ def encode(source: SourceText) -> bytes:
 
 def _looks_like_xml(head: bytes) -> bool:
     """Tell whether a text in any encoding begins with a tag."""
-    plain = head.removeprefix(codecs.BOM_UTF8).replace(b"\0", b"")
+    while head.startswith(codecs.BOM_UTF8):
+        head = head.removeprefix(codecs.BOM_UTF8)
+    plain = head.replace(b"\0", b"")
     for mark, _ in _MARKS:
         plain = plain.removeprefix(mark.replace(b"\0", b""))
     return plain.lstrip()[:1] == b"<"

@@ -89,7 +89,7 @@ def _is_robot(parsed: ParsedXacro) -> bool:
     if root.tagName != "robot":
         return True
     inside = {each.tagName for each in root.elements}
-    return bool(inside & (BODIES | SRDF.root_children)) and bool(root.getAttribute("name"))
+    return bool(inside & (BODIES | SRDF.root_children)) and root.hasAttribute("name")
 
 
 def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLayer:

@@ -6,6 +6,7 @@ from xml.parsers import expat
 
 from kinlint.formats.xacro.dom import Character, Comment, Element, Node, Raw, Text, VisitRecord
 from kinlint.formats.xacro.origin import Origin
+from kinlint.formats.xml.recovery import MARKS
 from kinlint.formats.xml.tag_scanner import LOST
 from kinlint.text import SourceText
 
@@ -71,6 +72,8 @@ class _Parser:
         self._parser = parser
 
     def parsed(self) -> ParsedXacro:
+        if MARKS.match(self._source.text):
+            raise Malformed("a second byte order mark", self._source, 0)
         try:
             self._parser.Parse(self._data, True)  # noqa: FBT003
         except expat.ExpatError as error:

@@ -36,6 +36,8 @@ SOUND = re.compile(
 )
 OTHERWISE_SOUND = re.compile(SOUND.pattern.replace(r"1\.\d+", r"[^<>\"']*"), SOUND.flags)
 LEADING = re.compile(r"(?:\s|<\?[xX][mM][lL][\s?][^>]*>)+")
+MARKS = re.compile("\ufeff+")
+"""Byte order marks after the first one, which is not in the text."""
 STRAY = re.compile(r"\s*+([^\s<][^<]*+)(?=<[A-Za-z?!])")
 """Text before the first tag, such as a comment without its <."""
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]+")
@@ -85,7 +87,9 @@ class _Edit(NamedTuple):
 
 
 def is_sound(text: str) -> bool:
-    """Tell whether the XML declaration of *text*, if it has one, is valid for strict readers."""
+    """Tell whether the beginning of *text* is valid for strict readers."""
+    if text.startswith("\ufeff"):
+        return False
     return not DECLARATION.match(text) or SOUND.match(text) is not None
 
 
@@ -119,17 +123,8 @@ def recovered(text: str) -> RecoveredText:
 
 def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
     """Yield the changes to *text*, in order, up to where its tags make no sense."""
-    at = 0
-    if (lost := LOST.match(text)) is not None:
-        yield _lost(Span(*lost.span("cut")), lost["tag"])
-        at = lost.end()
-    elif (stray := STRAY.match(text)) is not None:
-        span = Span(*stray.span(1))
-        blank = " " * (span.end - span.start)
-        yield _Edit(
-            span, blank, "text before the first tag", None, Span(span.start, span.start + 1)
-        )
-        at = stray.end()
+    opening, at = _opening(text)
+    yield from opening
     while (start := text.find("<", at)) >= 0:
         yield from _data(text, Span(at, start), spare)
         if text.startswith("<!--", start):
@@ -151,6 +146,23 @@ def _edits(text: str, spare: Mapping[str, str]) -> Iterator[_Edit]:
             at = tag.end()
         if at <= start:
             return
+
+
+def _opening(text: str) -> tuple[list[_Edit], int]:
+    """Return changes to what stands before the first whole tag, and where that begins."""
+    edits, at = list[_Edit](), 0
+    if (marks := MARKS.match(text)) is not None:
+        at, reason = marks.end(), "a second byte order mark"
+        if DECLARATION.match(text, at):
+            at, reason = text.find("?>", at) + 2, f"{reason} before the XML declaration"
+        edits.append(_Edit(Span(0, at), " " * at, reason, None, Span(*marks.span())))
+    if (lost := LOST.match(text, at)) is not None:
+        return [*edits, _lost(Span(*lost.span("cut")), lost["tag"])], lost.end()
+    if (stray := STRAY.match(text, at)) is not None:
+        span = Span(*stray.span(1))
+        blank, shown = " " * (span.end - span.start), Span(span.start, span.start + 1)
+        return [*edits, _Edit(span, blank, "text before the first tag", None, shown)], stray.end()
+    return edits, at
 
 
 def _lost(span: Span, tag: str | None) -> _Edit:

@@ -16,7 +16,7 @@ from kinlint.formats.xml.editing.element_removal import with_lines
 from kinlint.formats.xml.editing.element_sites import Site, Sites
 from kinlint.formats.xml.editing.rewriting import NOT_LITERAL
 from kinlint.formats.xml.editing.start_tag import deletions
-from kinlint.formats.xml.recovery import CONTROL, DECLARATION, HYPHENS, OTHERWISE_SOUND
+from kinlint.formats.xml.recovery import CONTROL, DECLARATION, HYPHENS, MARKS, OTHERWISE_SOUND
 from kinlint.formats.xml.tag_scanner import LOST
 from kinlint.terms import RDF_TYPE, Triple, is_blank
 from kinlint.text import Span
@@ -97,8 +97,8 @@ def _corrected(layout: ElementLayout, span: Span) -> Iterator[Edit]:
         yield Edit(Span(start, start), "<?" if lost["cut"].startswith("xml") else "<")
     elif written.startswith("&"):
         yield Edit(Span(start, start + 1), "&amp;")
-    elif written in WRITTEN:
-        yield Edit(span, WRITTEN[written])
+    elif written in WRITTEN or MARKS.fullmatch(written):
+        yield Edit(span, WRITTEN.get(written, ""))
     elif CONTROL.fullmatch(written):
         yield Edit(span, " " * len(written))
     elif OTHERWISE_SOUND.fullmatch(written) and not start and (version := VERSION.search(written)):
