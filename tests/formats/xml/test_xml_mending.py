@@ -39,9 +39,9 @@ from kinlint.errors import SourceError
         ("robot name='a'><l/></r>", [("r", "no < before robot")]),
         ("!-- b -->\n<r name='a'/>", [("!", "text before the first tag")]),
         ("x<r name='a'/>", [("x", "text before the first tag")]),
-        ("\ufeff\ufeff<r name='a'/>", [("\ufeff\ufeff", "a second byte order mark")]),
+        ("\ufeff\ufeff\ufeff<r name='a'/>", [("\ufeff\ufeff", "a second byte order mark")]),
         (
-            "\ufeff<?xml version='1.0'?>\n<r name='a'/>",
+            "\ufeff\ufeff<?xml version='1.0'?>\n<r name='a'/>",
             [("\ufeff", "a second byte order mark before the XML declaration")],
         ),
         (
