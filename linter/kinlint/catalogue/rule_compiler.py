@@ -8,6 +8,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from kinlint.catalogue.repair_file import prefixes as shared_prefixes
+from kinlint.catalogue.rule_checks import check
 from kinlint.catalogue.rule_file import stated_rules
 from kinlint.engine.compiler.shacl_terms import IMPORTS, SUBCLASS, TYPE, sh
 from kinlint.engine.compiler.shapes_compiler import compile_graph
@@ -110,6 +112,9 @@ class Units:
 
 
 def _unit(key: str, links: Links, prefixes: ShapesFile, files: Sequence[ShapesFile]) -> Unit:
+    """Return *files* compiled. Raises `RuleInvalid`."""
+    for file in files:
+        check(file, shared_prefixes())
     rules = [rule for file in files for rule in stated_rules(file)]
     return {
         "key": key,

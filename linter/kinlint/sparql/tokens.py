@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from kinlint.suggestion import did_you_mean
 from kinlint.terms import Term
 from kinlint.uri_references import resolve_uri
 
@@ -134,7 +135,8 @@ def _full(found: Token, known: Mapping[str, str], base: str, at: int) -> str:
         return token
     prefix, _, local = token.partition(":")
     if prefix not in known:
-        raise NotSparql(f"the prefix '{prefix}:' is not declared", at)
+        hint = did_you_mean(f"{prefix}:", [f"{each}:" for each in known])
+        raise NotSparql(f"the prefix '{prefix}:' is not declared{hint}", at)
     return f"<{known[prefix]}{_ESCAPED.sub(lambda m: m[1], local)}>"
 
 

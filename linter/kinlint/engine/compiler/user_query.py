@@ -90,13 +90,13 @@ def read_query(
 def located(graph: ShapesGraph, node: Term, text: str, error: NotSparql) -> RuleInvalid:
     """Return what is wrong with the query *text* of *node*, with the line of the file if it can.
 
-    A query is found there unless its literal has escapes.
+    A query is found there unless its literal has escapes before the first backslash.
     """
     file = graph.home(node)
-    start = file.text.find(text)
+    start = file.text.find(text.split("\\", 1)[0])
     if start < 0:
         return graph.invalid(node, str(error))
-    line = file.text.count("\n", 0, start + error.offset(text)) + 1
+    line = file.text.count("\n", 0, start) + text.count("\n", 0, error.offset(text)) + 1
     return RuleInvalid(f"{file.name}:{line}: {error}")
 
 

@@ -1,0 +1,136 @@
+"""The terms that rules may use: those of formats, rules, SHACL, facts and the metamodels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from kinlint import resources
+from kinlint.facts.computation import computed
+from kinlint.formats.records import FORMATS, LIFTED
+from kinlint.formats.xml.schema import schema
+from kinlint.light_dataclasses import dataclass
+from kinlint.suggestion import did_you_mean
+from kinlint.vocabulary import ATTRIBUTE, FACT, KIN, KL, METAMODELS, REFERENCE, SH
+
+_RULE_TERMS = """
+    AP1 AP2 AP3 AP4 AP5 AP6 Rule antiPattern applicability bad beside code column counts displayOnly
+    example explains file fixed format good groupBy ignore line optional passesOver prefixes reason
+    reportedBy rule safe severityFor since suppression symptom target unfixable unsafe until
+    wholeModel with worst
+"""
+RULE_TERMS = frozenset(_RULE_TERMS.split())
+"""Names of `kl:`, the vocabulary of rules, suppressions and reports, besides those of formats."""
+
+_SHACL_TERMS = """
+    AbstractResult BlankNode BlankNodeOrIRI BlankNodeOrLiteral ConstraintComponent Function IRI
+    IRIOrLiteral Info JSConstraint JSExecutable JSFunction JSLibrary JSRule JSTarget JSTargetType
+    JSValidator Literal NodeKind NodeShape Parameter Parameterizable PrefixDeclaration PropertyGroup
+    PropertyShape ResultAnnotation Rule SPARQLAskExecutable SPARQLAskValidator SPARQLConstraint
+    SPARQLConstructExecutable SPARQLExecutable SPARQLFunction SPARQLRule SPARQLSelectExecutable
+    SPARQLSelectValidator SPARQLTarget SPARQLTargetType SPARQLUpdateExecutable Severity Shape Target
+    TargetType TripleRule ValidationReport ValidationResult Validator Violation Warning
+    alternativePath and annotationProperty annotationValue annotationVarName ask class closed
+    condition conforms construct datatype deactivated declare defaultValue description detail
+    disjoint entailment equals expression filterShape flags focusNode group hasValue
+    ignoredProperties in intersection inversePath js jsFunctionName jsLibrary jsLibraryURL
+    labelTemplate languageIn lessThan lessThanOrEquals maxCount maxExclusive maxInclusive maxLength
+    message minCount minExclusive minInclusive minLength name namespace node nodeKind nodeValidator
+    nodes not object oneOrMorePath optional or order parameter path pattern predicate prefix
+    prefixes property propertyValidator qualifiedMaxCount qualifiedMinCount qualifiedValueShape
+    qualifiedValueShapesDisjoint result resultAnnotation resultMessage resultPath resultSeverity
+    returnType rule select severity shapesGraph shapesGraphWellFormed sourceConstraint
+    sourceConstraintComponent sourceShape sparql subject suggestedShapesGraph target targetClass
+    targetNode targetObjectsOf targetSubjectsOf this union uniqueLang update validator value xone
+    zeroOrMorePath zeroOrOnePath
+"""
+SHACL_TERMS = frozenset(_SHACL_TERMS.split())
+"""Names of SHACL and its Advanced Features, but for components: https://www.w3.org/ns/shacl.ttl."""
+
+COMPONENT = "ConstraintComponent"
+"""The end of the names of SHACL's constraint components."""
+
+
+@dataclass(frozen=True)
+class Names:
+    """The names that a namespace has."""
+
+    what: str
+    """Beginning of the message about a name that it lacks: "no format has an attribute"."""
+    names: frozenset[str]
+    """The names."""
+
+    def fault(self, prefix: str, name: str) -> str | None:
+        """Return what is wrong with *name*, written with *prefix*; None if it is one of the names.
+
+        An attribute of several numbers has a property for each, with the number at its end.
+        """
+        stem, dash, number = name.rpartition("-")
+        numbered = dash and number.isdecimal() and stem in self.names
+        if name in self.names or numbered or name.endswith(COMPONENT):
+            return None
+        hint = did_you_mean(name, self.names).replace("'", f"'{prefix}:", 1)
+        return f"{prefix}:{name}: {self.what} '{name}'{hint}"
+
+
+@cache
+def names_in(namespace: str) -> Names | None:
+    """Return the names in *namespace*; None if kinlint does not know all of them."""
+    if namespace.startswith((KIN, METAMODELS)):
+        found = frozenset(_ontology(namespace))
+        return Names("the metamodels have no term", found) if found else None
+    own = {
+        KL: ("no term of rules is called", RULE_TERMS | {each.name for each in FORMATS}),
+        SH: ("SHACL has no term", SHACL_TERMS),
+        FACT: ("no fact is called", computed(for_repairs=True)),
+    }
+    if namespace in own:
+        return Names(*own[namespace])
+    if namespace == ATTRIBUTE:
+        return Names("no format has an attribute", frozenset(_attributes()))
+    if namespace == REFERENCE:
+        return Names("no format has a reference", frozenset(_references()))
+    for form in LIFTED:
+        if form.namespace == namespace:
+            return Names(f"{form.title} has no element", frozenset(schema(form.name).types))
+    return None
+
+
+def attributes_of(namespace: str) -> frozenset[str]:
+    """Return the names of the attributes of elements in *namespace*; none if it is no format's."""
+    return frozenset(_attributes(namespace))
+
+
+def _attributes(namespace: str | None = None) -> Iterator[str]:
+    for form in LIFTED:
+        if namespace in (None, form.namespace):
+            for types in schema(form.name).types.values():
+                for each in types:
+                    yield from each.attributes
+
+
+def _references() -> Iterator[str]:
+    for form in LIFTED:
+        for types in schema(form.name).types.values():
+            for each in types:
+                for reference in each.references.values():
+                    yield reference.predicate[1:-1].removeprefix(REFERENCE)
+
+
+@cache
+def _ontology_terms() -> frozenset[str]:
+    """Return the IRIs that the axioms of `shapes/ontology` name."""
+    import pyoxigraph as ox  # noqa: PLC0415  a native module
+
+    found = set[str]()
+    for path in sorted((resources.data("shapes") / "ontology").glob("*.ttl")):
+        for quad in ox.parse(path=path, format=ox.RdfFormat.TURTLE, base_iri="urn:ontology"):
+            terms = (quad.subject, quad.predicate, quad.object)
+            found.update(each.value for each in terms if isinstance(each, ox.NamedNode))
+    return frozenset(found)
+
+
+def _ontology(namespace: str) -> Iterator[str]:
+    return (
+        each.removeprefix(namespace) for each in _ontology_terms() if each.startswith(namespace)
+    )
