@@ -108,6 +108,17 @@ class Packages:
         if (top := repository(near)) is not None:
             yield top, f"in the repository {top}"
 
+    def known(self, near: Path) -> Mapping[str, Path]:
+        """Return the packages of source code that a file in *near* can name, by name."""
+        found: dict[str, Path] = {}
+        roots = [root for root, _ in self._roots(near)]
+        for root in reversed([*roots, *self._path("ROS_PACKAGE_PATH")]):
+            found |= self._index(root)
+        for above in (*reversed(near.parents), near):
+            if (name := self._manifest_name(above)) is not None:
+                found[name] = above
+        return {**found, **self.given}
+
     def resolve(self, uri: str, near: Path) -> Path | None:
         """Return the file of *uri*, `package://x/…` or `model://x/…`, be it there or not.
 

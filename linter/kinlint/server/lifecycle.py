@@ -15,7 +15,7 @@ from kinlint.server import publish_diagnostics, pull_diagnostics
 from kinlint.server.app import KinlintServer
 from kinlint.server.buffers import path_of
 from kinlint.server.client_settings import ClientSettings
-from kinlint.server.workspace import work_in
+from kinlint.server.working_directory import work_in
 
 SECTION = "kinlint"
 WATCHED = (

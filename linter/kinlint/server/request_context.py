@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from pathlib import Path
 
@@ -96,6 +96,8 @@ class RequestContext:
     """Test whether something changed: long work asks now and then and raises `Cancelled`, to be
     begun again with the newest text.
     """
+    readable: Sequence[Document] = ()
+    """The documents of the model, each as it was when it could be read last."""
 
     @property
     def sources(self) -> tuple[SourceText, ...]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import gc
-import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from traceback import format_exc
 from typing import TypeVar
@@ -19,8 +17,10 @@ from kinlint.pipeline.analyzer import Cancelled
 from kinlint.server.diagnostic_conversion import FileDiagnostics, diagnostics_by_file
 from kinlint.server.document_store import DocumentStore, stamps
 from kinlint.server.frozen_state import FrozenState
+from kinlint.server.readable_documents import ReadableDocuments
 from kinlint.server.request_context import Places, RequestContext
 from kinlint.server.session import Session
+from kinlint.server.working_directory import is_astray, work_in
 from kinlint.server.workspace_folder import Model, WorkspaceFolder
 from kinlint.text import SourceText
 
@@ -67,6 +67,7 @@ class Workspace:
         self._books: dict[tuple[object, ...], Rulebook] = {}
         self._models: dict[frozenset[Path], Model] = {}
         self._problems: list[str] = []
+        self._readable = ReadableDocuments()
         self._looked = -1
 
     def step(self, snapshot: FrozenState, cancelled: Callable[[], bool]) -> Step:
@@ -76,7 +77,7 @@ class Workspace:
         found nothing and is not done.
         """
         step = self._try(snapshot, cancelled)
-        if step.faults and _is_astray():
+        if step.faults and is_astray():
             self._sessions[step.key].invalidate()
             return Step(snapshot.generation)
         return step
@@ -95,6 +96,7 @@ class Workspace:
                     fresh |= model.key | session.outside.keys()
                     continue
                 shown = session.analyze(model, book, self._documents, cancelled)
+                self._readable.remember(session.examination)
             except Cancelled:
                 return Step(snapshot.generation)
             except KinlintError as error:
@@ -191,6 +193,7 @@ class Workspace:
             places=places,
             session=session,
             cancelled=cancelled,
+            readable=self._readable.of(text.name, session.examination),
         )
 
     def _texts(self, session: Session) -> Iterator[SourceText]:
@@ -211,7 +214,7 @@ class Workspace:
         """Go on to *snapshot*; whether files on disk may have changed since the last time."""
         before = self._stock
         before_generation = -1 if before is None else before.snapshot.generation
-        astray = _is_astray()
+        astray = is_astray()
         if before is None or before.snapshot.epoch != snapshot.epoch or astray:
             work_in(snapshot.roots)
             self._projects.clear()
@@ -258,27 +261,6 @@ class Workspace:
                 del self._books[stale]
             self._books[key] = rulebook.load(settings.rules, settings.shapes, self._cache)
         return self._books[key]
-
-
-def work_in(roots: Sequence[Path]) -> None:
-    """Work in the first of *roots*: files are called as in a run of kinlint there.
-
-    While it is gone, what is left above it takes its place.
-    """
-    for root in roots[:1]:
-        for directory in (root, *root.parents):
-            with suppress(OSError):
-                os.chdir(directory)
-                return
-
-
-def _is_astray() -> bool:
-    """Tell whether the working directory was removed."""
-    try:
-        Path.cwd()
-    except OSError:
-        return True
-    return False
 
 
 _LAST = 3

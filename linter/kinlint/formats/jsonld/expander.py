@@ -100,6 +100,19 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             return []
         return expanded if isinstance(expanded, list) else [expanded]
 
+    @property
+    def initial(self) -> Context:
+        """The context in which every file begins."""
+        return self._get_initial_context(self.options)
+
+    def nested_context(self, active: Context, node: Mapping[str, Any]) -> Context:
+        """Return the context in the object *node*: by its own contexts, and by those of its types.
+
+        Only its `@context` and its types are looked at.
+        """
+        found: Context = super()._prepare_nested_context(active, node, self.options)[0]
+        return found
+
     def entering(self, outer: Context, key: str | None) -> Context:
         """Return the context of a value of *key*, before its own contexts and those of its types.
 

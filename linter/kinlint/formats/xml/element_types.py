@@ -91,6 +91,8 @@ class ElementType:
     """Slot of its text, if the format defines one."""
     choices: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Words that attributes can be, or its text ("")."""
+    usual: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """Words that attributes usually are, while others are possible; those of its text are ""."""
     references: dict[Term, Reference] = field(default_factory=dict)
     """References by name, by property."""
     files: frozenset[Term] = frozenset()

@@ -111,7 +111,10 @@ class _Tables:
                     kinds.setdefault(name, []).append(kind)
         content = [each.removeprefix(FMT) for each in entries.get("content", ())]
         since, until = (next(iter(entries.get(name, ())), None) for name in ("since", "until"))
-        choices = {name: words for name, *words in map(self._list, entries.get("choice", ()))}
+        choices, usual = (
+            {name: tuple(words) for name, *words in map(self._list, entries.get(property_, ()))}
+            for property_ in ("choice", "usual")
+        )
         lifetimes = _lifetimes(entries.get("introduced", ()), entries.get("removed", ()))
         return ElementType(
             tag,
@@ -127,7 +130,8 @@ class _Tables:
             files=frozenset(map(_place, entries.get("file", ()))),
             scope=tuple(each.rpartition("#")[2] for each in entries.get("scope", ())),
             assumed=dict(each.split(" ", 1) for each in entries.get("assumes", ())),
-            choices={name: tuple(words) for name, words in choices.items()},
+            choices=choices,
+            usual=usual,
             open="true" in entries.get("open", ()),
             display_only="true" in entries.get("displayOnly", ()),
             lifetime=Lifetime(since, until) if since or until else None,

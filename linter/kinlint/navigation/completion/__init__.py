@@ -1,0 +1,1 @@
+"""Completion in texts that are being typed."""
