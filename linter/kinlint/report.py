@@ -45,6 +45,8 @@ class Report:
     """Number of findings known before; None if nothing was compared."""
     elsewhere: int = 0
     """Number of findings in files that nobody asked about."""
+    installed: int = 0
+    """Number of findings in installed files that files of the run include; they are not listed."""
     fixed: tuple[Finding, ...] = ()
     """Findings that were fixed, each with the fix made."""
     unsafe: bool | None = None

@@ -4,7 +4,7 @@ import pytest
 import ros_workspace
 from ros_workspace import ARM_FILE, GRIPPER_FILE, SRDF_FILE
 
-FLAGS = ("--output-format", "concise", "-q", "--select", "SRC,TOP,LIM,CMP001")
+FLAGS = ("--output-format", "concise", "-q", "--select", "SRC,TOP,LIM,CMP001", "--show", "info")
 
 
 @pytest.fixture
@@ -69,12 +69,45 @@ def test_where_packages_were_found_is_told(ws, kinlint, monkeypatch):
     monkeypatch.chdir(ws.top / "src" / "arm_repo")
     told = kinlint("-v")[2]
     assert f"package my_gripper_description: {home}, found in the workspace {ws.top}" in told
-    ws.change(ARM_FILE, "my_gripper_description", "their_gripper_description")
-    told = kinlint("-v")[2]
-    assert (
-        "package their_gripper_description: not found, named by"
-        " my_arm_description/urdf/my_arm.urdf.xacro\n"
-    ) in told
+
+
+def test_a_missing_package_ends_only_what_depends_on_it(ws, kinlint):
+    """The rest is judged, but for what that part may have; a line says how to name it."""
+    ws.change(ARM_FILE, "$(find my_gripper", "$(find their_gripper")
+    ws.change(ARM_FILE, '<limit lower="-2"', '<limit lower="3"')
+    ws.change(ARM_FILE, "</robot>", '<gazebo reference="left_finger"/></robot>')
+    ws.write(f"{ARM_FILE}.xacro", (ws.top / ARM_FILE).read_text("utf-8"))
+    found = kinlint("--output-format", "concise", "src/arm_repo/my_arm_description")
+    codes = [line[-7:-1] for line in found[1].splitlines()[:-1]]
+    assert (found[0], codes) == (1, ["LIM001", "LIM001"])
+    assert found[2] == (
+        "kinlint: warning: package 'their_gripper_description' was not found, which"
+        f" {ARM_FILE} and 1 other file name; source its workspace, or add"
+        " --package their_gripper_description=DIR\n"
+    )
+    listed = kinlint("--output-format", "concise", "--show", "info", ARM_FILE)[1]
+    assert "4:28: info: Package 'their_gripper_description' was not found" in listed
+
+
+def test_a_robot_that_lacks_a_package_but_no_part(ws, kinlint):
+    """Meshes of a package that is not there change nothing of the robot."""
+    mesh = '<visual><geometry><mesh filename="file://$(find nowhere)/a.stl"/></geometry></visual>'
+    ws.change(ARM_FILE, "</robot>", f'<link name="free">{mesh}</link></robot>')
+    assert found(kinlint, ARM_FILE) == [(ARM_FILE, "SRC014"), (ARM_FILE, "TOP002")]
+
+
+@pytest.mark.parametrize("place", ["install/my_gripper_description/share", "opt/site-packages"])
+def test_findings_in_installed_files_are_counted(ws, kinlint, place):
+    """They fail no run; a file that is named is reported as any other."""
+    file = ws.top / "src" / "gripper_repo" / "my_gripper_description"
+    home = ws.top / place / "my_gripper_description"
+    ws.change(GRIPPER_FILE, 'lower="-3" upper="3"', 'lower="3" upper="-3"')
+    home.parent.mkdir(parents=True)
+    file.rename(home)
+    asked = (ARM_FILE, "--package", f"my_gripper_description={home}", "--select", "LIM")
+    code, out, _ = kinlint(*asked)
+    assert (code, out) == (0, "All checks passed! 1 more in installed files.\n")
+    assert kinlint(home / "urdf" / "gripper.xacro", *asked)[0] == 1
 
 
 def test_the_srdf_is_checked_against_the_robot_of_the_other_package(ws, kinlint):

@@ -30,10 +30,13 @@ from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.rule import Severity
+from kinlint.text import SourceText
 
 if TYPE_CHECKING:
     from kinlint.cli.new_findings import KnownFindings
 
+PACKAGED = ("package://", "$(find")
+"""Texts by which a file names a package."""
 CLEAN, FOUND, ABNORMAL = 0, 1, 2
 THRESHOLD = "warning"
 COMPARING = (
@@ -104,7 +107,9 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(found, report.passed_over)
+        _warn(
+            found, report.passed_over, () if options.quiet else missing_packages(run.read, settings)
+        )
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
@@ -159,11 +164,21 @@ def _paths(found: Found) -> Iterator[Path]:
     return (one.path for one in found.inputs if one.path is not None)
 
 
-def _warn(found: Found, passed_over: Iterable[SourceError] = ()) -> None:
+def _warn(found: Found, passed_over: Iterable[SourceError] = (), more: Iterable[str] = ()) -> None:
     for given in found.barren:
         sys.stderr.write(f"kinlint: warning: no robot models found in '{given}'\n")
     for each in passed_over:
         sys.stderr.write(f"kinlint: warning: {each.name} was not checked: {each.cause}\n")
+    sys.stderr.writelines(f"kinlint: warning: {line}\n" for line in more)
+
+
+def _missing(sources: Sequence[SourceText], settings: Settings) -> Iterable[str]:
+    naming = [each for each in sources if any(word in each.text for word in PACKAGED)]
+    if not naming:
+        return ()
+    from kinlint.cli.installed_findings import missing_packages  # noqa: PLC0415  most name none
+
+    return missing_packages(naming, settings)
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:

@@ -88,6 +88,11 @@ class LintRun:
             report = self.linted(process_count(options), fixing=fixing, wanted=wanted)
         if asides:
             report = project_mode.without_asides(report, asides, new)
+        named = {one.name for one in self.found.inputs}
+        if any(each.location.source.name not in named for each in report.findings):
+            from kinlint.cli.installed_findings import without_installed  # noqa: PLC0415
+
+            report = without_installed(report, named)
         return replace(
             report,
             unsafe=self.settings.unsafe_fixes,

@@ -51,12 +51,8 @@ def package_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator
     from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
 
     packages_of = ReadOptions.from_settings(settings).packages_of
-    for (name, found), files in sorted(named_packages(sources, packages_of).items(), key=str):
-        if found is None:
-            first, *others = files
-            more = f" and {plural(len(others), 'other file')}" if others else ""
-            yield f"package {name}: not found, named by {first}{more}"
-        else:
+    for name, found in sorted(named_packages(sources, packages_of), key=str):
+        if found is not None:
             yield f"package {name}: {found.directory}, found {found.origin}"
 
 

@@ -28,6 +28,7 @@ FAULTS = {
     f"<{SRC}MalformedText>": "places that are not well-formed",
     f"<{SRC}UnresolvedInclude>": "included files that are not there",
     f"<{SRC}CircularInclude>": "files that include themselves",
+    f"<{SRC}MissingPart>": "parts that need a package which is not there",
     f"<{SRC}Unexpanded>": "places that xacro would have to expand",
 }
 COMPONENT = re.compile(r"-\d+$")

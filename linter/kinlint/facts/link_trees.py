@@ -19,7 +19,7 @@ from kinlint.suggestion import nearest
 from kinlint.terms import Term, Triple, iri, is_literal, literal, literal_value
 from kinlint.vocabulary import SRC
 
-UNEXPANDED = iri(f"{SRC}Unexpanded")
+UNEXPANDED, MISSING_PART = iri(f"{SRC}Unexpanded"), iri(f"{SRC}MissingPart")
 DOCUMENT = iri(f"{SRC}document")
 MOST = 20
 """Most names that lead nowhere and are compared with all others: each takes linear time."""
@@ -159,9 +159,9 @@ class LinkTrees:
 
     @cached_property
     def _raw(self) -> frozenset[Term]:
-        """Documents, less the end of their tokens, in which something is not expanded."""
+        """Documents, less the end of their tokens, in which something is missing or raw."""
         documents = self.scan.table(DOCUMENT)
-        raw = self.scan.instances(UNEXPANDED)
+        raw = (*self.scan.instances(UNEXPANDED), *self.scan.instances(MISSING_PART))
         return frozenset(each[:-1] for node in raw for each in documents.values(node))
 
     def _unresolved(self, robot: Term, edges: Iterable[Edge]) -> Iterator[Triple]:

@@ -9,13 +9,11 @@ from pathlib import Path
 from kinlint.configuration.settings import Settings
 from kinlint.edits import NotExpressible
 from kinlint.files.environment import kind, writable
+from kinlint.files.installed_files import SYSTEM
 from kinlint.files.packages import SKIPPED
 from kinlint.files.pathname import real
 from kinlint.fixes.texts import Texts
 from kinlint.light_dataclasses import dataclass
-
-SYSTEM = tuple(map(Path, ("/opt/ros", "/usr", "/etc", "/lib", "/bin", "/sbin", "/snap", "/nix")))
-"""Directories of installed files, on any system."""
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from kinlint.addresses import is_address, split
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
@@ -17,10 +18,12 @@ from kinlint.findings.locator import Locator
 from kinlint.report import Report
 from kinlint.structure import Structure
 from kinlint.suppression import suppress
-from kinlint.terms import RDF_TYPE
+from kinlint.terms import RDF_TYPE, iri_value
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
 KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
+PARTIAL = f"SELECT DISTINCT ?document {{ [] a <{SRC}MissingPart> ; <{SRC}document> ?document }}"
+"""Query for the documents of which a part could not be read."""
 IDLE = frozenset(
     f"<{SRC}{name}>"
     for name in ("Document", "NamedGraph", "ContextUse", "TermDefinition", "ClearedKey")
@@ -42,7 +45,8 @@ def conclude(  # noqa: PLR0913
     If *brief*, findings lack what they rest on and what else they speak of.
     """
     policies = selection.policies
-    judged = policies.apply_severities(_meant(builder.brief(), documents, joined))
+    meant = _of_whole_documents(_meant(builder.brief(), documents, joined), builder.store)
+    judged = policies.apply_severities(meant)
     silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
     apart, failed = _apart(tuple(silenced), builder, failed)
     told = grouped(apart, None if brief else builder.detailed, _reused(joined))
@@ -101,6 +105,20 @@ def _meant(
         return found
     companions = set(_names(joined[len(documents) :])) - set(_names(documents))
     return [each for each in found if each.location.source.name not in companions]
+
+
+def _of_whole_documents(found: Iterable[Finding], store: Store) -> Iterable[Finding]:
+    """Return *found* without what rules about whole models say of documents that lack a part."""
+    partial = {split(iri_value(row["document"]))[0] for row in store.rows(PARTIAL)}
+    if not partial:
+        return found
+    return [
+        each
+        for each in found
+        if not each.rule.whole_model
+        or not is_address(each.iri)
+        or split(each.iri)[0] not in partial
+    ]
 
 
 def _reused(documents: Iterable[Document]) -> set[str]:

@@ -142,6 +142,8 @@ def _asides(report: Report) -> Iterator[str]:
         yield f"{report.baseline:,} in the baseline"
     if report.elsewhere:
         yield f"{report.elsewhere:,} more in files that were not named"
+    if report.installed:
+        yield f"{report.installed:,} more in installed files"
 
 
 def _suppressed_shown(report: Report) -> int:

@@ -22,7 +22,7 @@ LOSSES = frozenset(
     iri(f"{SRC}{name}")
     for name in (
         *("Unexpanded", "ExpansionFailure"),
-        *("UnknownPackage", "UnknownArgument", "UnknownVariable"),
+        *("MissingPart", "UnknownArgument", "UnknownVariable"),
     )
 )
 """Types of statements which imply that the robot may have parts that were not read."""

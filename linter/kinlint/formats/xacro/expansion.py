@@ -114,6 +114,10 @@ class Expansion:
     """Warnings of xacro."""
     fault: Fault | None = None
     """Error that ended the expansion; None if it succeeded."""
+    missing: list[Fault] = field(default_factory=list)
+    """Packages that are not found, each where it is named first."""
+    omitted: list[Element] = field(default_factory=list)
+    """Elements that were left out, since they need such a package."""
 
 
 def message(error: BaseException) -> str:

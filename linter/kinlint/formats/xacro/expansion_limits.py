@@ -67,6 +67,11 @@ class Limits:
     def __post_init__(self) -> None:
         self._until = thread_time() + self.seconds
 
+    @property
+    def exhausted(self) -> bool:
+        """Tell whether an allowance is used up."""
+        return min(self.nodes, self.steps, self.characters) < 0 or thread_time() > self._until
+
     def node(self) -> None:
         """Count another element, text or comment."""
         self.nodes -= 1

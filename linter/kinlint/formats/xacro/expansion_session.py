@@ -9,13 +9,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Collection, Iterator, Mapping
-from contextlib import contextmanager
 from fnmatch import fnmatch
 from pathlib import Path
 from threading import Lock
-from types import ModuleType
-from typing import Any
-from xml.dom import minidom
+from typing import Any, TypeAlias
 
 from kinlint.errors import SourceError
 from kinlint.files.bounded_read import Unreadable
@@ -30,6 +27,7 @@ from kinlint.formats.xacro.expansion import (
     WITHHELD,
     Expansion,
     Failure,
+    Fault,
     Remark,
     expansion_fault,
     last_place,
@@ -40,15 +38,19 @@ from kinlint.formats.xacro.expression_symbols import dotted, symbols, tokenize
 from kinlint.formats.xacro.included_files import Pieces, table
 from kinlint.formats.xacro.kept_comments import comment_remover, inherit
 from kinlint.formats.xacro.origin import Origin
-from kinlint.formats.xacro.substitution import Substitution
+from kinlint.formats.xacro.substitution import Substitution, UnknownSubstitution
 from kinlint.formats.xacro.text_evaluation import TextEvaluator
+from kinlint.formats.xacro.xacro_package import Included, replaced, reqd_attrs, xacro_package
 from kinlint.formats.xacro.xacro_parser import ParsedXacro, parse
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.text import SourceText
 
+PACKAGE_URI = "package://"
 INCLUDES = 40
 """Maximum depth of includes."""
 _ONE_AT_A_TIME = Lock()
+Omitted: TypeAlias = frozenset[tuple[str, int]]
+"""Elements that are left out, by the names of their files and their offsets there."""
 
 
 @dataclass
@@ -65,19 +67,22 @@ class Session:
     """Environment variables that the files may ask for, besides those of ROS."""
     bounds: Limits = field(default_factory=Limits)
     """Limits of the work that it may do."""
+    omitted: Omitted = frozenset()
+    """Elements that are left out."""
 
     def __post_init__(self) -> None:
-        self._xacro = _package()
+        self._xacro = xacro_package()
         self._watch = VisitRecord(self.bounds)
         self._open = [self.pieces.path]
         self._files: dict[int, ParsedXacro] = {}
         self._tables: dict[Path, Any] = {}
         self._remarks: list[Remark] = []
+        self._missing: list[Fault] = []
         self._includes: list[tuple[Element, SourceText]] = []
         self._including = self._watch.element
         self._substitution = Substitution(
             dict(self.arguments),
-            lambda name: self.packages.find(name, self._directory()),
+            self._find,
             self._directory,
             lambda expression, names: evaluate(expression, {**self._known, **names}, self.bounds),
             self.variables,
@@ -88,11 +93,14 @@ class Session:
 
     def expand(self) -> Expansion:
         """Return the robot that the file stands for."""
-        result = Expansion(ParsedXacro(), self._files, self._includes, self._remarks)
-        with _ONE_AT_A_TIME, _replaced(self._xacro, self._replacements()):
+        result = Expansion(
+            ParsedXacro(), self._files, self._includes, self._remarks, missing=self._missing
+        )
+        with _ONE_AT_A_TIME, replaced(self._xacro, self._replacements()):
             try:
                 result.parsed = parse(self.pieces.main, self._watch)
                 self._files[id(self.pieces.main)] = self._copy(result.parsed)
+                self._omit(result.parsed.root)
                 self._evaluate(result.parsed.root)
             except Exception as error:  # noqa: BLE001  whatever xacro raises is about the file
                 result.fault = expansion_fault(error, self._watch, self.pieces.main)
@@ -166,8 +174,34 @@ class Session:
         """Return the directory of the current file."""
         return Path(self._xacro.filestack[-1]).parent
 
+    def _find(self, name: str) -> str:
+        """Return the directory of a package; its URI if it is missing, which is recorded."""
+        found = self.packages.find(name, self._directory())
+        if found is not None:
+            return str(found)
+        source, span = last_place(self._watch, self.pieces.main)
+        fault = Fault(f"package '{name}' is not known", source, span, "package", name)
+        if all(each.name != name for each in self._missing):
+            self._missing.append(fault)
+        return f"{PACKAGE_URI}{name}"
+
     def _resolved(self, name: str) -> Path:
+        if name.startswith(PACKAGE_URI):
+            package = name.removeprefix(PACKAGE_URI).partition("/")[0]
+            found = self.packages.find(package, self._directory())
+            if found is None:
+                raise UnknownSubstitution("package", package)
+            return absolute(found / name.removeprefix(f"{PACKAGE_URI}{package}").lstrip("/"))
         return absolute(self._directory() / name)
+
+    def _omit(self, root: Element | None) -> None:
+        """Take the elements that are left out from *root*."""
+        if root is None or not self.omitted:
+            return
+        for each in list(root.everything):
+            origin = each.origin
+            if each.parentNode and (origin.source.name, origin.start) in self.omitted:
+                each.parentNode.removeChild(each)
 
     def _included(self, name: str, scope: Any) -> Iterator[str]:
         """Yield the paths of the files that an include names."""
@@ -212,9 +246,10 @@ class Session:
             self._files[id(source)] = parse(source, self._watch)
         parsed = self._files[id(source)]
         root = self._copy(parsed).root
+        self._omit(root)
         if root is not None:
             inherit(root, parsed)
-        return _Included(root)
+        return Included(root)
 
     def _copy(self, parsed: ParsedXacro) -> ParsedXacro:
         copy = ParsedXacro()
@@ -260,41 +295,3 @@ class Session:
         remark = Remark(message, source, span, kind, name)
         if remark not in self._remarks:
             self._remarks.append(remark)
-
-
-@dataclass
-class _Included:
-    """Part of a document's interface that xacro uses."""
-
-    documentElement: Element | None  # noqa: N815
-
-
-def reqd_attrs(tag: Element, names: list[str]) -> list[str]:
-    """Return the values of the attributes *names*, all of which *tag* must have."""
-    for name in names:
-        if not tag.hasAttribute(name):
-            raise Failure(f"element '{tag.nodeName}' lacks the attribute '{name}'")
-    return [tag.getAttribute(name) for name in names]
-
-
-def _package() -> ModuleType:
-    """Return the package, which is kept from changing how others write XML."""
-    before = minidom.Element.writexml
-    try:
-        import xacro  # noqa: PLC0415  few files are xacro
-
-        module: ModuleType = xacro
-        return module
-    finally:
-        minidom.Element.writexml = before  # type: ignore[method-assign]
-
-
-@contextmanager
-def _replaced(module: ModuleType, values: Mapping[str, Any]) -> Iterator[None]:
-    """Replace the values of names in *module* by *values* within the block."""
-    before = {name: getattr(module, name) for name in values}
-    vars(module).update(values)
-    try:
-        yield
-    finally:
-        vars(module).update(before)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from kinlint.addresses import document_iri
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.errors import SourceError
+from kinlint.files.installed_files import is_installed
 from kinlint.files.pathglob import absolute
 from kinlint.formats import registry
 from kinlint.formats.blank_nodes import BlankNodes
@@ -17,9 +18,11 @@ from kinlint.formats.urdf.format import URDF
 from kinlint.formats.xacro.definitions import state_definitions
 from kinlint.formats.xacro.expanded_text import write
 from kinlint.formats.xacro.expansion import MALFORMED, REDEFINED, WITHHELD, Expansion, Fault
-from kinlint.formats.xacro.expansion_session import Session
+from kinlint.formats.xacro.expansion_limits import Limits
+from kinlint.formats.xacro.expansion_session import Omitted, Session
 from kinlint.formats.xacro.format import XACRO
 from kinlint.formats.xacro.included_files import Pieces
+from kinlint.formats.xacro.partial_expansion import expand_as_far_as_possible
 from kinlint.formats.xacro.source_mapping import MappedPlaces, MappedText
 from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.formats.xml.xml_recognition import recognise_xml
@@ -50,13 +53,14 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     pieces = Pieces(source, absolute(source.name), options)
     packages = options.packages_of(source.name)
-    session = Session(
-        pieces,
-        options.xacro_arguments_of(source.name),
-        packages,
-        options.xacro_variables_of(source.name),
-    )
-    expansion = session.expand()
+    bounds = Limits()
+
+    def session(omitted: Omitted) -> Session:
+        arguments = options.xacro_arguments_of(source.name)
+        variables = options.xacro_variables_of(source.name)
+        return Session(pieces, arguments, packages, variables, bounds, omitted)
+
+    expansion = expand_as_far_as_possible(session, bounds)
     layer = _layer(source, pieces, expansion)
     if expansion.fault is None and _is_robot(expansion.parsed):
         written = write(expansion.parsed, pieces)
@@ -104,8 +108,15 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
     for element, included in expansion.includes if expansion.fault is None else ():
         triple = graph, src("includes"), document_iri(included.name)
         layer.triples.setdefault(triple, at(element.origin.source, element.span_of("filename")))
-    if expansion.fault is not None:
-        _state_fault(layer, expansion.fault, at)
+    for each in expansion.missing:
+        _state_fault(layer, each, at)
+    for element in expansion.omitted:
+        origin = element.origin
+        layer.add_node("MissingPart", at(origin.source, origin.tag), ("node", graph))
+    if (fault := expansion.fault) is not None and fault.name not in {
+        each.name for each in expansion.missing
+    }:
+        _state_fault(layer, _in_project(fault, expansion), at)
     for remark in expansion.remarks:
         kind, prop = REMARKS.get(remark.kind, ("XacroRemark", "reason"))
         value = remark.name if remark.kind else remark.message
@@ -113,6 +124,17 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
         layer.add_node(kind, span, (prop, literal(value)), ("node", graph))
     state_definitions(layer, expansion.files, at)
     return layer
+
+
+def _in_project(fault: Fault, expansion: Expansion) -> Fault:
+    """Return *fault*; if it is in an installed file, at the last include of the main file."""
+    main = next(iter(expansion.files.values()), None)
+    if main is None or main.root is None or not is_installed(absolute(fault.source.name)):
+        return fault
+    own = main.root.origin.source
+    calls = [each for each, _ in expansion.includes if each.origin.source is own]
+    span = calls[-1].span_of("filename") if calls else main.root.origin.tag
+    return replace(fault, source=own, span=span, reason=f"{fault.reason}, in {fault.source.name}")
 
 
 def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Span], Span]) -> None:

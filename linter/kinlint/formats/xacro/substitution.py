@@ -29,7 +29,7 @@ class Substitution:
 
     arguments: MutableMapping[str, str]
     """Arguments that are given, and those with defaults so far."""
-    find: Callable[[str], Path | None]
+    find: Callable[[str], str]
     """Function that returns the directory of a package."""
     directory: Callable[[], Path]
     """Function that returns the directory of the current file."""
@@ -63,7 +63,7 @@ class Substitution:
             "cwd": lambda: str(Path.cwd()),
             "dirname": lambda: str(self.directory()),
             "arg": self.argument,
-            "find": self._find,
+            "find": self.find,
             "env": self._env,
         }
         return simple[command](*words)
@@ -74,12 +74,6 @@ class Substitution:
             return self.arguments[name]
         except KeyError:
             raise UnknownSubstitution("argument", name) from None
-
-    def _find(self, name: str) -> str:
-        found = self.find(name)
-        if found is None:
-            raise UnknownSubstitution("package", name)
-        return str(found)
 
     def _env(self, name: str) -> str:
         found = variable(name) if self._may_see(name) else None
@@ -101,7 +95,7 @@ class Substitution:
         if "__" in expression:
             raise Refused("'__' in $(eval …)")
         names: dict[str, Any] = {name: _typed(value) for name, value in self.arguments.items()}
-        names |= {"true": True, "false": False, "find": self._find, "env": self._env}
+        names |= {"true": True, "false": False, "find": self.find, "env": self._env}
         names["optenv"] = self._variable
         names["arg"] = lambda name: _typed(self.argument(name))
         names["dirname"] = lambda: str(self.directory())

@@ -127,7 +127,7 @@ class _Parser:
         at = self._here()
         self._flush(at)
         origin = self._open.pop().origin
-        if at >= origin.inside:
+        if at >= origin.inside and not self._source.text.startswith("/>", origin.inside - 2):
             origin.closing = at
             origin.end = self._source.text.find(">", at) + 1
         self._begun = origin.end

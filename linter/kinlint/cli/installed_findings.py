@@ -1,0 +1,56 @@
+"""Findings in installed files, which are counted, and missing packages, which are told once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinlint.configuration.settings import Settings
+from kinlint.files.installed_files import is_installed
+from kinlint.files.pathglob import absolute
+from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
+from kinlint.report import Report
+from kinlint.reporters.summary import plural
+from kinlint.text import SourceText
+
+
+def without_installed(report: Report, named: Iterable[str]) -> Report:
+    """Return *report* without findings in installed files, but for those *named*; it counts them.
+
+    Nobody who uses such a file can change it.
+    """
+    given, known = frozenset(named), dict[str, bool]()
+
+    def listed(finding: Finding) -> bool:
+        name = finding.location.source.name
+        if name not in known:
+            known[name] = name in given or not is_installed(absolute(name))
+        return known[name]
+
+    kept = tuple(filter(listed, report.findings))
+    if len(kept) == len(report.findings):
+        return report
+    return replace(
+        report,
+        findings=kept,
+        suppressed=tuple(filter(listed, report.suppressed)),
+        installed=len(report.findings) - len(kept),
+    )
+
+
+def missing_packages(sources: Iterable[SourceText], settings: Settings) -> Iterator[str]:
+    """Yield a line for each package that *sources* name and that is not found."""
+    from kinlint.formats.dependencies.named_packages import named_packages  # noqa: PLC0415
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
+
+    packages_of = ReadOptions.from_settings(settings).packages_of
+    lost: dict[str, list[str]] = {}
+    for (name, found), files in named_packages(sources, packages_of).items():
+        if found is None:
+            lost.setdefault(name, []).extend(files)
+    for name, files in sorted(lost.items()):
+        more = f" and {plural(len(files) - 1, 'other file')}" if files[1:] else ""
+        yield (
+            f"package '{name}' was not found, which {min(files)}{more}"
+            f" {'name' if more else 'names'}; source its workspace, or add --package {name}=DIR"
+        )
