@@ -107,9 +107,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(
-            found, report.passed_over, () if options.quiet else missing_packages(run.read, settings)
-        )
+        _warn(found, report.passed_over, () if options.quiet else _missing(run.read, settings))
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
