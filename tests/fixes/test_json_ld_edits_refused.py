@@ -138,13 +138,13 @@ def test_a_node_that_is_still_pointed_to_becomes_a_reference() -> None:
 
 def test_a_text_is_expanded_once_for_all_deltas(monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[object] = []
-    trace = editor.trace
+    trace = editor.Trace
 
     def counted(*arguments: object) -> object:
         calls.append(arguments)
         return trace(*arguments)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(editor, "trace", counted)
+    monkeypatch.setattr(editor, "Trace", counted)
     text = graph('{ "@id": "ex:a", "p": [ 1, 2, 3 ] }')
     made = editor.Editor(document(text), OPTIONS)
     assert not calls

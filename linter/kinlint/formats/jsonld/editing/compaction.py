@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from kinlint.edits import NotExpressible
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import FAULTS, Context
-from kinlint.formats.jsonld.editing.tracing import ContextScope, Tracing
+from kinlint.formats.jsonld.editing.traced_expansion import ContextScope, Tracing
 from kinlint.formats.jsonld.editing.value_objects import Item
 from kinlint.formats.jsonld.traced_values import Origin
 

@@ -14,7 +14,7 @@ from kinlint.formats.jsonld.editing.container_edits import NewChild
 from kinlint.formats.jsonld.editing.new_values import ValueWriter
 from kinlint.formats.jsonld.editing.style import Style
 from kinlint.formats.jsonld.editing.target_triples import TargetGraph
-from kinlint.formats.jsonld.editing.tracing import ContextScope
+from kinlint.formats.jsonld.editing.traced_expansion import ContextScope
 from kinlint.formats.jsonld.editing.triple_places import Place, TriplePlaces
 from kinlint.terms import Term, Triple
 from kinlint.text import Span

@@ -17,7 +17,8 @@ from kinlint.formats.jsonld.editing.node_edits import add_nodes, delete_nodes, r
 from kinlint.formats.jsonld.editing.property_edits import edit_properties
 from kinlint.formats.jsonld.editing.source_layer_edits import edit_source_layer
 from kinlint.formats.jsonld.editing.style import Style, style
-from kinlint.formats.jsonld.editing.tracing import ContextScope, trace
+from kinlint.formats.jsonld.editing.traced_expansion import ContextScope
+from kinlint.formats.jsonld.editing.tracing import Trace
 from kinlint.formats.jsonld.editing.triple_places import TriplePlaces
 from kinlint.formats.jsonld.pyld import JsonLdError
 from kinlint.formats.jsonld.reader import undisturbed
@@ -33,7 +34,7 @@ class Editor:
 
     @cached_property
     def _places(self) -> TriplePlaces:
-        return TriplePlaces(trace(self._document.source, self._options))
+        return TriplePlaces(Trace(self._document.source, self._options))
 
     @cached_property
     def _style(self) -> Style:

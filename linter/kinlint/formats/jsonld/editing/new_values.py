@@ -12,7 +12,7 @@ from kinlint.formats.jsonld.editing.compaction import Compaction, Member
 from kinlint.formats.jsonld.editing.style import Verbatim
 from kinlint.formats.jsonld.editing.target_triples import TargetGraph
 from kinlint.formats.jsonld.editing.text_path import Seat
-from kinlint.formats.jsonld.editing.tracing import ContextScope
+from kinlint.formats.jsonld.editing.traced_expansion import ContextScope
 from kinlint.formats.jsonld.editing.value_objects import Item, is_form_of, literal_items
 from kinlint.terms import RDF_TYPE, Term, iri_value, is_blank, is_iri, is_literal
 from kinlint.text import SourceText

@@ -166,5 +166,7 @@ def _containers(root: Any) -> Iterator[tuple[Object | Array, int]]:
         yield container, depth
         values = container.values() if isinstance(container, Object) else container
         for value in values:
-            if isinstance(value, (Object, Array)) and len(level) < _SAMPLE:
+            if len(level) >= _SAMPLE:
+                break
+            if isinstance(value, (Object, Array)):
                 level.append((value, depth + 1))

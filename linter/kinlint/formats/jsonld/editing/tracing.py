@@ -1,128 +1,160 @@
-"""Reads a text once more and keeps what the reader had no need to: contexts, and every place."""
+"""Traces a text on demand: the contexts at its objects, and every place of what it states."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import cached_property, partial
+from typing import Any
 
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.json_text.json_outline import NotOutlined, Unplaced, outline
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Object, ParsedJson
 from kinlint.formats.jsonld.active_context import Context
+from kinlint.formats.jsonld.compiled.element_compiler import ElementCompiler
 from kinlint.formats.jsonld.context_cache import ContextCache
-from kinlint.formats.jsonld.expander import Processor
+from kinlint.formats.jsonld.editing.traced_expansion import Tracing, Tracks
 from kinlint.formats.jsonld.local_contexts import LocalContexts
-from kinlint.formats.jsonld.pyld import frozendict
+from kinlint.formats.jsonld.losses import LossObserver
 from kinlint.formats.jsonld.reader import undisturbed
-from kinlint.formats.jsonld.traced_values import Expanded, Origin
-from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.terms import Term, Triple
 from kinlint.text import SourceText, Span
 
 
-class ContextScope(NamedTuple):
-    """The contexts at an object: around it, for its keys, and for the names of its types."""
+class TracedElement:
+    """An element of the outermost graph, or all that is outside of it; traced when asked for."""
 
-    outer: Context
-    """Context around the object."""
-    keys: Context
-    """Context that gives its keys their meaning."""
-    types: Context
-    """Context that gives the names of its types their meaning."""
-
-
-class Tracing(Processor):
-    """Expansion that notes scope and origin of each object, by its identity, while `tracing`."""
-
-    def __init__(self, memory: ContextCache, base: str, local: LocalContexts) -> None:
-        super().__init__(memory, base, local)
-        self.scopes: dict[int, ContextScope] = {}
-        self.origins: dict[int, Origin] = {}
-        self.tracing = True
-        self._inverse: dict[int, tuple[Context, Any]] = {}
-
-    def _prepare_nested_context(self, active_ctx: Context, element: Any, options: Any) -> Any:
-        prepared = super()._prepare_nested_context(active_ctx, element, options)
-        if self.tracing and isinstance(element, Object):
-            self.scopes[id(element)] = ContextScope(active_ctx, prepared[0], prepared[2])
-            self.origins[id(element)] = self.trail[-1]
-        return prepared
-
-    def _get_inverse_context(self, active_ctx: Context) -> Any:
-        """Return the inverse context, uncached.
-
-        PyLD's key may be shared by different contexts here.
-        """
-        known = self._inverse.get(id(active_ctx))
-        if known is None:
-            own = frozendict({**active_ctx, "_uuid": f"kinlint {id(self)} {id(active_ctx)}"})
-            known = self._inverse[id(active_ctx)] = (
-                active_ctx,
-                super()._get_inverse_context(own),
-            )
-        return known[1]
-
-
-class Tracks(Triples):
-    """Triples that also keep where they are repeated, and which objects describe a node."""
-
-    def __init__(self, blanks: BlankNodes) -> None:
-        super().__init__(blanks)
-        self.again: dict[Triple, list[Span]] = {}
-        self.objects: dict[Term, list[Object]] = {}
-        self.subjects: dict[int, Term] = {}
-
-    def _emit(
-        self, subject: Term | None, prop: Term | None, value: Term | None, span: Span
+    def __init__(
+        self, triples: Collection[Triple], span: Span, trace: Tracks | Callable[[], Tracks]
     ) -> None:
-        if subject is not None and prop is not None and value is not None:
-            triple = subject, prop, value
-            if triple in self.spans:
-                self.again.setdefault(triple, []).append(span)
-        super()._emit(subject, prop, value, span)
+        self.triples = triples
+        """What it states, in the order of the text."""
+        self.span = span
+        """Its place."""
+        if isinstance(trace, Tracks):
+            self.tracks = trace
+        else:
+            self._trace = trace
 
-    def _node(self, node: dict[str, Any], whole: Span) -> Term | None:
-        subject = super()._node(node, whole)
-        origin: Origin | None = node.origin if isinstance(node, Expanded) else None
-        if subject is not None and origin is not None:
-            self.subjects[id(origin.element)] = subject
-            if any(prop != "@id" for prop in node):
-                self.objects.setdefault(subject, []).append(origin.element)
-        return subject
+    @property
+    def lazy(self) -> bool:
+        """Tell whether it is not traced yet."""
+        return "tracks" not in vars(self)
 
-
-class Trace(NamedTuple):
-    """A traced reading of a text: its JSON, the processor that expanded it, and the triples."""
-
-    parsed: ParsedJson
-    """The JSON text."""
-    processor: Tracing
-    """Processor that expanded it."""
-    tracks: Tracks
-    labels: Mapping[Term, str]
-    """Labels of blank nodes, as they are written."""
+    @cached_property
+    def tracks(self) -> Tracks:
+        """What it states, with all places."""
+        return self._trace()
 
 
-def trace(source: SourceText, options: ReadOptions) -> Trace:
-    """Read *source* with a trace, naming blank nodes as the reader does.
+class OutlinedArray(Array):
+    """The outermost graph, whose elements get the places in them when they are asked for."""
 
-    Raises what the reader raises; a text that was read raises nothing.
+    __slots__ = ()
+
+    def __getitem__(self, index: Any) -> Any:
+        found = super().__getitem__(index)
+        if type(found) is Unplaced:
+            found = self[index] = found.placed()[0]
+        return found
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[index] for index in range(len(self)))
+
+    def element_span(self, index: int) -> Span:
+        """Return the span of element *index*."""
+        found = super().__getitem__(index)
+        return found.span if type(found) is Unplaced else super().element_span(index)
+
+
+class Trace:
+    """A reading of *source* in which elements of the outermost graph are traced on demand.
+
+    What PyLD has to expand is traced at once. Blank nodes are named as the reader does. Raises what
+    the reader raises; a text that was read raises nothing.
     """
-    with undisturbed():
-        parsed = parse(source)
-        kept = [(array, list(array)) for array in _outermost(parsed.value)]
+
+    def __init__(self, source: SourceText, options: ReadOptions) -> None:
+        self.parsed = _parsed(source)
+        """The JSON text."""
         memory = ContextCache.from_options(options, options.contexts.release)
-        processor = Tracing(memory, options.base, LocalContexts(source, options))
-        blanks = BlankNodes(source.name)
-        tracks = Tracks(blanks)
-        processor.on_node = lambda node: tracks.add([node], parsed.span)
-        tracks.add(processor.expand_document(parsed), parsed.span)
+        self.processor = Tracing(memory, options.base, LocalContexts(source, options))
+        """Processor that expands it."""
+        self.subjects: dict[int, Term] = {}
+        """The nodes that objects describe, by the identity of the objects."""
+        self.elements: list[TracedElement] = []
+        """The elements of the outermost graph in their order, and last what is outside of them."""
+        self._blanks = BlankNodes(source.name)
+        self._compiler = ElementCompiler(self.processor)
+        self._hull = self._tracks = Tracks(self._blanks, self.subjects)
+        self._placed: dict[int, Object] = {}
+        self._graph = OutlinedArray(0)
+        with undisturbed():
+            self._expand()
+
+    @property
+    def labels(self) -> Mapping[Term, str]:
+        """Labels of blank nodes, as they are written."""
+        return self._blanks.labels
+
+    def _expand(self) -> None:
+        parsed, processor, hull = self.parsed, self.processor, self._hull
+        kept = [(array, list(array)) for array in _outermost(parsed.value)]
+        processor.origins = hull.origins
+        processor.on_node = self._add
+        processor.on_unplaced = self._take
+        hull.add(processor.expand_document(parsed), parsed.span)
+        self.elements.append(TracedElement(hull.spans, parsed.span, hull))
         processor.tracing = False
         # The processor takes the nodes of the outermost graph out of their array.
         for array, elements in kept:
-            array[:] = elements
-    return Trace(parsed, processor, tracks, blanks.labels)
+            array[:] = [self._placed.get(id(element), element) for element in elements]
+        self._outline(parsed.value)
+
+    def _outline(self, root: Any) -> None:
+        """Put an array that places its elements into *root* where there is one of `Unplaced`."""
+        for key, value in root.items() if isinstance(root, Object) else ():
+            if isinstance(value, Array) and any(type(each) is Unplaced for each in value):
+                self._graph = OutlinedArray(value.start)
+                self._graph.end = value.end
+                self._graph += value
+                root[key] = self._graph
+                return
+
+    def _add(self, node: Any) -> None:
+        self._tracks.add([node], self.parsed.span)
+        self._tracks, self.processor.origins = self._hull, self._hull.origins
+
+    def _take(self, element: Unplaced, outer: Context, key: str) -> Object | None:
+        """State *element*; return it with its places if that takes PyLD."""
+        before, number = self._blanks.count, len(self.elements)
+        group = self._compiler.state(element, outer, key, self._blanks, LossObserver())
+        if group is not None:
+            trace = partial(self._trace, number, before)
+            self.elements.append(TracedElement(list(group.triples), element.span, trace))
+            return None
+        placed = self._placed[id(element)] = element.placed()[0]
+        self._begin(tracks := Tracks(self._blanks, self.subjects))
+        self.elements.append(TracedElement(tracks.spans, element.span, tracks))
+        return placed
+
+    def _begin(self, tracks: Tracks) -> None:
+        self._tracks, self.processor.origins = tracks, tracks.origins
+
+    def _trace(self, number: int, before: int) -> Tracks:
+        """Trace an element that was stated after *before* blank nodes."""
+        tracks = Tracks(self._blanks.since(before), self.subjects)
+        self._begin(tracks)
+        self.processor.trace_element(self._graph[number])
+        return tracks
+
+
+def _parsed(source: SourceText) -> ParsedJson:
+    try:
+        return outline(source)
+    except NotOutlined:
+        return parse(source)
 
 
 def _outermost(value: Any) -> Iterator[Array]:

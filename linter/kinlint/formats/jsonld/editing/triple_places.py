@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from itertools import chain
 from typing import Any, NamedTuple
 
 from kinlint.formats.json_text.json_values import Key, Object
 from kinlint.formats.jsonld.editing.text_path import Seat, TextTree
-from kinlint.formats.jsonld.editing.tracing import ContextScope, Trace
+from kinlint.formats.jsonld.editing.traced_expansion import ContextScope, Tracks
+from kinlint.formats.jsonld.editing.tracing import Trace, TracedElement
 from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value
 from kinlint.text import Span
 
@@ -39,13 +41,14 @@ class TriplePlaces:
     def __init__(self, trace: Trace) -> None:
         self.trace = trace
         self.tree = TextTree(trace.parsed.value)
-        self._subjects = trace.tracks.subjects
+        self._elements = trace.elements
+        self._starts = [element.span.start for element in self._elements[:-1]]
 
     @cached_property
     def by_subject(self) -> dict[Term, list[Triple]]:
         """The triples of each node, in the order of the text."""
         found: dict[Term, list[Triple]] = {}
-        for triple in self.trace.tracks.spans:
+        for triple in self._stated:
             found.setdefault(triple[0], []).append(triple)
         return found
 
@@ -53,27 +56,46 @@ class TriplePlaces:
     def by_value(self) -> dict[Term, list[Triple]]:
         """The triples that point to each node."""
         found: dict[Term, list[Triple]] = {}
-        for triple in self.trace.tracks.spans:
+        for triple in self._stated:
             if triple[2][0] != '"':
                 found.setdefault(triple[2], []).append(triple)
         return found
 
     @cached_property
-    def _by_start(self) -> tuple[list[int], list[Triple]]:
-        tracks = self.trace.tracks
-        starts = [(span.start, triple) for triple, span in tracks.spans.items()]
-        starts += [(span.start, triple) for triple, spans in tracks.again.items() for span in spans]
-        starts.sort()
-        return [start for start, _ in starts], [triple for _, triple in starts]
+    def _stated(self) -> dict[Triple, None]:
+        """The triples of the text, each once."""
+        return dict.fromkeys(chain.from_iterable(element.triples for element in self._elements))
 
     @cached_property
-    def _silent(self) -> dict[Term, list[Object]]:
-        """The objects that have an identifier and say nothing."""
-        found: dict[Term, list[Object]] = {}
-        for origin in self.trace.processor.origins.values():
-            if origin.identifier is not None and id(origin.element) not in self._subjects:
-                found.setdefault(iri(origin.identifier), []).append(origin.element)
+    def _describing(self) -> dict[Term, list[TracedElement]]:
+        """The elements that state something of a node."""
+        found: dict[Term, list[TracedElement]] = {}
+        for element in self._elements:
+            nodes = dict.fromkeys(triple[0] for triple in element.triples)
+            for node in nodes if element.lazy else {**nodes, **element.tracks.objects}:
+                found.setdefault(node, []).append(element)
         return found
+
+    @cached_property
+    def _mentioning(self) -> dict[Term, list[TracedElement]]:
+        """The elements in which a node is a value, or named without a statement."""
+        found: dict[Term, list[TracedElement]] = {}
+        for element in self._elements:
+            nodes = {triple[2] for triple in element.triples if triple[2][0] != '"'}
+            if not element.lazy:
+                nodes |= {node for node, _ in _named(element.tracks)}
+            for node in nodes:
+                found.setdefault(node, []).append(element)
+        return found
+
+    def _silent(self, node: Term) -> list[Object]:
+        """Return the objects that have *node* as identifier and say nothing."""
+        return [
+            element
+            for mentioning in self._mentioning.get(node, ())
+            for name, element in _named(mentioning.tracks)
+            if name == node and id(element) not in self.trace.subjects
+        ]
 
     @cached_property
     def graph(self) -> Place | None:
@@ -84,15 +106,22 @@ class TriplePlaces:
 
     def within(self, span: Span) -> Sequence[Triple]:
         """Return the triples whose values are written in *span*."""
-        starts, triples = self._by_start
-        return triples[bisect_left(starts, span.start) : bisect_left(starts, span.end)]
+        first = max(bisect_right(self._starts, span.start) - 1, 0)
+        last = bisect_left(self._starts, span.end)
+        found: list[tuple[int, Triple]] = []
+        for element in (*self._elements[first:last], self._elements[-1]):
+            placed = element.tracks.by_start
+            found += placed[_first(placed, span.start) : _first(placed, span.end)]
+        return [triple for _, triple in sorted(found)]
 
     def spans(self, triple: Triple) -> list[Span]:
         """Return the spans of the value of *triple*."""
-        tracks = self.trace.tracks
-        if triple not in tracks.spans:
-            return []
-        return list(dict.fromkeys([tracks.spans[triple], *tracks.again.get(triple, ())]))
+        found: dict[Span, None] = {}
+        for element in self._describing.get(triple[0], ()):
+            if triple in element.triples:
+                tracks = element.tracks
+                found |= dict.fromkeys([tracks.spans[triple], *tracks.again.get(triple, ())])
+        return list(found)
 
     def places(self, triple: Triple) -> list[Place | None]:
         """Return each place of *triple*.
@@ -103,16 +132,27 @@ class TriplePlaces:
 
     def objects(self, node: Term) -> list[Object]:
         """Return the objects that describe *node*, those with types first, or else name it."""
-        found = self.trace.tracks.objects.get(node) or self._silent.get(node, [])
-        return sorted(found, key=lambda each: self.key_of(each, "@type") is None)
+        describing = self._describing.get(node, ())
+        found = [each for element in describing for each in element.tracks.objects.get(node, ())]
+        return sorted(
+            found or self._silent(node), key=lambda each: self.key_of(each, "@type") is None
+        )
 
     def subject(self, element: Object) -> Term | None:
         """Return the node that *element* describes or names."""
-        return self._subjects.get(id(element))
+        self._trace(element)
+        return self.trace.subjects.get(id(element))
 
     def scope(self, element: Object) -> ContextScope | None:
         """Return the contexts at *element*; None if it is a map or lost."""
+        self._trace(element)
         return self.trace.processor.scopes.get(id(element))
+
+    def _trace(self, element: Object) -> None:
+        """Trace the element of the outermost graph in which *element* stands, if it is in one."""
+        number = bisect_right(self._starts, element.start) - 1
+        if number >= 0:
+            self._elements[number].tracks  # noqa: B018
 
     def meaning(self, element: Object, key: str) -> str | None:
         """Return the IRI that *key* of *element* expands to."""
@@ -173,3 +213,15 @@ class TriplePlaces:
                 return False
             owner = seat.holder
         return subject == node
+
+
+def _named(tracks: Tracks) -> Iterator[tuple[Term, Object]]:
+    """Yield the objects that have an identifier, with the node that it means."""
+    for origin in tracks.origins.values():
+        if origin.identifier is not None:
+            yield iri(origin.identifier), origin.element
+
+
+def _first(placed: Sequence[tuple[int, Triple]], offset: int) -> int:
+    """Return the number of the first triple that is *placed* at *offset* or behind it."""
+    return bisect_left(placed, offset, key=lambda each: each[0])
