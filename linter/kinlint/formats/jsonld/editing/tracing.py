@@ -29,7 +29,7 @@ class TracedElement:
         self, triples: Collection[Triple], span: Span, trace: Tracks | Callable[[], Tracks]
     ) -> None:
         self.triples = triples
-        """What it states, in the order of the text."""
+        """Triples that it states, in the order of the text."""
         self.span = span
         """Its place."""
         if isinstance(trace, Tracks):
@@ -44,7 +44,7 @@ class TracedElement:
 
     @cached_property
     def tracks(self) -> Tracks:
-        """What it states, with all places."""
+        """Its triples with all of their places."""
         return self._trace()
 
 
