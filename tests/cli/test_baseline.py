@@ -279,6 +279,27 @@ def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, wr
     assert (code, "no longer found" in out) == (1, True)
 
 
+def test_a_part_accuses_nothing_where_the_other_file_has_no_findings(kinlint, here, write):
+    """The limit is below the joint's only as long as the file of the joint is there."""
+    joint = '{ "@id": "ex:joint", "@type": ["Joint", "PrismaticJoint"] }'
+    head = NODE[: NODE.index('"@id"')]
+    write("joint.jsonld", f'{head} "@graph": [{joint}] }}')
+    write("limit.jsonld", NODE.replace("1.5", "-3", 1))
+    options = ("--select", "UNI,LIM,LNT", "--output-format", "concise")
+    assert kinlint("--write-baseline", *options)[0] == 0
+    assert {each["path"] for each in said(here)["findings"]} == {"limit.jsonld"}
+    assert said(here)["composed"] == ["joint.jsonld", "limit.jsonld"]
+    assert "no longer found" not in kinlint("limit.jsonld", *known_as(), *options)[1]
+    assert "no longer found" not in kinlint(*known_as(), *options)[1]
+
+    (here / "joint.jsonld").unlink()
+    assert "no longer found" in kinlint(*known_as(), *options)[1]
+
+
+def known_as():
+    return "--baseline", "kinlint-baseline.json"
+
+
 def test_fixes_are_proven_of_what_is_new(kinlint, known, write, monkeypatch):
     """Of the robot that has something new; and nothing is tried where nothing is."""
     tried = []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -32,6 +32,8 @@ class Baseline:
     """Its text."""
     entries: tuple[Entry, ...] = ()
     """The findings that it lists."""
+    composed: tuple[str, ...] = ()
+    """Paths of the files that composed a model when they were found, if more than one."""
 
 
 def read_baseline(path: Path, origin: str) -> Baseline:
@@ -51,10 +53,11 @@ def read_baseline(path: Path, origin: str) -> Baseline:
     except SourceError as error:
         raise UsageError(f"{origin}: {error}") from None
     try:
-        entries = tuple(_entries(source, parse(source).value))
+        said = parse(source).value
+        entries = tuple(_entries(source, said))
+        return Baseline(path, source, entries, tuple(_composed(source, said)))
     except SourceError as error:
         raise UsageError(f"{origin}: {error}") from None
-    return Baseline(path, source, entries)
 
 
 def _entries(source: SourceText, said: Any) -> Iterator[Entry]:
@@ -71,6 +74,14 @@ def _entries(source: SourceText, said: Any) -> Iterator[Entry]:
         if not isinstance(one, Object):
             _fail(source, said["findings"].element_span(number), "expected a finding, an object")
         yield _entry(source, one)
+
+
+def _composed(source: SourceText, said: Object) -> Iterator[str]:
+    files = said.get("composed", [])
+    for each in files if isinstance(files, list) else (files,):
+        if not isinstance(each, Text):
+            _fail(source, said.span, "composed: expected an array of strings")
+        yield str(each)
 
 
 def _entry(source: SourceText, said: Object) -> Entry:
@@ -92,14 +103,18 @@ def _fail(source: SourceText, span: Span, cause: str) -> NoReturn:
     raise SourceError(source.name, cause, place.line, place.column)
 
 
-def write_baseline(path: Path, entries: Iterable[Entry]) -> None:
+def write_baseline(path: Path, entries: Iterable[Entry], composed: Collection[str]) -> None:
     """Write *entries* to the file at *path*, as a whole or not at all.
+
+    *composed* are the files of a model, without all of which some may not be found.
 
     Raises UsageError where that cannot be.
     """
     ordered = sorted(entries, key=lambda one: one.key)
     listed = [{name: getattr(one, name) for name in FIELDS} for one in ordered]
-    said = {"version": VERSION, "findings": listed}
+    said: dict[str, object] = {"version": VERSION, "findings": listed}
+    if len(composed) > 1 and listed:
+        said = {"version": VERSION, "composed": sorted(composed), "findings": listed}
     data = f"{json.dumps(said, indent=2, ensure_ascii=False)}\n".encode("utf-8", "replace")
     try:
         if path.is_file() and path.read_bytes() == data:

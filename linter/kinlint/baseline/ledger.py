@@ -28,6 +28,8 @@ class Ledger:
     """Names of paths in them."""
     gone: Callable[[str], bool] = _nothing
     """Test of a path for a file that no longer exists, and so may have been renamed."""
+    composed: Sequence[str] = ()
+    """Files that composed a model when these were found."""
 
     def new(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* that were not known, in their order."""

@@ -20,15 +20,16 @@ def stale_entries(
     """The entries of *ledger* that are *left* and that *report* would have if they were there.
 
     Nothing is known of files that were not linted, of rules that were not asked, and of anything
-    if a file could not be read. Where others were not linted that the ledger has, what is said in
-    several files need not be found either; a file of elements speaks for itself. Of a file that
-    is gone all is found no more if the run *searched* where it lay.
+    if a file could not be read. Where others were not linted that the ledger has, or that composed
+    a model with them, what is said in several files need not be found either; a file of elements
+    speaks for itself. Of a file that is gone all is found no more if the run *searched* where it
+    lay.
     """
     if report.errors:
         return []
     files = {ledger.names.relative_path(name) for name in report.files}
     codes = {rule.code for rule in report.rules}
-    paths = {one.path for one in ledger.entries}
+    paths = {*ledger.composed, *(one.path for one in ledger.entries)}
     whole = all(path in files or ledger.gone(path) for path in paths)
     return [
         one

@@ -18,6 +18,7 @@ from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real, shown
 from kinlint.finding import Finding
+from kinlint.formats.records import by_suffix
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
@@ -84,16 +85,21 @@ class KnownFindings:
             told = plural(len(report.errors), "file")
             raise UsageError(f"{shown(baseline.path)}: not written: {told} could not be read")
         names, kept = ledger(baseline).names, self._lasting(left, old)
-        write_baseline(baseline.path, [*(entry_of(each, names) for each in report.findings), *kept])
+        found = [entry_of(each, names) for each in report.findings]
+        before = baseline.composed if kept else ()
+        composed = {
+            *(each for each in before if not ledger(baseline).gone(each)),
+            *map(names.relative_path, filter(_is_composed, report.files)),
+        }
+        write_baseline(baseline.path, [*found, *kept], composed)
         self._say(f"{plural(len(report.findings), 'finding')} written to {shown(baseline.path)}")
 
     def _prune(self, baseline: Baseline, left: Sequence[Entry], old: Sequence[Entry]) -> None:
         lost = len(left) - len(kept := self._lasting(left, old, prune=True))
         forgotten = set(map(id, left)) - set(map(id, kept))
         if lost:
-            write_baseline(
-                baseline.path, [one for one in baseline.entries if id(one) not in forgotten]
-            )
+            left = [one for one in baseline.entries if id(one) not in forgotten]
+            write_baseline(baseline.path, left, baseline.composed)
         entries = "entry" if lost == 1 else "entries"
         self._say(f"{lost:,} stale {entries} dropped from {shown(baseline.path)}")
 
@@ -116,7 +122,15 @@ class KnownFindings:
 def ledger(baseline: Baseline) -> Ledger:
     """Return the ledger of *baseline*, whose paths are relative to its directory."""
     root = real(baseline.path).parent
-    return Ledger(baseline.entries, Names(root), lambda path: not (root / path).exists())
+    return Ledger(
+        baseline.entries, Names(root), lambda path: not (root / path).exists(), baseline.composed
+    )
+
+
+def _is_composed(name: str) -> bool:
+    """Tell whether files like the one called *name* compose models with others."""
+    form = by_suffix(name)
+    return form is None or not form.is_tree
 
 
 def find_baseline(options: Namespace, project: Config) -> Baseline | None:

@@ -39,7 +39,7 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
         common = min(meanings, key=lambda each: (-files[each], -described.get(each, 0), each))
         for meaning, found in sorted(meanings.items()):
             if meaning != common:
-                yield from ((one, fact("common-namespace"), common) for one in sorted(found))
+                yield from ((one, fact("is-elsewhere"), common) for one in sorted(found))
 
 
 def _described(scan: PredicateIndex) -> Mapping[Term, int]:

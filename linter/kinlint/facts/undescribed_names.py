@@ -21,6 +21,8 @@ ELSEWHERE = re.compile(
 """Properties whose values are described by other means than models."""
 FILE = re.compile(r"\.\w+>$")
 """The end of the name of a file, which is described by being there."""
+LAST = re.compile(r"[^#/:]+[#/:]$")
+"""The last part of a namespace."""
 METAMODEL = f"<{METAMODELS}", f"<{KINLINT}"
 PUBLISHED = METAMODELS, QUDT, "http://qudt.org/vocab/"
 """Namespaces whose names are terms."""
@@ -37,7 +39,8 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
     """Yield for each namespace with undescribed names a node about them.
 
     It has the names as members, their number and that of the described ones, and the first with the
-    node and the property that refer to it. Of a namespace in which no file describes anything it
+    node and the property that refer to it; of a namespace that is not a file's own, one of a file
+    that differs from it in the last part. Of a namespace in which no file describes anything it
     has what metamodels ask for. Names that resemble described ones are slips of the pen and not
     among them.
     """
@@ -47,6 +50,10 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
     described: dict[str, list[str]] = {}
     for node in sorted(filter(is_iri, _described(scan))):
         described.setdefault(split(node)[0], []).append(split(node)[1])
+    own = _own_namespaces(scan)
+    beside: dict[str, list[str]] = {}
+    for each in sorted(own):
+        beside.setdefault(_above(each), []).append(each)
     for number, (space, names) in enumerate(found.items(), 1):
         known = described.get(space, ())
         slips = {name for name in list(names)[:LOOKED_UP] if only_near(split(name)[1], known)}
@@ -61,6 +68,9 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
             yield node, fact("subject"), subject
             yield node, fact("property"), predicate
             yield from ((node, MEMBER, name) for name in left)
+            if space not in own:
+                neighbours = beside.get(_above(space), ())[:1]
+                yield from ((node, fact("beside"), literal(each)) for each in neighbours)
 
 
 def _mentions(scan: PredicateIndex) -> Mapping[str, Mapping[Term, Mention]]:
@@ -68,11 +78,7 @@ def _mentions(scan: PredicateIndex) -> Mapping[str, Mapping[Term, Mention]]:
     described, named = _described(scan), scan.table(src("name"))
     terms = scan.table(iri(f"{RDFS}isDefinedBy"))
     graphs = {name for _, names in named.items() for name in names}
-    own = {
-        literal_value(space)
-        for _, spaces in scan.table(src("ownNamespace")).items()
-        for space in spaces
-    }
+    own = _own_namespaces(scan)
     found: dict[str, dict[Term, Mention]] = {}
     for document in scan.documents:
         if not names_by_iri(document.format):
@@ -88,6 +94,17 @@ def _mentions(scan: PredicateIndex) -> Mapping[str, Mapping[Term, Mention]]:
             names = found.setdefault(space, {})
             names.setdefault(value, Mention(subject, predicate))
     return found
+
+
+def _own_namespaces(scan: PredicateIndex) -> set[str]:
+    """Return the namespaces in which a file describes most of its names."""
+    spaces = scan.table(src("ownNamespace"))
+    return {literal_value(space) for _, found in spaces.items() for space in found}
+
+
+def _above(space: str) -> str:
+    """Return the namespace *space* without its last part."""
+    return LAST.sub("", space)
 
 
 def _described(scan: PredicateIndex) -> set[Term]:

@@ -77,6 +77,8 @@ class ElementType:
     """Slots of attributes, by name."""
     children: dict[str, ElementType] = field(default_factory=dict, repr=False)
     """Types of child elements, by tag."""
+    embeds: dict[str, str] = field(default_factory=dict)
+    """Children that another format describes, by tag: the IRIs of their types there."""
     once: frozenset[str] = frozenset()
     """Tags of children that may occur once."""
     required: tuple[str, ...] = ()

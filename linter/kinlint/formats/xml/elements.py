@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from kinlint.addresses import child_address, repeated_address, root_of
 from kinlint.formats.xml.element_types import ANY, ElementType, Schema
+from kinlint.formats.xml.schema import embedded
 from kinlint.formats.xml.schema_diagnostics import Diagnostics
 from kinlint.formats.xml.value_reading import SPACE, Form, value_reader
 from kinlint.terms import XSD, Term, Triple, iri_value, literal
@@ -107,6 +108,8 @@ class Elements:
             else:
                 foreign = outer.open or ":" in tag
                 type_, predicate = ANY, f"<{EXTENSION if foreign else namespace}{tag}>"
+                if tag in outer.embeds:
+                    type_ = embedded(outer.embeds[tag])
 
             name = attributes.get(naming)
             address = child_address(above, tag, name) if holder >= 0 else above

@@ -13,8 +13,9 @@ from kinlint import resources
 from kinlint.file_format import Format
 from kinlint.formats.xml.element_types import ElementType, Lifetime, Reference, Schema, Slot
 from kinlint.formats.xml.value_reading import Form
+from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, iri
-from kinlint.vocabulary import ATTRIBUTE, FMT, KINLINT, SRC
+from kinlint.vocabulary import ATTRIBUTE, EXTENSION, FMT, KINLINT, SRC
 
 KINDS = ("text", "number", "integer", "boolean", "vectors")
 VECTOR = "vector"
@@ -27,6 +28,16 @@ TEXT = iri(f"{SRC}text")
 def schema(form: str) -> Schema:
     """Return the schema of the format called *form*."""
     return _Tables(form).schema()
+
+
+@cache
+def embedded(node: str) -> ElementType:
+    """Return the type *node* as it counts in a file of another format.
+
+    Its values are checked. Nothing else is: whoever reads it there knows more children, may read
+    any version, and has defaults for what is missing.
+    """
+    return _Tables(node.rpartition("#")[0].removeprefix(KINLINT)).embedded(node)
 
 
 def kinds(form: Format) -> frozenset[str]:
@@ -71,6 +82,7 @@ class _Tables:
                 dict.fromkeys(found[child].tag for child in entries.get(word, ()))
                 for word in ("once", "many", "requires", "expects")
             )
+            type_.embeds = dict(map(self._embedding, entries.get("embeds", ())))
             type_.once = frozenset(once.keys() - many.keys())
             type_.requires = tuple(requires)
             type_.expects = tuple(each for each in expects if each not in requires)
@@ -81,6 +93,27 @@ class _Tables:
                 default = next(iter(entries.get("defaultVersion", ())), default)
         _link(list(found.values()))
         return Schema(self.namespace, roots, types, parents, names, default)
+
+    def embedded(self, node: str) -> ElementType:
+        """Return the type *node* and those below it, open, and with properties of extensions."""
+        entries = self.nodes[node]
+        type_ = self._type(entries)
+        below = [
+            self.embedded(each)
+            for each in (*entries.get("once", ()), *entries.get("many", ()))
+            if "true" not in self.nodes[each].get("open", ())
+        ]
+        return replace(
+            type_,
+            predicate=iri(EXTENSION + type_.tag),
+            children={each.tag: each for each in below},
+            required=(),
+            open=True,
+            lifetime=None,
+            lifetimes={},
+            dated=False,
+            checked=bool(type_.choices),
+        )
 
     def _references(
         self, entries: dict[str, list[str]], type_: ElementType
@@ -139,6 +172,10 @@ class _Tables:
             dated=bool(since or until or lifetimes),
             checked=bool(since or until or lifetimes or choices or entries.get("required")),
         )
+
+    def _embedding(self, node: str) -> tuple[str, str]:
+        """Return the tag of a type of another format, which ends its IRI, and the IRI."""
+        return node.rpartition("#")[2], node
 
     def _list(self, head: str) -> Iterator[str]:
         """Yield the members of the RDF list *head*."""
