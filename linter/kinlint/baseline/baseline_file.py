@@ -76,7 +76,7 @@ def _entries(source: SourceText, said: Any) -> Iterator[Entry]:
         yield _entry(source, one)
 
 
-def _composed(source: SourceText, said: Object) -> Iterator[str]:
+def _composed(source: SourceText, said: Any) -> Iterator[str]:
     files = said.get("composed", [])
     for each in files if isinstance(files, list) else (files,):
         if not isinstance(each, Text):
