@@ -84,7 +84,7 @@ def test_configuration(cell, capfd):
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (["--xacro-arg", "a=1"], "--xacro-arg: expected NAME:=VALUE, got 'a=1'"),
+        (["--xacro-arg", "a"], "--xacro-arg: expected NAME:=VALUE, got 'a'"),
         (["--xacro-arg", ":=1"], "--xacro-arg: expected NAME:=VALUE, got ':=1'"),
         (["--package", "a"], "--package: expected NAME=DIR, got 'a'"),
         (["--package", "a=nowhere"], "--package 'a=nowhere': no such file or directory"),
@@ -129,3 +129,44 @@ def test_failures_inside_what_others_include_are_theirs(cell, capfd):
     )
     assert codes(capfd, "part.xacro") == {"SRC018"}
     assert codes(capfd, "part.xacro", "one.xacro") == set()
+
+
+HAND_IS = "hand_description{}lib/hands/one/two"
+
+
+@pytest.mark.parametrize("sign", ["=", ":="])
+def test_either_sign(cell, capfd, sign):
+    """`=` as kinlint writes packages, `:=` as xacro writes arguments."""
+    told = ["--package", HAND_IS.format(sign), "--xacro-arg", f"prefix{sign}left_"]
+    _, places, _ = run(capfd, "arm.xacro", *told)
+    assert any(place.startswith("arm.xacro:4:") for place in places)
+
+
+def test_arguments_as_xacro_takes_them(cell, capfd):
+    """Among the paths, in any place; a value may be empty or have more signs."""
+    told = ["--package", HAND_IS.format("=")]
+    for words in (["arm.xacro", "prefix:=a:=b="], ["prefix:=a:=b=", "arm.xacro"]):
+        main(["--output-format", "concise", "-q", "--select", "ID", *words, *told])
+        assert "'a:=b=base'" in capfd.readouterr().out
+    main(["--output-format", "concise", "-q", "--select", "ID", "arm.xacro", "prefix:=", *told])
+    assert "'base'" in capfd.readouterr().out
+    main(["graph", "arm.xacro", "prefix:=left_", *told])
+    assert "left_base" in capfd.readouterr().out
+
+
+def test_an_argument_that_no_file_takes(cell, capfd):
+    """It is told, with the one that may be meant; those of included files are known."""
+    (cell / "kinlint.toml").write_text('packages = { hand_description = "lib/hands/one/two" }')
+    hand = cell / "lib" / "hands" / "one" / "two" / "hand.xacro"
+    hand.write_text(f'<robot {XMLNS}><xacro:arg name="gripper" default=""/></robot>')
+
+    def told(*words):
+        main(["--output-format", "concise", "--select", "ID", "arm.xacro", *words])
+        return capfd.readouterr().err
+
+    assert told("prefix:=a", "gripper:=b") == ""
+    unknown = "kinlint: warning: no xacro file of this run has an argument"
+    assert told("prefx:=a") == f"{unknown} 'prefx', did you mean 'prefix'?\n"
+    assert told("prefix:=a", "size:=2") == f"{unknown} 'size'\n"
+    hand.unlink()
+    assert told("prefix:=a", "size:=2") == ""

@@ -18,6 +18,7 @@ from kinlint.cli.lint_run import LintRun, profiled
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
+from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.project_trust import untrusted_message
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -52,6 +53,7 @@ COMPARING = (
 def run(arguments: Sequence[str]) -> int:
     """Lint what *arguments* name; the exit code."""
     options = parser().read(arguments)
+    take_arguments(options)
     if options.version:
         sys.stdout.write(f"kinlint {__version__}\n")
         return CLEAN
@@ -107,7 +109,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(found, report.passed_over, () if options.quiet else _missing(run.read, settings))
+        _warn(found, report.passed_over, _unknown(options, run.read, settings))
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
@@ -170,13 +172,20 @@ def _warn(found: Found, passed_over: Iterable[SourceError] = (), more: Iterable[
     sys.stderr.writelines(f"kinlint: warning: {line}\n" for line in more)
 
 
-def _missing(sources: Sequence[SourceText], settings: Settings) -> Iterable[str]:
+def _unknown(
+    options: Namespace, sources: Sequence[SourceText], settings: Settings
+) -> Iterator[str]:
+    """Yield lines about packages that are not found and arguments that no file takes."""
     naming = [each for each in sources if any(word in each.text for word in PACKAGED)]
-    if not naming:
-        return ()
+    if options.quiet or not (naming or options.xacro_arg):
+        return
     from kinlint.cli.installed_findings import missing_packages  # noqa: PLC0415  most name none
+    from kinlint.cli.xacro_arguments import unknown_arguments  # noqa: PLC0415
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
 
-    return missing_packages(naming, settings)
+    packages_of = ReadOptions.from_settings(settings).packages_of
+    yield from missing_packages(naming, packages_of)
+    yield from unknown_arguments(options.xacro_arg or (), sources, packages_of)
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:

@@ -13,6 +13,7 @@ from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
+from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.settings import Settings
 from kinlint.conversion.rotations import ROTATIONS
 from kinlint.errors import UsageError
@@ -72,6 +73,7 @@ def parser() -> Parser:
 def run(arguments: Sequence[str]) -> int:
     """Convert what *arguments* name; the exit code."""
     options = parser().read(arguments)
+    take_arguments(options)
     if not options.paths:
         raise UsageError("name the file of a robot to convert, or - for standard input")
     output = options.output_file

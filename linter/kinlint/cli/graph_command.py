@@ -14,6 +14,7 @@ from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
+from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
@@ -80,6 +81,7 @@ def parser() -> Parser:
 def run(arguments: Sequence[str]) -> int:
     """Draw what *arguments* name; the exit code."""
     options = parser().read(arguments)
+    take_arguments(options)
     if not options.paths and not options.stdin_filename:
         raise UsageError("name the file of a robot to draw, or - for standard input")
     output = options.output_file

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
-from kinlint.configuration.settings import Settings
 from kinlint.files.installed_files import is_installed
+from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.finding import Finding
+from kinlint.formats.dependencies.named_packages import named_packages
 from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
@@ -38,12 +39,10 @@ def without_installed(report: Report, named: Iterable[str]) -> Report:
     )
 
 
-def missing_packages(sources: Iterable[SourceText], settings: Settings) -> Iterator[str]:
-    """Yield a line for each package that *sources* name and that is not found."""
-    from kinlint.formats.dependencies.named_packages import named_packages  # noqa: PLC0415
-    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
-
-    packages_of = ReadOptions.from_settings(settings).packages_of
+def missing_packages(
+    sources: Iterable[SourceText], packages_of: Callable[[str], Packages]
+) -> Iterator[str]:
+    """Yield a line for each package that *sources* name and that *packages_of* has not."""
     lost: dict[str, list[str]] = {}
     for (name, found), files in named_packages(sources, packages_of).items():
         if found is None:

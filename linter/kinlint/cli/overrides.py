@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from kinlint.cli.xacro_arguments import name_and_value
 from kinlint.configuration.config_file import (
     Config,
     Configs,
@@ -100,25 +101,25 @@ def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
 
 
 def _packages(pairs: Iterable[str]) -> Iterator[tuple[str, Path]]:
-    """Packages `NAME=DIR`."""
-    for pair in pairs:
-        name, _, directory = pair.partition("=")
-        if not name or not directory:
-            raise UsageError(f"--package: expected NAME=DIR, got '{pair}'")
+    """Packages `NAME=DIR` or `NAME:=DIR`."""
+    for text in pairs:
+        name, directory = name_and_value(text) or ("", "")
+        if not directory:
+            raise UsageError(f"--package: expected NAME=DIR, got '{text}'")
         path = absolute(os.path.expanduser(directory))  # noqa: PTH111  never fails
         if not path.is_dir():
             cause = "not a directory" if path.exists() else missing(path)
-            raise UsageError(f"--package '{pair}': {cause}")
+            raise UsageError(f"--package '{text}': {cause}")
         yield name, path
 
 
 def _xacro_args(pairs: Iterable[str]) -> Iterator[XacroArgument]:
-    """Arguments `NAME:=VALUE`."""
-    for pair in pairs:
-        name, mark, value = pair.partition(":=")
-        if not name or not mark:
-            raise UsageError(f"--xacro-arg: expected NAME:=VALUE, got '{pair}'")
-        yield XacroArgument(name, value)
+    """Arguments `NAME:=VALUE` or `NAME=VALUE`."""
+    for text in pairs:
+        found = name_and_value(text)
+        if found is None:
+            raise UsageError(f"--xacro-arg: expected NAME:=VALUE, got '{text}'")
+        yield XacroArgument(*found)
 
 
 def _choices(options: Namespace) -> tuple[Choice, ...]:
