@@ -118,6 +118,8 @@ class Finding:
     """The same, independent of abbreviations."""
     related: tuple[Related, ...] = ()
     """Other places it is about."""
+    reason: str = ""
+    """One sentence with the numbers that show the defect; empty where the message has them."""
     because: tuple[Premise, ...] = ()
     """Statements that the finding rests on."""
     suppressed: str | None = field(default=None)

@@ -49,6 +49,8 @@ class Report:
     """Number of findings in installed files that files of the run include; they are not listed."""
     fixed: tuple[Finding, ...] = ()
     """Findings that were fixed, each with the fix made."""
+    derived: bool = False
+    """True if formats for people show what findings were derived from."""
     unsafe: bool | None = None
     """True if unsafe fixes are made with the safe ones; False also hides the hint at them."""
     unfixed: tuple[tuple[Finding, Repair, str], ...] = ()

@@ -18,8 +18,8 @@ from kinlint.text import Location, SourceText, Span
 ESCAPES = re.compile(r"\x1b\[[0-9;]*m|\x1b\]8;;.*?\x1b\\")
 
 
-def full(*findings: Finding, style: Style = PLAIN) -> str:
-    return "".join(render(report(*findings), style))
+def full(*findings: Finding, style: Style = PLAIN, derived: bool = False) -> str:
+    return "".join(render(report(*findings, derived=derived), style))
 
 
 def excerpt(location: Location, style: Style = PLAIN) -> list[str]:
@@ -29,7 +29,7 @@ def excerpt(location: Location, style: Style = PLAIN) -> list[str]:
 
 
 def test_a_finding_shows_lines_marks_other_files_and_reasons() -> None:
-    assert "".join(render(BOTH, Style())) == (
+    assert "".join(render(replace(BOTH, derived=True), Style())) == (
         """\
 error[INE007]: Inertia 'rob:link2-inertia' is seen by frame 'rob:link1-root' of another body. [AP3]
  --> models/dynamics.jsonld:7:21
@@ -45,9 +45,9 @@ error[INE007]: Inertia 'rob:link2-inertia' is seen by frame 'rob:link1-root' of 
 2 |   { "@id": "rob:link1-root", "of-body": "rob:link1" }
   |                                         ----------- fixed to rob:link1 here
   |
-  = because: link2-inertia of-body link2 (models/dynamics.jsonld:5)
-             link1-root a Frame, inferred: what has an origin is a Frame
-               link1-root of-body link1 (models/skeleton.jsonld:2)
+  = derived from: link2-inertia of-body link2 (models/dynamics.jsonld:5)
+                  link1-root a Frame, inferred: what has an origin is a Frame
+                    link1-root of-body link1 (models/skeleton.jsonld:2)
   = docs: kinlint rule INE007
 
 warning[UNI002]: Unit 'M' does not fit. [AP5, AP6]
@@ -160,9 +160,16 @@ def test_more_than_fifty_equal_messages_are_shown_once() -> None:
 
 def test_a_long_proof_is_cut() -> None:
     finding = unit_finding(here("x", 0, 1), because=(Premise("a b c"),) * 30)
-    text = full(finding)
+    text = full(finding, derived=True)
     assert text.count("a b c") == 24
     assert "             and 6 more\n" in text
+
+
+def test_the_arithmetic_is_one_sentence_and_the_derivation_is_for_those_who_ask() -> None:
+    finding = replace(INERTIA_FINDING, reason="0.1 > 0.01 + 0.01 = 0.02 kg m².")
+    assert "  |\n  = because: 0.1 > 0.01 + 0.01 = 0.02 kg m².\n  = docs: " in full(finding)
+    assert "kg m².\n  = derived from: link2-inertia of" in full(finding, derived=True)
+    assert "because" not in full(INERTIA_FINDING)
 
 
 def test_a_suppressed_finding_says_why() -> None:
@@ -219,9 +226,9 @@ def test_what_is_computed_is_not_called_inferred() -> None:
         Premise("turn x 0", at(source, "two"), depth=1),
         Premise("turn norm 1", axiom="computed from the same"),
     )
-    shown_lines = full(unit_finding(at(source, "one"), because=because)).splitlines()
+    shown_lines = full(unit_finding(at(source, "one"), because=because), derived=True).splitlines()
     assert [line.strip(" =") for line in shown_lines if "turn" in line] == [
-        "because: turn determinant -1, computed from:",
+        "derived from: turn determinant -1, computed from:",
         "turn x 0 (m.jsonld:2)",
         "turn norm 1, computed from the same",
     ]

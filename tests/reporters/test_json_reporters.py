@@ -47,6 +47,7 @@ def test_an_object_has_the_fields_of_ruff_and_ours() -> None:
         "fixes": [],
         "iri": "https://example.org/robot#length",
         "related": [],
+        "reason": None,
         "because": [],
         "consequences": [],
         "taxa": ["AP5", "AP6"],

@@ -117,8 +117,9 @@ class Outputs:
 
     def _write(self, report: Report, name: str, stream: TextIO) -> None:
         """Write *report* in the format called *name*, without a summary."""
-        shown = report if FORMATS[name].machine else report.shown_from(self.show)
-        write(shown, name, stream, self._style(stream), summarise=False)
+        if not FORMATS[name].machine:
+            report = replace(report.shown_from(self.show), derived=self.verbose)
+        write(report, name, stream, self._style(stream), summarise=False)
 
     def _aside(self, report: Report, told: Report, out: TextIO) -> None:
         """Write to standard error what standard output leaves out."""

@@ -35,6 +35,8 @@ class Constraint:
     """The IRI of its own severity, or that of the shape."""
     messages: tuple[str, ...] = ()
     """Templates with `{?name}`, the one for readers of English first."""
+    because: str = ""
+    """The template of its `kl:because`: one sentence with the numbers that show the violation."""
     path: Term | None = None
     """The predicate of the shape; None for node shapes and longer paths."""
     select: str = ""

@@ -106,9 +106,17 @@ def because(
             steps += (Step(triple, axiom), *origin)
             continue
         proof = explain(store, axioms, triple) if store.is_inferred(triple) else (Step(triple),)
+        if _is_class_tree(proof) and triple[2] not in result.bindings.values():
+            continue
         if proof and proof[0] not in steps:
             steps += proof
     return tuple(steps)
+
+
+def _is_class_tree(proof: Sequence[Step]) -> bool:
+    """Tell whether *proof* only leads from the stated class of a node to a wider one."""
+    stated = {step.triple[:2] for step in proof}
+    return len(proof) > 1 and stated == {(proof[0].triple[0], RDF_TYPE)}
 
 
 class _Search:

@@ -118,8 +118,10 @@ class FindingBuilder:
             return finding
         result, location = told[1][0], finding.location
         wording = Wording(self._locator, location, finding.focus)
+        template = result.constraint.because
         return replace(
             finding,
+            reason=filled(template, wording.words(template, dict(_terms(result)))),
             related=tuple(self._related(result, location, wording)),
             because=tuple(_because(result, self._locator, self._proofs, wording)),
         )

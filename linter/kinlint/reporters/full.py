@@ -30,10 +30,10 @@ def render(report: Report, style: Style) -> Iterator[str]:
     for finding in report.findings:
         same = groups[_sameness(finding)]
         if len(same) <= SAME_MESSAGES:
-            yield from _block(finding, (), style, unsafe=report.unsafe)
+            yield from _block(finding, (), style, report)
         elif same[0] is finding:
             others = [other.location for other in same[1:]]
-            yield from _block(finding, others, style, unsafe=report.unsafe)
+            yield from _block(finding, others, style, report)
     yield from errors(report, style)
 
 
@@ -42,7 +42,7 @@ def _sameness(finding: Finding) -> tuple[str, str, bool]:
 
 
 def _block(
-    finding: Finding, others: Sequence[Location], style: Style, *, unsafe: bool | None
+    finding: Finding, others: Sequence[Location], style: Style, report: Report
 ) -> Iterator[str]:
     near, far = _split(finding, style)
     if finding.rule.group_by:
@@ -51,7 +51,7 @@ def _block(
     gutter = len(str(max(last_line(finding), *(mark.line for mark in (*near, *far)))))
     margin = " " * gutter
     bar = style.ink(f"{margin} |", "place")
-    yield _headline(finding, style, unsafe=unsafe) + "\n"
+    yield _headline(finding, style, unsafe=report.unsafe) + "\n"
     yield f"{margin}{style.ink('-->', 'place')} {_place(finding.location, style)}\n{bar}\n"
     for row in excerpt_rows(near, style, gutter, CONTEXT_LINES):
         yield f"{row}\n"
@@ -62,8 +62,10 @@ def _block(
             yield f"{row}\n"
         yield f"{bar}\n"
     lead = style.ink(f"{margin} =", "place")
-    for line in _because(finding.because, style):
-        yield f"{lead if line.startswith('because') else margin + '  '} {line}\n"
+    if finding.reason:
+        yield f"{lead} because: {fold_lines(finding.reason, unicode=style.unicode)}\n"
+    for line in _derivation(finding.because, style) if report.derived else ():
+        yield f"{lead if line.startswith('derived') else margin + '  '} {line}\n"
     if others:
         yield f"{lead} {_elsewhere(finding.location.source.name, others, style)}\n"
     if finding.suppressed is not None:
@@ -113,9 +115,9 @@ def _fits(mark: Mark, near: Sequence[Mark], style: Style) -> bool:
     return cut_line(source, mark.line, leader.start, style).holds(mark.start)
 
 
-def _because(premises: Sequence[Premise], style: Style) -> Iterator[str]:
+def _derivation(premises: Sequence[Premise], style: Style) -> Iterator[str]:
     """A line for each statement that the finding rests on, what it follows from below it."""
-    lead = "because: "
+    lead = "derived from: "
     for premise in premises[:PREMISES_SHOWN]:
         text = fold_lines(premise.statement, unicode=style.unicode)
         if premise.computed:

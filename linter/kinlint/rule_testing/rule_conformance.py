@@ -189,6 +189,8 @@ def _bad(
             yield f"bad example {number}: found at {where}: {finding.message}"
         if "''" in finding.message:
             yield f"bad example {number}: a variable of the message is empty: {finding.message}"
+        if "''" in finding.reason:
+            yield f"bad example {number}: a variable of kl:because is empty: {finding.reason}"
 
 
 def found(rule: Rule, rulebook: Rulebook, texts: Texts) -> list[Finding]:

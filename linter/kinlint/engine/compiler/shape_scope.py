@@ -70,6 +70,8 @@ class Violation:
     at_value: bool = False
     """The value node is the value of the result."""
     messages: tuple[str, ...] = ()
+    because: str = ""
+    """The template of its `kl:because`."""
     own_messages: bool = False
     """The messages are those of the constraint or its component, not of the shape."""
     premises: tuple[Triple, ...] = ()

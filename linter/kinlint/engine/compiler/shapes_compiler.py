@@ -85,6 +85,7 @@ class _Walk:
             component=violation.component,
             severity=violation.severity or shape.severity,
             messages=messages,
+            because=violation.because,
             path=shape.path.predicate or None if shape.path else None,
             deferred=reason,
             formats=violation.formats,

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from kinlint.engine.compiler.user_query import Query
     from kinlint.terms import Term
 
+BECAUSE = f"<{KL}because>"
 FORMAT = f"<{KL}format>"
 TARGET = f"<{KL}target>"
 SEVERITY_FOR = f"<{KL}severityFor>"
@@ -47,6 +48,7 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
             shown=result_variables(scope, query),
             at_value=not shape.path and "?value" not in query.variables,
             messages=own or (f"'{{?this}}' violates '{name}'.",),
+            because=because(shape.graph, node),
             own_messages=True,
             premises=query.premises,
             formats=formats(shape.graph, node),
@@ -55,6 +57,12 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
             severity_for=severity_for(shape.graph, node),
             without_focus=runs_without_focus(query.select),
         )
+
+
+def because(graph: ShapesGraph, node: Term) -> str:
+    """Return the template of a constraint's `kl:because`; "" if it has none."""
+    told = graph.one(node, BECAUSE)
+    return " ".join(literal_value(told).split()) if told is not None else ""
 
 
 def formats(graph: ShapesGraph, node: Term) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.sparql_constraints import (
+    because,
     consumers,
     formats,
     severity,
@@ -144,6 +145,7 @@ def _constraint(shapes: ShapesGraph, record: Record) -> Constraint:
         component=iri_value(term(record.component)),
         severity=own or shape.severity,
         messages=said or shape.messages,
+        because=because(shapes, source) if source is not None else "",
         path=path if path is not None and is_iri(path) else None,
         formats=formats(shapes, source) if source is not None else (),
         consumers=consumers(shapes, source) if source is not None else (),

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from kinlint.finding import Finding, Premise
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.fixability import sign
@@ -103,7 +103,7 @@ class Articles:
             f'<span class="place">{start.line}:{start.column}</span> '
             + "".join(element("span", text(tag), class_="tag") for tag in tags)
         )
-        parts = [*excerpts(finding), *_because(finding.because), *fixes(finding)]
+        parts = [*excerpts(finding), *_because(finding), *fixes(finding)]
         if finding.suppressed is not None:
             parts.append(element("p", f"Suppressed: {text(fold_lines(finding.suppressed))}"))
         about = element("code", text(finding.entity))
@@ -124,10 +124,12 @@ def chip_of_error() -> str:
     return '<span class="chip error"><span aria-hidden="true">✖</span> not read</span>'
 
 
-def _because(premises: Sequence[Premise]) -> Iterator[str]:
-    if not premises:
+def _because(finding: Finding) -> Iterator[str]:
+    """Yield the sentence with the numbers that show *finding*, and what it was derived from."""
+    premises = finding.because
+    if not premises and not finding.reason:
         return
-    items = []
+    items = [f"<li>{text(finding.reason)}</li>"] if finding.reason else []
     for premise in premises[:PREMISES]:
         said = text(fold_lines(premise.statement))
         if premise.axiom:

@@ -58,7 +58,7 @@ class Results:
         }
         if finding.related:
             result["relatedLocations"] = list(self._related(finding))
-        if finding.because:
+        if finding.because or finding.reason:
             result["codeFlows"] = [self._flow(finding)]
         if finding.consequences:
             told = [self._consequence(each) for each in finding.consequences]
@@ -138,7 +138,9 @@ class Results:
         steps = [
             (location or finding.location, _step(premise), premise.depth + 1)
             for premise, location in _derivation(finding.because)
-        ][-FLOW_LOCATIONS + 1 :]
+        ][-FLOW_LOCATIONS + 2 :]
+        if finding.reason:
+            steps.append((finding.location, finding.reason, 1))
         steps.append((finding.location, finding.message, 0))
         locations = [
             {
