@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from kinlint.catalogue.term_checks import Fault, WrittenQuery, queries
 from kinlint.engine.compiler.shacl_terms import sh
+from kinlint.engine.compiler.sparql_constraints import BECAUSE
 from kinlint.engine.compiler.shapes_graph import ShapesFile
 from kinlint.rule import PLACEHOLDER
 from kinlint.sparql.ast import Clause, Filter, Select, Triples, Values, walk
@@ -129,7 +130,7 @@ def _message_faults(file: ShapesFile, query: Variables) -> Iterator[Fault]:
     """Yield variables of messages that no solution of *query* has."""
     known = {*query.shown, *GIVEN}
     for node, way, value in file.triples:
-        if node == query.query.node and way == sh("message"):
+        if node == query.query.node and way in (sh("message"), BECAUSE):
             for match in PLACEHOLDER.finditer(literal_value(value)):
                 name = f"?{match[1]}"
                 if name not in known:
