@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 
 from kinlint.catalogue.term_checks import Fault, WrittenQuery, queries
 from kinlint.engine.compiler.shacl_terms import sh
-from kinlint.engine.compiler.sparql_constraints import BECAUSE
 from kinlint.engine.compiler.shapes_graph import ShapesFile
+from kinlint.engine.compiler.sparql_constraints import BECAUSE
 from kinlint.rule import PLACEHOLDER
 from kinlint.sparql.ast import Clause, Filter, Select, Triples, Values, walk
 from kinlint.sparql.parser import parse
