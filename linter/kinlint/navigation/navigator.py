@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from kinlint.navigation.node_at_offset import Surroundings
 from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
+from kinlint.navigation.renaming.rename import Renamer
 from kinlint.pipeline.analyzer import Examination
 from kinlint.suppression.directive import Directive, find_directives
 from kinlint.term_format import TermFormatter
@@ -95,6 +96,10 @@ class Navigator:
         entities = [each.entity for each in self._index.at(name, offset)]
         found = self._index.descriptions(entities) if described else []
         return [each.location for each in (*found, *self._index.mentions(entities))]
+
+    def renamer(self, is_ours: Callable[[Path], bool]) -> Renamer:
+        """Return what renames in these texts; *is_ours* tells the files that may change."""
+        return Renamer(self._index, is_ours)
 
     def highlights(self, name: str, offset: int) -> Sequence[Occurrence]:
         """Return the places in the same text that name what is named there."""

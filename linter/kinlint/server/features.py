@@ -13,6 +13,7 @@ FEATURES = (
     "kinlint.server.workspace_commands",
     "kinlint.server.hover_request",
     "kinlint.server.completion_request",
+    "kinlint.server.rename_request",
     "kinlint.server.find_references",
     "kinlint.server.document_symbols",
     "kinlint.server.document_links",
