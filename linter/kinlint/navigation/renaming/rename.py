@@ -25,7 +25,7 @@ ARGUMENT = "argument"
 
 @dataclass(frozen=True)
 class Renaming:
-    """What is renamed: the things that share a name at a place, and all places of the name."""
+    """Things that share a name at a place, and all places of the name."""
 
     things: Sequence[NamedThing]
     """The things; several where a file is read more than once, such as a model that is included."""
