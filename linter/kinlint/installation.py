@@ -19,10 +19,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kinlint import resources
+from kinlint.files.cache_file import UNDONE, write_cache_file
 from kinlint.light_dataclasses import dataclass
 
 KEPT = "digests.json"
 """File with the digests in a cache."""
+STORED = (KEPT, f"digests-*{UNDONE}")
+"""Patterns for the names of this file, and of those being written."""
 SETTLED = 2.0
 """Age in seconds from which files count as complete: changes within a tick of the clock of a file
 system cannot be told apart.
@@ -105,11 +108,5 @@ def _read(path: Path) -> dict[str, Any]:
 
 def _write(path: Path, kept: dict[str, Any]) -> None:
     """Keep *kept* at *path*; where that is impossible, the next run computes it again."""
-    import tempfile  # noqa: PLC0415  slow to import, and most runs find what they need
-
     with suppress(OSError):
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(".tmp", "digests-", path.parent)
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            json.dump(kept, stream)
-        Path(temporary).replace(path)
+        write_cache_file(path, json.dumps(kept).encode())

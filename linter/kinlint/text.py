@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable
 from functools import cached_property
 from itertools import accumulate
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 from kinlint.file_format import Format
 from kinlint.light_dataclasses import dataclass, field
+
+T = TypeVar("T")
 
 
 class Span(NamedTuple):
@@ -125,3 +128,22 @@ class Location:
     def end(self) -> Position:
         """Line and column just after the last character."""
         return self.source.position(self.span.end)
+
+
+class PerText(Generic[T]):
+    """Results of a function of a text, kept by the name of the text until another text has that name."""
+
+    def __init__(self, make: Callable[[SourceText], T]) -> None:
+        self._make = make
+        self._made: dict[str, tuple[SourceText, T]] = {}
+
+    def __call__(self, source: SourceText) -> T:
+        """Return the result for *source*."""
+        known = self._made.get(source.name)
+        if known is None or known[0] is not source:
+            known = self._made[source.name] = source, self._make(source)
+        return known[1]
+
+    def clear(self) -> None:
+        """Forget all results."""
+        self._made.clear()

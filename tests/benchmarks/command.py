@@ -8,6 +8,7 @@ import shlex
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
@@ -87,6 +88,15 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+@contextmanager
+def _workplace() -> Iterator[Workplace]:
+    """An empty directory to run kinlint in, which has run before."""
+    with tempfile.TemporaryDirectory() as directory:
+        place = Workplace(Path(directory))
+        place.warm()
+        yield place
+
+
 def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
         yield from Fleet(options.fleet).rows(options.runs)
@@ -95,28 +105,20 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
         yield from reading.rows(options.runs)
         return
     if options.starting:
-        with tempfile.TemporaryDirectory() as directory:
-            place = Workplace(Path(directory))
-            place.warm()
+        with _workplace() as place:
             yield from Starting(place).rows(4 * options.runs)
         return
     if options.keystrokes:
-        with tempfile.TemporaryDirectory() as directory:
-            place = Workplace(Path(directory))
-            place.warm()
+        with _workplace() as place:
             yield from Keystrokes(place).rows(4 * options.runs)
             yield from editing.rows(place, options.runs)
         return
     if options.proofs:
         fleet = None if options.proofs == Path() else options.proofs.absolute()
-        with tempfile.TemporaryDirectory() as directory:
-            place = Workplace(Path(directory))
-            place.warm()
+        with _workplace() as place:
             yield from Proving(place, fleet).rows(options.runs, quick=options.quick)
         return
-    with tempfile.TemporaryDirectory() as directory:
-        place = Workplace(Path(directory))
-        place.warm()
+    with _workplace() as place:
         yield from place.rows(options.runs, quick=options.quick)
         yield from Starting(place).rows(4 * options.runs)
         yield from Proving(place).rows(options.runs, quick=options.quick)

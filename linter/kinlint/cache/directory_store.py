@@ -14,9 +14,10 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
+from kinlint.files.cache_file import UNDONE, write_cache_file
 from kinlint.light_dataclasses import dataclass
 
-BEGIN, END, UNDONE = "report-", ".json", ".tmp"
+BEGIN, END = "report-", ".json"
 MOST_BYTES = 128 * 2**20
 """Size in bytes at which the oldest entries are removed."""
 KEPT = 0.75
@@ -51,17 +52,7 @@ class DirectoryStore:
         """Keep *text* under *key*."""
         data = text.encode()
         with suppress(OSError):
-            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            import tempfile  # noqa: PLC0415  slow to import, and runs that recall do without
-
-            handle, name = tempfile.mkstemp(UNDONE, BEGIN, self.folder)
-            try:
-                with os.fdopen(handle, "wb") as stream:
-                    stream.write(_digest(key, data) + b"\n" + data)
-                Path(name).replace(self._path(key))
-            except BaseException:
-                Path(name).unlink(missing_ok=True)
-                raise
+            write_cache_file(self._path(key), _digest(key, data) + b"\n" + data)
 
     def bound(self, most: int = MOST_BYTES) -> None:
         """Let the oldest go if all have more than *most* bytes, and what was never finished."""

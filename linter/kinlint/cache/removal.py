@@ -8,7 +8,7 @@ from pathlib import Path
 from kinlint.cache.directory_store import DirectoryStore
 from kinlint.cache.report_cache import FOLDER
 from kinlint.catalogue.compiled_store import STORED
-from kinlint.installation import KEPT
+from kinlint.installation import STORED as DIGESTS
 from kinlint.light_dataclasses import dataclass
 
 
@@ -36,7 +36,9 @@ def clear(directory: Path) -> Cleared:
             size += path.lstat().st_size
             path.unlink(missing_ok=True)
             catalogues += 1
-    (directory / KEPT).unlink(missing_ok=True)
+    for pattern in DIGESTS:
+        for path in directory.glob(pattern):
+            path.unlink(missing_ok=True)
     with suppress(OSError):
         directory.rmdir()
     return Cleared(reports, catalogues, size)

@@ -6,7 +6,6 @@ The first line has of each rule what all runs look at, and where in the followin
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from functools import partial
@@ -17,10 +16,11 @@ from zlib import crc32
 from kinlint.catalogue.deferred import ConstraintHead, ConstraintTable, Deferred
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
+from kinlint.files.cache_file import UNDONE, write_cache_file
 from kinlint.light_dataclasses import MISSING, dataclass, fields
 from kinlint.rule import Applicability, Example, Repair, Rule, Severity, SeverityFor
 
-STORED = ("catalogue-*.jsonl", "catalogue-*.tmp")
+STORED = ("catalogue-*.jsonl", f"catalogue-*{UNDONE}")
 """Patterns for the names of compiled catalogues in a cache, and of those being written."""
 KEPT = 8
 """The number of compiled catalogues that a cache keeps: one for each set of rules lately in use."""
@@ -90,15 +90,9 @@ class CompiledCatalogue:
 
     def keep(self, stored: Path) -> None:
         """Keep the catalogue in the file *stored*; what cannot be written costs time, no run."""
-        import tempfile  # noqa: PLC0415  a run that finds its catalogue does without
-
+        head = json.dumps(self.head, separators=(",", ":")).encode()
         with suppress(OSError):
-            stored.parent.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(".tmp", "catalogue-", stored.parent)
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(json.dumps(self.head, separators=(",", ":")).encode() + b"\n")
-                stream.write(self.lines)
-            Path(temporary).replace(stored)
+            write_cache_file(stored, b"\n".join((head, self.lines)))
             for stale in newest(stored.parent)[KEPT:]:
                 stale.unlink()
 

@@ -65,20 +65,14 @@ def _run(arguments: list[str]) -> int:
     except Exception as error:
         if os.environ.get("KINLINT_TRACEBACK") == "1":
             raise
-        if isinstance(error, FileNotFoundError) and not _has_working_directory():
+        from kinlint.files.pathname import has_working_directory  # noqa: PLC0415  of errors alone
+
+        if isinstance(error, FileNotFoundError) and not has_working_directory():
             _say("the working directory does not exist any more")
             return ABNORMAL
         text = " ".join(f"{type(error).__name__}: {error}".split())
         _say(f"{text} (an error in kinlint itself: please report it with the command you ran)")
     return ABNORMAL
-
-
-def _has_working_directory() -> bool:
-    try:
-        os.getcwd()  # noqa: PTH109  imports next to nothing
-    except OSError:
-        return False
-    return True
 
 
 def _say(message: str) -> None:

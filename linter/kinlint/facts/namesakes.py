@@ -6,12 +6,12 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 
+from kinlint.facts.described_names import described_nodes, own_namespaces
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.identifier_slips import names_by_iri
 from kinlint.facts.predicate_index import PredicateIndex
-from kinlint.formats.source_layer import src
 from kinlint.suggestion import LOOKED_UP
-from kinlint.terms import Term, Triple, iri, iri_value, is_iri, literal_value
+from kinlint.terms import Term, Triple, iri, iri_value, is_iri
 
 NAME = re.compile(r"[^#/:]+$")
 """The part of an IRI after its namespace."""
@@ -25,13 +25,9 @@ def namesakes(scan: PredicateIndex) -> Iterator[Triple]:
     Where two namespaces have only one name in common, they have to be spelt alike; a name that a
     hundred namespaces have in common says nothing.
     """
-    own = {
-        literal_value(space)
-        for _, spaces in scan.table(src("ownNamespace")).items()
-        for space in spaces
-    }
+    own = own_namespaces(scan)
     described: dict[str, list[str]] = defaultdict(list)
-    for node in sorted({each for one in scan.documents for each in one.map.nodes}):
+    for node in sorted(described_nodes(scan)):
         space, name = _split(node)
         if name and space in own:
             described[name].append(space)

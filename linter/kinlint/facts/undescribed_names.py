@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
+from kinlint.facts.described_names import described_nodes, own_namespaces
 from kinlint.facts.fact_statements import MEMBER, fact, fact_node, integer
 from kinlint.facts.identifier_slips import ROLES, names_by_iri, only_near, split
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.source_layer import src
 from kinlint.suggestion import LOOKED_UP
-from kinlint.terms import Term, Triple, iri, is_iri, literal, literal_value
+from kinlint.terms import Term, Triple, iri, is_iri, literal
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, RDFS, SRC
 
 ELSEWHERE = re.compile(
@@ -44,13 +45,14 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
     has what metamodels ask for. Names that resemble described ones are slips of the pen and not
     among them.
     """
-    found = _mentions(scan)
+    nodes = described_nodes(scan)
+    found = _mentions(scan, nodes)
     if not found:
         return
     described: dict[str, list[str]] = {}
-    for node in sorted(filter(is_iri, _described(scan))):
-        described.setdefault(split(node)[0], []).append(split(node)[1])
-    own = _own_namespaces(scan)
+    for space, name in map(split, sorted(filter(is_iri, nodes))):
+        described.setdefault(space, []).append(name)
+    own = own_namespaces(scan)
     beside: dict[str, list[str]] = {}
     for each in sorted(own):
         beside.setdefault(_above(each), []).append(each)
@@ -73,12 +75,14 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
                 yield from ((node, fact("beside"), literal(each)) for each in neighbours)
 
 
-def _mentions(scan: PredicateIndex) -> Mapping[str, Mapping[Term, Mention]]:
-    """Return the first mention of each undescribed name, by namespace."""
-    described, named = _described(scan), scan.table(src("name"))
+def _mentions(
+    scan: PredicateIndex, described: Collection[Term]
+) -> Mapping[str, Mapping[Term, Mention]]:
+    """Return the first mention of each name that is not *described*, by namespace."""
+    named = scan.table(src("name"))
     terms = scan.table(iri(f"{RDFS}isDefinedBy"))
     graphs = {name for _, names in named.items() for name in names}
-    own = _own_namespaces(scan)
+    own = own_namespaces(scan)
     found: dict[str, dict[Term, Mention]] = {}
     for document in scan.documents:
         if not names_by_iri(document.format):
@@ -96,19 +100,9 @@ def _mentions(scan: PredicateIndex) -> Mapping[str, Mapping[Term, Mention]]:
     return found
 
 
-def _own_namespaces(scan: PredicateIndex) -> set[str]:
-    """Return the namespaces in which a file describes most of its names."""
-    spaces = scan.table(src("ownNamespace"))
-    return {literal_value(space) for _, found in spaces.items() for space in found}
-
-
 def _above(space: str) -> str:
     """Return the namespace *space* without its last part."""
     return LAST.sub("", space)
-
-
-def _described(scan: PredicateIndex) -> set[Term]:
-    return {node for document in scan.documents for node in document.map.nodes}
 
 
 def _is_apart(predicate: Term) -> bool:

@@ -12,6 +12,15 @@ from kinlint.suggestion import nearest
 NOTHING = "no such file or directory"
 
 
+def has_working_directory() -> bool:
+    """Tell whether the working directory is still there."""
+    try:
+        Path.cwd()
+    except OSError:
+        return False
+    return True
+
+
 def shown(path: Path, given: str = "") -> str:
     """Return *path* relative to the working directory if it is below it, else as it was *given*."""
     with suppress(OSError, ValueError):  # The working directory may be gone.

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from kinlint.engine.store import Store
 from kinlint.findings.consequences import Unread
+from kinlint.sparql.given_values import is_nameable
 from kinlint.terms import Term, iri
 from kinlint.vocabulary import RDFS
 
@@ -16,8 +17,6 @@ TURTLE_PREFIX = re.compile(r"@?prefix\s+([A-Za-z][\w.-]*)?:\s*<([^<>\s]*)>", re.
 NAME = re.compile(r'"([A-Za-z][\w.-]*):([^"\s/][^"\s]*)"')
 TURTLE_NAME = re.compile(r"(?<![\w:\"])([A-Za-z][\w.-]*)?:([A-Za-z_][\w-]*)")
 ABSOLUTE = re.compile(r'["<]((?:https?://|urn:)[^">\s]+)[">]')
-NAMEABLE = re.compile(r'<[^\x00-\x20<>"{}|^`\\\ud800-\udfff]*>')
-"""An IRI that a store can hold."""
 WORD = re.compile(r"[A-Za-z][\w-]*")
 LOCAL_NAMES = f"""
 SELECT ?term ?above WHERE {{
@@ -38,7 +37,7 @@ def unread_file(text: str, store: Store) -> Unread:
         for row in store.rows(LOCAL_NAMES)
         if re.split(r"[#/]", row["term"][:-1])[-1] in words
     }
-    return Unread(frozenset(filter(NAMEABLE.fullmatch, _names(text))), frozenset(terms))
+    return Unread(frozenset(filter(is_nameable, _names(text))), frozenset(terms))
 
 
 def _names(text: str) -> Iterator[Term]:

@@ -17,7 +17,7 @@ from kinlint.files.pathname import shown
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.terms import RDF_TYPE, Term, iri_value, is_iri
-from kinlint.text import SourceText
+from kinlint.text import PerText, SourceText
 from kinlint.vocabulary import DOCUMENT_BASE, KINLINT, METAMODELS, SH, SRC
 
 _VOCABULARIES = (DOCUMENT_BASE, METAMODELS, KINLINT, "http://qudt.org/", "http://www.w3.org/")
@@ -40,10 +40,10 @@ class TurtleParts:
     """Finder of parts, which decides anew where the words that matter have changed."""
 
     def __init__(self) -> None:
-        self._read: dict[str, tuple[SourceText, Document | None]] = {}
-        self._last: dict[str, tuple[SourceText, frozenset[str]]] = {}
+        self._document = PerText(lambda source: _document(source, ReadOptions()))
+        self._ends = PerText(self._last_words)
         self._own: set[str] = set()
-        self._used: dict[str, tuple[SourceText, frozenset[tuple[str, int]]]] = {}
+        self._own_words = PerText(self._numbered_words)
         self._verdict: tuple[object, frozenset[str]] = (None, frozenset())
 
     def find(
@@ -64,7 +64,8 @@ class TurtleParts:
             return []
         own = {word for each in turtle for word in self._words(each)}
         if own != self._own:
-            self._own, self._used = own, {}
+            self._own = own
+            self._own_words.clear()
         words = tuple(map(self._own_words, models))
         ends = {end for each in turtle for end in self._ends(each)}
         # Whoever refers to a node has the last word of its name, escaped or not.
@@ -106,33 +107,19 @@ class TurtleParts:
         document = self._document(source)
         return _WORD.findall(source.text if document is None else " ".join(document.map.nodes))
 
-    def _ends(self, source: SourceText) -> Iterable[str]:
+    def _last_words(self, source: SourceText) -> frozenset[str]:
         """Return the last words of what *source* describes, or of all names of a broken one."""
-        if source.name not in self._last or self._last[source.name][0] is not source:
-            document = self._document(source)
-            if document is None:
-                found = frozenset(_LAST.findall(source.text))
-            else:
-                nodes = filter(is_iri, document.map.nodes)
-                own = (each for each in nodes if not iri_value(each).startswith(_VOCABULARIES))
-                found = frozenset(map(_end, own))
-            self._last[source.name] = source, found
-        return self._last[source.name][1]
+        document = self._document(source)
+        if document is None:
+            return frozenset(_LAST.findall(source.text))
+        nodes = filter(is_iri, document.map.nodes)
+        own = (each for each in nodes if not iri_value(each).startswith(_VOCABULARIES))
+        return frozenset(map(_end, own))
 
-    def _own_words(self, source: SourceText) -> frozenset[tuple[str, int]]:
+    def _numbered_words(self, source: SourceText) -> frozenset[tuple[str, int]]:
         """Return the words of Turtle files that the model *source* has, with their numbers."""
-        known = self._used.get(source.name)
-        if known is None or known[0] is not source:
-            found = Counter(word for word in _WORD.findall(source.text) if word in self._own)
-            known = self._used[source.name] = source, frozenset(found.items())
-        return known[1]
-
-    def _document(self, source: SourceText) -> Document | None:
-        known = self._read.get(source.name)
-        if known is None or known[0] is not source:
-            known = source, _document(source, ReadOptions())
-            self._read[source.name] = known
-        return known[1]
+        found = Counter(word for word in _WORD.findall(source.text) if word in self._own)
+        return frozenset(found.items())
 
 
 def _document(source: SourceText, options: ReadOptions) -> Document | None:

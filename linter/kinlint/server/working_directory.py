@@ -18,12 +18,3 @@ def work_in(roots: Sequence[Path]) -> None:
             with suppress(OSError):
                 os.chdir(directory)
                 return
-
-
-def is_astray() -> bool:
-    """Tell whether the working directory was removed."""
-    try:
-        Path.cwd()
-    except OSError:
-        return True
-    return False

@@ -12,6 +12,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError
+from kinlint.files.pathname import has_working_directory
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.pipeline.analyzer import Cancelled
 from kinlint.server.diagnostic_conversion import FileDiagnostics, diagnostics_by_file
@@ -20,7 +21,7 @@ from kinlint.server.frozen_state import FrozenState
 from kinlint.server.readable_documents import ReadableDocuments
 from kinlint.server.request_context import Places, RequestContext
 from kinlint.server.session import Session
-from kinlint.server.working_directory import is_astray, work_in
+from kinlint.server.working_directory import work_in
 from kinlint.server.workspace_folder import Model, WorkspaceFolder
 from kinlint.text import SourceText
 
@@ -77,7 +78,7 @@ class Workspace:
         found nothing and is not done.
         """
         step = self._try(snapshot, cancelled)
-        if step.faults and is_astray():
+        if step.faults and not has_working_directory():
             self._sessions[step.key].invalidate()
             return Step(snapshot.generation)
         return step
@@ -214,7 +215,7 @@ class Workspace:
         """Go on to *snapshot*; whether files on disk may have changed since the last time."""
         before = self._stock
         before_generation = -1 if before is None else before.snapshot.generation
-        astray = is_astray()
+        astray = not has_working_directory()
         if before is None or before.snapshot.epoch != snapshot.epoch or astray:
             work_in(snapshot.roots)
             self._projects.clear()

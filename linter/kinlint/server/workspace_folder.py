@@ -11,7 +11,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
 from kinlint.files.pathname import shown
 from kinlint.formats.dependencies.companions import pair
-from kinlint.formats.dependencies.file_groups import JoinKeys, group_sources, join_keys
+from kinlint.formats.dependencies.file_groups import group_sources, join_keys
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import JSON
 from kinlint.light_dataclasses import dataclass, replace
@@ -22,7 +22,7 @@ from kinlint.project.reading import own_contexts
 from kinlint.project.turtle_parts import TurtleParts
 from kinlint.server.document_store import DocumentStore
 from kinlint.server.frozen_state import FrozenState
-from kinlint.text import SourceText
+from kinlint.text import PerText, SourceText
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class WorkspaceFolder:
         self._settings: dict[frozenset[str], Settings] = {}
         self._verdicts: dict[Path, tuple[SourceText, bool]] = {}
         self._own_contexts: dict[Path, Sequence[str]] = {}
-        self._tied: dict[str, tuple[SourceText, JoinKeys]] = {}
+        self._ties = PerText(join_keys)
         self._found: list[Input] = []
         self._turtle: list[Input] = []
         self._parts = TurtleParts()
@@ -144,13 +144,6 @@ class WorkspaceFolder:
             own = self._contexts(one.path.parent, one) if one.path.suffix == JSON else ()
             known = source, is_model(source, own)
             self._verdicts[one.path] = known
-        return known[1]
-
-    def _ties(self, source: SourceText) -> JoinKeys:
-        known = self._tied.get(source.name)
-        if known is None or known[0] is not source:
-            known = source, join_keys(source)
-            self._tied[source.name] = known
         return known[1]
 
     def _contexts(self, directory: Path, one: Input) -> Sequence[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from kinlint.terms import Term
 
-_NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]*>")
+_NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\\ud800-\udfff]*>")
 
 
 def is_nameable(term: Term) -> bool:
