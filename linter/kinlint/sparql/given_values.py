@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
-from kinlint.terms import Term
+import pyoxigraph as ox
 
-_NAMEABLE = re.compile(r"<[^\x00-\x20<>\"{}|^`\\\ud800-\udfff]*>")
+from kinlint.terms import Term, iri_value, is_iri
 
 
 def is_nameable(term: Term) -> bool:
-    """Tell whether a query can name *term*: an IRI, and none of those that only a store takes."""
-    return _NAMEABLE.fullmatch(term) is not None
+    """Tell whether a query can name *term*: an IRI by RFC 3987, and none that only a store takes."""
+    if not is_iri(term):
+        return False
+    try:
+        ox.NamedNode(iri_value(term))
+    except ValueError:
+        return False
+    return True
 
 
 def with_values(select: str, variable: str, values: Iterable[Term]) -> str:
