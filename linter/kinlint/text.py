@@ -131,7 +131,7 @@ class Location:
 
 
 class PerText(Generic[T]):
-    """Results of a function of a text, kept by the name of the text until another text has that name."""
+    """Results of a function of texts, each kept until another text has the same name."""
 
     def __init__(self, make: Callable[[SourceText], T]) -> None:
         self._make = make
