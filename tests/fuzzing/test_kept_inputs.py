@@ -34,11 +34,13 @@ KEPT = {
     "a huge angle": ("sdf", POSE.format("0 0 0 1e308 -1e308 1e400").encode()),
     "a name that no query can hold": (
         "jsonld",
-        b'{"@context": ["https://comp-rob2b.github.io/metamodels/newtonian-rigid-body-dynamics/'
-        b'operators.json", {"@base": "https://x.example/"}], "@graph": ['
-        b'{"@id": "transform-[[a", "@type": "TransformWrenchToProximal", "pose": "pose-a",'
-        b'"from": "wrench-a", "to": "wrench-b"}, {"@id": "add", "@type": "AddWrench",'
-        b'"in1": "wrench-b", "in2": "wrench-c", "out": "wrench-d"}]}',
+        (
+            b'{"@context": ["https://comp-rob2b.github.io/metamodels/newtonian-rigid-body-dynamics/'
+            b'operators.json", {"@base": "https://x.example/"}], "@graph": ['
+            b'{"@id": "transform-[[a", "@type": "TransformWrenchToProximal", "pose": "pose-a",'
+            b'"from": "wrench-a", "to": "wrench-b"}, {"@id": "add", "@type": "AddWrench",'
+            b'"in1": "wrench-b", "in2": "wrench-c", "out": "wrench-d"}]}'
+        ),
     ),
     "an angle that is no number": ("sdf", POSE.format("nan 0 0 nan 0 0").encode()),
 }
