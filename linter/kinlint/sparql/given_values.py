@@ -10,7 +10,7 @@ from kinlint.terms import Term, iri_value, is_iri
 
 
 def is_nameable(term: Term) -> bool:
-    """Tell whether a query can name *term*: an IRI by RFC 3987, and none that only a store takes."""
+    """Tell whether a query can name *term*: an IRI by RFC 3987 (stores take others too)."""
     if not is_iri(term):
         return False
     try:
