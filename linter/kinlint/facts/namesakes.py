@@ -6,7 +6,6 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 
-from kinlint.facts.described_names import described_nodes, own_namespaces
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.identifier_slips import names_by_iri
 from kinlint.facts.predicate_index import PredicateIndex
@@ -25,9 +24,9 @@ def namesakes(scan: PredicateIndex) -> Iterator[Triple]:
     Where two namespaces have only one name in common, they have to be spelt alike; a name that a
     hundred namespaces have in common says nothing.
     """
-    own = own_namespaces(scan)
+    own = scan.own_namespaces()
     described: dict[str, list[str]] = defaultdict(list)
-    for node in sorted(described_nodes(scan)):
+    for node in sorted(scan.described_nodes()):
         space, name = _split(node)
         if name and space in own:
             described[name].append(space)

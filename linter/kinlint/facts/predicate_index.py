@@ -12,6 +12,7 @@ import pyoxigraph as ox
 
 from kinlint.document import Document
 from kinlint.engine.store import Store, statement, token
+from kinlint.formats.source_layer import src
 from kinlint.terms import (
     RDF,
     RDF_TYPE,
@@ -21,6 +22,7 @@ from kinlint.terms import (
     iri_value,
     is_iri,
     is_literal,
+    literal_value,
 )
 from kinlint.vocabulary import INFERRED_GRAPH
 
@@ -118,6 +120,15 @@ class PredicateIndex:
             for values in found.values():
                 values.sort()
         return found
+
+    def described_nodes(self) -> set[Term]:
+        """Return the nodes that a document describes."""
+        return {node for document in self.documents for node in document.map.nodes}
+
+    def own_namespaces(self) -> set[str]:
+        """Return the namespaces in which a document describes most of its names."""
+        owned = self.table(src("ownNamespace"))
+        return {literal_value(space) for _, spaces in owned.items() for space in spaces}
 
     def single(self, predicate: Term) -> Mapping[Term, Term]:
         """Return the value of *predicate* for the subjects that have exactly one."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from kinlint.facts.described_names import described_nodes
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.identifier_slips import split
 from kinlint.facts.predicate_index import PredicateIndex
@@ -45,4 +44,4 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
 
 def _described(scan: PredicateIndex) -> Mapping[Term, int]:
     """Return the number of nodes that files describe in each namespace, a literal."""
-    return Counter(literal(split(node)[0]) for node in described_nodes(scan) if is_iri(node))
+    return Counter(literal(split(node)[0]) for node in scan.described_nodes() if is_iri(node))

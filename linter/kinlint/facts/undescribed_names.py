@@ -6,7 +6,6 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
-from kinlint.facts.described_names import described_nodes, own_namespaces
 from kinlint.facts.fact_statements import MEMBER, fact, fact_node, integer
 from kinlint.facts.identifier_slips import ROLES, names_by_iri, only_near, split
 from kinlint.facts.predicate_index import PredicateIndex
@@ -45,14 +44,14 @@ def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:
     has what metamodels ask for. Names that resemble described ones are slips of the pen and not
     among them.
     """
-    nodes = described_nodes(scan)
+    nodes = scan.described_nodes()
     found = _mentions(scan, nodes)
     if not found:
         return
     described: dict[str, list[str]] = {}
     for space, name in map(split, sorted(filter(is_iri, nodes))):
         described.setdefault(space, []).append(name)
-    own = own_namespaces(scan)
+    own = scan.own_namespaces()
     beside: dict[str, list[str]] = {}
     for each in sorted(own):
         beside.setdefault(_above(each), []).append(each)
@@ -82,7 +81,7 @@ def _mentions(
     named = scan.table(src("name"))
     terms = scan.table(iri(f"{RDFS}isDefinedBy"))
     graphs = {name for _, names in named.items() for name in names}
-    own = own_namespaces(scan)
+    own = scan.own_namespaces()
     found: dict[str, dict[Term, Mention]] = {}
     for document in scan.documents:
         if not names_by_iri(document.format):
