@@ -123,13 +123,31 @@ def test_names_that_cannot_be_printed_are_escaped(here):
     assert b"gr\\u00fcn.jsonld: no such file" in done.stdout + done.stderr
 
 
-def test_help_tells_of_every_command_and_option_group(kinlint):
-    """On standard output, and with success."""
+def test_help_fits_on_one_screen_and_names_every_command(kinlint):
+    """On standard output, and with success; the options are below `check`."""
     code, out, err = kinlint("--help")
 
     assert (code, err) == (0, "")
-    for word in (*commands.COMMANDS, "--select", "--sarif-output", "Exit code"):
+    for word in (*commands.COMMANDS, "--select", "--output FORMAT[=FILE]", "Exit code"):
         assert word in out
+    assert len(out.splitlines()) <= 40
+    assert max(map(len, out.splitlines())) <= 80
+    assert kinlint("-h") == kinlint("help") == kinlint("arm.urdf", "--help") == (0, out, "")
+    options = kinlint("check", "--help")
+    assert kinlint("--help-all") == kinlint("help", "check") == kinlint("lint", "-h") == options
+    assert "--new-from-merge-base REV" in options[1]
+    assert "--sarif-output" not in options[1]
+
+
+def test_names_that_other_tools_have_for_commands_answer(kinlint, here):
+    """Unless a file is called so."""
+    assert kinlint("explain", "LIM001") == kinlint("rule", "LIM001")
+    assert kinlint("list", "LIM001") == kinlint("rules", "LIM001")
+    assert kinlint("lsp", "--help") == kinlint("server", "--help")
+    (here / "arm.urdf").write_text('<robot name="arm"><link name="base"/></robot>')
+    assert kinlint("fix", "arm.urdf") == kinlint("--fix", "arm.urdf")
+    (here / "list").mkdir()
+    assert "no robot models found in 'list'" in kinlint("list")[2]
 
 
 @pytest.mark.parametrize("command", commands.COMMANDS)

@@ -79,6 +79,28 @@ def test_copies_beside_standard_output(kinlint, pipeline, write, here):
     assert (here / "json.out").exists()
 
 
+def test_one_option_names_formats_and_files(kinlint, pipeline, write, here):
+    """Without a file it is the format of standard output."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI002"]
+    _, out, _ = kinlint("arm.jsonld", "--output", "json", "--output=sarif=a.sarif", "-q")
+
+    assert [one["code"] for one in json.loads(out)] == ["UNI002"]
+    assert json.loads((here / "a.sarif").read_text("utf-8"))["runs"]
+    assert kinlint("arm.jsonld", "--output", "json=-", "-q")[1] == out
+
+
+def test_values_of_configuration_need_no_quotes(kinlint, pipeline, write):
+    """Where the kind of the key tells what they are."""
+    write("arm.jsonld")
+    pipeline.found = ["UNI001"]
+
+    assert kinlint("arm.jsonld", "--config", "fail-on=error")[0] == 0
+    assert kinlint("arm.jsonld", "--config", 'fail-on="error"')[0] == 0
+    assert kinlint("arm.jsonld", "--config", "output-format = json")[1].startswith("[")
+    assert kinlint("--show-settings", "--config", "select=UNI,LD001")[0] == 0
+
+
 def test_an_output_that_cannot_be_written(kinlint, pipeline, write):
     """One line, exit code 2."""
     write("arm.jsonld")

@@ -69,7 +69,7 @@ def test_color_for_a_rule(kinlint):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "name a rule, such as UNI002, or use --all"),
+        ([], "name a rule, such as UNI002; kinlint rules lists them"),
         (["UNI02"], "unknown rule selector 'UNI02', did you mean 'UNI002'?"),
         (["LD001", "--output-format", "txt"], "did you mean 'text'?"),
         (["UNI002", "--all"], "--all is every rule, 'UNI002' among them: give one of both"),

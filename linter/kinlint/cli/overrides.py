@@ -88,16 +88,27 @@ def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
     for text in texts:
         import tomllib  # noqa: PLC0415  rarely used
 
+        key, _, bare = (part.strip() for part in text.partition("="))
         try:
             new = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
-            key, _, value = (part.strip() for part in text.partition("="))
-            hint = f'; a string needs quotes: {key}="{value}"' if value.isprintable() else ""
-            raise ConfigError(f"--config '{text}': not TOML: {error}{hint}") from None
+            if (value := _unquoted(key, bare)) is None:
+                raise ConfigError(f"--config '{text}': not TOML: {error}") from None
+            new = {key: value}
         for key, value in new.items():
             old = said.get(key)
             said[key] = {**old, **value} if isinstance(old, dict) and KEYS.get(key) else value
     return said
+
+
+def _unquoted(key: str, value: str) -> str | list[str] | None:
+    """Return the *value* of *key* where its kind tells that it is a string, or several."""
+    if key not in KEYS or not value or not value.isprintable() or value[0] in "\"'[{":
+        return None
+    kind, several = KEYS[key].kind, [part.strip() for part in value.split(",")]
+    if "enum" in kind.schema:
+        return value
+    return next((each for each in (value, several) if not kind.problem(each)), None)
 
 
 def _packages(pairs: Iterable[str]) -> Iterator[tuple[str, Path]]:

@@ -25,11 +25,12 @@ def destinations(options: Namespace, project: Config, fail_on: str) -> Outputs:
     said = os.environ.get("KINLINT_OUTPUT_FORMAT")
     if said and (problem := unknown_message(said, OUTPUT_FORMATS)):
         raise UsageError(f"KINLINT_OUTPUT_FORMAT: {problem}")
+    main, copies = _outputs(options)
     path = options.output_file or os.environ.get("KINLINT_OUTPUT_FILE") or STDOUT
     return Outputs(
-        main=options.output_format or said or project.output_format or "full",
+        main=main or said or project.output_format or "full",
         path=None if path == STDOUT else Path(path),
-        copies=tuple(_copies(options)),
+        copies=copies,
         show=Severity[(project.show or ("info" if fail_on == "info" else "warning")).upper()],
         color=options.color,
         statistics=options.statistics,
@@ -60,6 +61,25 @@ def check_destinations(outputs: Outputs, read: Iterable[Path]) -> None:
         if not real.parent.is_dir():
             raise UsageError(f"{option}: cannot write {path}: there is no directory {path.parent}")
         taken[str(real)] = "is written by another option, too"
+
+
+def _outputs(options: Namespace) -> tuple[str | None, tuple[tuple[str, Path], ...]]:
+    """Return the format of standard output that *options* name, and further formats with files."""
+    main = [options.output_format] if options.output_format else []
+    copies = list(_copies(options))
+    for each in options.output or ():
+        name, equals, file = each.partition("=")
+        if problem := unknown_message(name, OUTPUT_FORMATS):
+            raise UsageError(f"--output: {problem}")
+        if equals and not file:
+            raise UsageError(f"--output {each}: expected FORMAT or FORMAT=FILE")
+        if file in ("", STDOUT):
+            main.append(name)
+        else:
+            copies.append((name, Path(file)))
+    if len(set(main)) > 1:
+        raise UsageError(f"one format for standard output, not {' and '.join(dict.fromkeys(main))}")
+    return next(iter(main), None), tuple(copies)
 
 
 def _copies(options: Namespace) -> Iterator[tuple[str, Path]]:

@@ -28,7 +28,7 @@ FORMATS = ("text", "markdown", "json", "turtle")
 def parser() -> Parser:
     """The parser of `kinlint rule`."""
     made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
-    made.add_positionals("names", "R", "code, name, beginning of codes, or anti-pattern")
+    made.add_positionals("names", "R", "code, name, family (topology, TOP) or anti-pattern (AP3)")
     made.add_argument("--all", action="store_true", help="every rule")
     made.add_argument(
         "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
@@ -47,7 +47,7 @@ def run(arguments: Sequence[str]) -> int:
     """Print the pages that *arguments* ask for; the exit code."""
     options = parser().read(arguments)
     if not options.names and not options.all:
-        raise UsageError("name a rule, such as UNI002, or use --all")
+        raise UsageError("name a rule, such as UNI002; kinlint rules lists them")
     extra = [absolute(path) for path in options.rules or ()]
     book = rulebook.load(extra, (), cache_directory(os.environ))
     known = Catalogue(book.rules)

@@ -1,14 +1,16 @@
 """Names of rules in options and configurations: selectors, resolved against the catalogue.
 
 A selector is a rule's code (`UNI002`) or name (`unit-quantity-mismatch`), the beginning of codes
-(`UNI`, `UNI0`, `U`), the tag of an anti-pattern (`AP3`), or `ALL`. As in ruff, the more specific
-selector wins over the less specific one, and of equals the ignoring one.
+(`UNI`, `UNI0`, `U`), the name of a family (`units`), the tag of an anti-pattern (`AP3`), or `ALL`.
+As in ruff, the more specific selector wins over the less specific one, and of equals the ignoring
+one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import TypeAlias
 
 from kinlint.configuration.keys import TARGETS
@@ -45,6 +47,14 @@ class Catalogue:
         """The letters of the codes."""
         return frozenset(rule.family for rule in self.rules)
 
+    @cached_property
+    def topics(self) -> Mapping[str, frozenset[str]]:
+        """The codes of the rules of each family, by the name of its folder: `topology`."""
+        found: dict[str, set[str]] = {}
+        for rule in self.rules:
+            found.setdefault(Path(rule.path).parent.name, set()).add(rule.code)
+        return {name: frozenset(codes) for name, codes in found.items() if name}
+
     def find(self, selector: str) -> tuple[Rank, frozenset[str]]:
         """Return how specific *selector* is, and the codes of the rules that it names.
 
@@ -57,11 +67,13 @@ class Catalogue:
         if selector in self.tags:
             tagged = (rule.code for rule in self.rules if selector in rule.antipatterns)
             return (2, 0), frozenset(tagged)
+        if selector in self.topics:
+            return (2, 0), self.topics[selector]
         codes = frozenset(rule.code for rule in self.rules if rule.code.startswith(selector))
         if not selector or not codes:
             message = f"unknown rule selector '{selector}'"
             meant = did_you_mean(selector, self.selectors)
-            raise UsageError(message + (meant or "; kinlint rule --all shows what there is"))
+            raise UsageError(message + (meant or "; kinlint rules lists them"))
         if selector in self.families:
             return (2, 0), codes
         return (1 if selector.isalpha() else 3, len(selector)), codes
@@ -69,7 +81,7 @@ class Catalogue:
     @property
     def selectors(self) -> Iterable[str]:
         """Every selector worth suggesting."""
-        return (ALL, *self.tags, *self.families, *self.exact)
+        return (ALL, *self.tags, *self.families, *self.topics, *self.exact)
 
     def check_target(self, target: str) -> None:
         """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import Action
+from argparse import SUPPRESS, Action
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import Literal, TypeAlias
@@ -97,7 +97,7 @@ def _command(name: str, about: tuple[str, str]) -> Command:
 
 def _options(actions: Iterable[Action]) -> Iterator[Option]:
     for one in actions:
-        if one.option_strings:
+        if one.option_strings and one.help != SUPPRESS:
             flag = one.nargs == 0 or str(one.metavar).startswith("[")
             text = " ".join((one.help or "").split())
             yield Option(tuple(one.option_strings), text, None if flag else _value(one))
