@@ -51,7 +51,7 @@ def run(arguments: list[str]) -> int:
     if name is None and _asks_for_help(arguments):
         from kinlint.cli.overview import page  # noqa: PLC0415  most runs do not ask for help
 
-        sys.stdout.write(page())
+        sys.stdout.write(page(COMMANDS))
         return 0
     module = import_module(COMMANDS[name or "check"][0])
     command: Callable[[list[str]], int] = module.run

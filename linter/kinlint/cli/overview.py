@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.cli.commands import COMMANDS
+from collections.abc import Mapping
 
 USAGE = """\
 usage: kinlint [PATH...] [options]
@@ -27,8 +27,8 @@ All options: kinlint check --help. Of a command: kinlint COMMAND --help.
 """
 
 
-def page() -> str:
-    """Return the help of the whole program."""
-    width = max(map(len, COMMANDS))
-    rows = (f"  {name:<{width}}  {what}\n" for name, (_, what) in COMMANDS.items())
+def page(commands: Mapping[str, tuple[str, str]]) -> str:
+    """Return the help of the whole program; *commands* have a module and a description each."""
+    width = max(map(len, commands))
+    rows = (f"  {name:<{width}}  {what}\n" for name, (_, what) in commands.items())
     return f"{USAGE}{''.join(rows)}\n{OPTIONS}"
