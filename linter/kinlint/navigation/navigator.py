@@ -16,6 +16,7 @@ from kinlint.navigation.file_links import Link, links
 from kinlint.navigation.graph_model import GraphModel
 from kinlint.navigation.hover import ACROSS, Hover, on_findings, on_ignore
 from kinlint.navigation.index import Index
+from kinlint.navigation.inlay_hints import InlayHint, InlayHints
 from kinlint.navigation.node_at_offset import Surroundings
 from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
@@ -96,6 +97,14 @@ class Navigator:
         entities = [each.entity for each in self._index.at(name, offset)]
         found = self._index.descriptions(entities) if described else []
         return [each.location for each in (*found, *self._index.mentions(entities))]
+
+    def inlay_hints(self, name: str, span: Span) -> Sequence[InlayHint]:
+        """Return the values to show beside what *span* of the text called *name* says."""
+        return self._hints.hints(name, span)
+
+    @cached_property
+    def _hints(self) -> InlayHints:
+        return InlayHints(self._documents, self._index.paths)
 
     def renamer(self, is_ours: Callable[[Path], bool]) -> Renamer:
         """Return what renames in these texts; *is_ours* tells the files that may change."""

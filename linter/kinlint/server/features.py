@@ -16,6 +16,9 @@ FEATURES = (
     "kinlint.server.rename_request",
     "kinlint.server.find_references",
     "kinlint.server.document_symbols",
+    "kinlint.server.workspace_symbols",
+    "kinlint.server.text_ranges",
+    "kinlint.server.inlay_hint_request",
     "kinlint.server.document_links",
     "kinlint.server.code_lens",
 )

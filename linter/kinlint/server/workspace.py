@@ -197,6 +197,20 @@ class Workspace:
             readable=self._readable.of(text.name, session.examination),
         )
 
+    def texts(self) -> dict[str, tuple[SourceText, Places]]:
+        """Return all texts of models, and those that they include, by name, with their places."""
+        if self._stock is None:
+            return {}
+        found: dict[str, tuple[SourceText, Places]] = {}
+        for model in self._models.values():
+            places = Places(self._stock.snapshot, self._encoding, dict(model.paths))
+            found |= {each.name: (each, places) for each in model.sources}
+        for session in self._sessions.values():
+            places = self._places(session, self._stock.snapshot)
+            for text in self._texts(session):
+                found.setdefault(text.name, (text, places))
+        return found
+
     def _texts(self, session: Session) -> Iterator[SourceText]:
         yield from session.model.sources
         if session.examination is not None:

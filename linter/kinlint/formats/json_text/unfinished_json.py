@@ -73,11 +73,15 @@ class JsonCursor:
 
 
 class UnfinishedJson:
-    """The objects and arrays of *text*; `cursor` is the place of *offset*, if it is in one."""
+    """The objects and arrays of *text*; `cursor` is the place of *offset*, if it is in one.
+
+    `nodes` are all of them, outer ones first.
+    """
 
     def __init__(self, text: str, offset: int) -> None:
         self.text = text
         self.cursor: JsonCursor | None = None
+        self.nodes: list[UnfinishedNode] = []
         self._offset = offset
         self._node: UnfinishedNode | None = None
         self._key: tuple[str, Span] | None = None
@@ -133,6 +137,7 @@ class UnfinishedJson:
         outer = self._node
         key = self._key[0] if self._key else outer.key if outer and not outer.is_object else None
         node = UnfinishedNode(is_object, span, outer, key)
+        self.nodes.append(node)
         if outer is not None:
             place = self._key[1] if self._key else span
             outer.members.append((self._key[0] if self._key else None, node, place))

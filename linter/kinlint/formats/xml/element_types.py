@@ -65,6 +65,19 @@ class Reference:
     """True if the name belongs to the scope of the element itself and not to the enclosing one."""
 
 
+@dataclass(frozen=True, slots=True)
+class Angles:
+    """Numbers of an attribute, or of the text of an element, that are angles in radians."""
+
+    first: int
+    """Number of others before them."""
+    attribute: str = ""
+    """Attribute of the element, or of the nearest one around that has it, on which that depends;
+    empty if it is always so."""
+    words: tuple[str, ...] = ()
+    """Values of it with which it is so; "" stands for none."""
+
+
 @dataclass(eq=False, slots=True)
 class ElementType:
     """Type of an element below certain others."""
@@ -95,6 +108,8 @@ class ElementType:
     """Words that attributes can be, or its text ("")."""
     usual: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Words that attributes usually are, while others are possible; those of its text are ""."""
+    angles: dict[str, tuple[Angles, ...]] = field(default_factory=dict)
+    """Angles in attributes, or in its text ("")."""
     references: dict[Term, Reference] = field(default_factory=dict)
     """References by name, by property."""
     files: frozenset[Term] = frozenset()

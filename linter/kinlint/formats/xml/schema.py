@@ -11,7 +11,7 @@ from functools import cache
 
 from kinlint import resources
 from kinlint.file_format import Format
-from kinlint.formats.xml.element_types import ElementType, Lifetime, Reference, Schema, Slot
+from kinlint.formats.xml.element_types import Angles, ElementType, Lifetime, Reference, Schema, Slot
 from kinlint.formats.xml.value_reading import Form
 from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, iri
@@ -165,6 +165,7 @@ class _Tables:
             assumed=dict(each.split(" ", 1) for each in entries.get("assumes", ())),
             choices=choices,
             usual=usual,
+            angles=_angles(map(self._list, entries.get("angles", ()))),
             open="true" in entries.get("open", ()),
             display_only="true" in entries.get("displayOnly", ()),
             lifetime=Lifetime(since, until) if since or until else None,
@@ -202,6 +203,16 @@ def _link(types: Sequence[ElementType]) -> None:
         }
     for each in types:
         each.leads = {c.predicate: c for c in each.children.values() if id(c) in leading}
+
+
+def _angles(said: Iterable[Iterable[str]]) -> dict[str, tuple[Angles, ...]]:
+    """Return the angles of an element by attribute: `( "lower" "0" "type" "revolute" )`."""
+    found: dict[str, tuple[Angles, ...]] = {}
+    for name, first, *condition in said:
+        attribute = condition[0] if condition else ""
+        angles = Angles(int(first), attribute, tuple(condition[1:]))
+        found[name] = (*found.get(name, ()), angles)
+    return found
 
 
 def _lifetimes(introduced: Iterable[str], removed: Iterable[str]) -> dict[str, Lifetime]:
