@@ -72,9 +72,7 @@ def test_selections_grow(name, text, mark, wanted):
     spans = selections(SourceText(name, text), offset)
     assert [text[slice(*each)] for each in spans][: len(wanted)] == wanted
     assert spans[-1] == (0, len(text))
-    assert all(
-        b.start <= a.start and a.end <= b.end for a, b in zip(spans, spans[1:], strict=False)
-    )
+    assert all(b.start <= a.start and a.end <= b.end for a, b in pairwise(spans))
 
 
 @pytest.mark.parametrize(
