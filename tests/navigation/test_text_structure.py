@@ -1,5 +1,7 @@
 """Folding and selection in texts, whole or half-written, and names of a workspace."""
 
+from itertools import pairwise
+
 import pytest
 
 from kinlint.navigation.text_structure import parts, selections
