@@ -9,19 +9,26 @@ FILLED = {
         " way, and what a script asks for by name is not there any more."
     ),
     "<https://example.org/> ;  # TODO: what the rule rests on": "<https://example.org/why> ;",
-    "kc:Joint ;  # TODO: what it is about": "kc:Joint ;",
-    "TODO: what is wrong with '{$this}'.": "The identifier of joint '{$this}' has a space in it.",
-    "# TODO: what a joint is like that has the fault": "",
+    "  # TODO: what it is about": "",
+    "TODO: what is wrong with '{$this}'.": "'{$this}' has a space in its name.",
+    "# TODO: what a ": "# ",
     "FILTER (false)": 'FILTER (CONTAINS(STR($this), "%20"))',
-    "ex:TODO: the fault": "ex:left%20elbow",
 }
 
 
-@pytest.mark.parametrize("form", ["jsonld", "urdf"])
+FORMS = {
+    "jsonld": ("ex:TODO: the fault", "ex:left%20elbow"),
+    "turtle": ("ex:elbow|]  # TODO: the fault", "ex:left%20elbow|]"),
+    **dict.fromkeys(("urdf", "xacro", "srdf", "sdf"), ("TODO: the fault|]", "left elbow|]")),
+}
+"""What stands for the fault in the bad example of each format, and what is written for it."""
+
+
+@pytest.mark.parametrize("form", FORMS)
 def test_a_rule_that_waits_to_be_filled_in_fails(kinlint, form):
     """Each place is told by its line, and nothing else is."""
-    code, out, _ = kinlint("new", "limits/limit-of-glass", "--format", form)
-    assert (code, "rules/limits/limit-of-glass.ttl: LIM0" in out) == (0, True)
+    code, out, _ = kinlint("new", "limits/limit-of-glass", "--format", form, "--code", "ACME001")
+    assert (code, "rules/limits/limit-of-glass.ttl: ACME001" in out) == (0, True)
     code, out, _ = kinlint("test-rules", "rules")
     told = out.splitlines()[:-1]
     assert code == 1
@@ -29,20 +36,39 @@ def test_a_rule_that_waits_to_be_filled_in_fails(kinlint, form):
     assert all("limit-of-glass: line " in line and "TODO:" in line for line in told)
 
 
-def test_filled_in_it_keeps_its_promises(kinlint, here):
-    """And works as a rule of one's own."""
-    kinlint("new", "gripper/space-in-name", "--code", "GRP001")
+@pytest.mark.parametrize("form", FORMS)
+def test_filled_in_it_keeps_its_promises(kinlint, here, form):
+    """In each format, as a rule of one's own."""
+    kinlint("new", "gripper/space-in-name", "--code", "GRP001", "--format", form)
     path = here / "rules/gripper/space-in-name.ttl"
     text = path.read_text("utf-8")
+    old, new = FORMS[form]
+    assert old in text
+    text = text.replace(old, new)
+    if "at:name []" in text:
+        text = text.replace("at:name []", "at:name ?name").replace("STR($this)", "?name")
     for old, new in FILLED.items():
         assert old in text
         text = text.replace(old, new)
+    if "at:name" in text:
+        text = text.replace('CONTAINS(STR($this), "%20")', 'CONTAINS(?name, " ")')
     path.write_text(text, "utf-8")
     code, out, _ = kinlint("test-rules", "rules")
     assert (code, out) == (0, "1 rule with 1 example: all keep their promises.\n")
     assert kinlint("new", "gripper/another-fault")[1].startswith(
         "rules/gripper/another-fault.ttl: GRP002"
     )
+
+
+def test_a_code_of_kinlint_is_not_given_away(kinlint, write):
+    """Outside of its own rules, codes begin with what the configuration or the option says."""
+    code, _, err = kinlint("new", "limits/limit-of-glass")
+    assert (code, "codes in LIM are kinlint's own" in err) == (2, True)
+    write("kinlint.toml", 'code-prefix = "ACME"\n')
+    assert "ACME001" in kinlint("new", "limits/limit-of-glass")[1]
+    assert "ACME002" in kinlint("new", "gripping/loose")[1]
+    write("kinlint.toml", 'code-prefix = "acme"\n')
+    assert "code-prefix: 'acme' is not one to eight capitals" in kinlint("new", "limits/x")[2]
 
 
 def test_a_family_of_ones_own_has_a_prefix_of_its_own(kinlint, here):
@@ -56,10 +82,10 @@ def test_a_family_of_ones_own_has_a_prefix_of_its_own(kinlint, here):
 
 def test_it_overwrites_nothing(kinlint, here):
     """And takes no name or code that is taken."""
-    assert kinlint("new", "limits/limit-of-glass", "--directory", "my rules ü")[0] == 0
-    path = here / "my rules ü/limits/limit-of-glass.ttl"
+    again = ("new", "glass/limit-of-glass", "--directory", "my rules ü")
+    assert kinlint(*again)[0] == 0
+    path = here / "my rules ü/glass/limit-of-glass.ttl"
     before = path.read_bytes()
-    again = ("new", "limits/limit-of-glass", "--directory", "my rules ü")
     assert "is there already" in kinlint(*again)[2]
     assert path.read_bytes() == before
     assert "called inverted-limit already" in kinlint("new", "limits/inverted-limit")[2]
@@ -77,7 +103,7 @@ def test_it_overwrites_nothing(kinlint, here):
         (["limits/BadLimit"], "is not words of lower case with hyphens, such as 'bad-limit'"),
         (["limits/../x"], "is not words of lower case"),
         (["limits/x", "--code", "lim1"], "'lim1' is not one to eight capitals"),
-        (["limits/x", "--format", "sdff"], "is not one of jsonld, urdf"),
+        (["limits/x", "--format", "sdff"], "is not one of jsonld, turtle, urdf"),
     ],
 )
 def test_mistakes(kinlint, here, arguments, said):

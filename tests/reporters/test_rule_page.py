@@ -39,7 +39,7 @@ Good:
 To ignore it:
 
   - for one run: --ignore INE007
-  - for a project: ignore = ["INE007"] under [tool.kinlint] in pyproject.toml
+  - for a project: ignore = ["INE007"] in kinlint.toml
   - for one node of a model: "https://w3id.org/kinlint/ns#ignore": "INE007"
 
 See also:

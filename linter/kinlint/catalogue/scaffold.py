@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from string import Template
+from typing import NamedTuple
+
+from kinlint.formats.records import BY_NAME
+from kinlint.vocabulary import METAMODELS, SDF, SRDF, URDF
 
 MARK = "TODO:"
 """The mark of what is to be filled in; no rule is done that has it."""
 
 _RULE = Template('''\
-@prefix kc:   <https://comp-rob2b.github.io/metamodels/kinematic-chain/structural-entities#> .
+@prefix $prefix: <$namespace> .
 @prefix kl:   <https://w3id.org/kinlint/ns#> .
 @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
 @prefix rule: <https://w3id.org/kinlint/rules/> .
@@ -21,59 +25,151 @@ rule:$name a kl:Rule, sh:NodeShape ;
     rdfs:comment """
         TODO: what breaks, in the robot, the simulator or the controller, in two sentences or more.
         """ ;
-    kl:format $formats ;
+    kl:format "$formats" ;
     rdfs:seeAlso <https://example.org/> ;  # TODO: what the rule rests on
 
     sh:severity sh:Warning ;
-    sh:targetClass kc:Joint ;  # TODO: what it is about
+    $target ;  # TODO: what it is about
     sh:sparql [
         sh:message "TODO: what is wrong with '{$$this}'." ;
         sh:select """
             SELECT $$this WHERE {
-                # TODO: what a joint is like that has the fault
+                # TODO: what a $thing is like that has the fault$pattern
                 FILTER (false)
             }
             """ ] ;
 
-    # [|...|] stands round what is to be flagged.
+    # [|...|] stands round what is to be flagged$where.
     kl:example [
         kl:bad """
 $bad"""^^kl:$format ;
         kl:good """
 $good"""^^kl:$format ] .
 ''')
-_JSON_LD = Template("""\
+_FAULT = "TODO: the fault"
+
+
+class _Example(NamedTuple):
+    """The examples of a format, and the rule that they are for."""
+
+    formats: str
+    """Format of the rule: that of the examples, or the one that stands for it."""
+    vocabulary: tuple[str, str]
+    """Prefix and namespace of its target."""
+    target: str
+    """Target of the rule."""
+    thing: str
+    """Word for a node that is a target."""
+    text: str
+    """Text of the examples, with `$id` for the name of the faulty thing."""
+    bad: str = f"[|{_FAULT}|]"
+    """Marked name in the bad example."""
+    good: str = "elbow"
+    """Name in the good example."""
+
+
+_JOINT = (("kc", f"{METAMODELS}kinematic-chain/structural-entities#"), "sh:targetClass kc:Joint")
+_LINKED = """\
+              <link name="base"/>
+              <link name="arm"/>
+              <joint name="$id" type="fixed">
+                <parent link="base"/>
+                <child link="arm"/>
+              </joint>
+            </robot>"""
+EXAMPLES = {
+    "jsonld": _Example(
+        "graph",
+        *_JOINT,
+        "joint",
+        """\
             {
               "@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://example.org/arm#"}],
               "@id": $id,
               "@type": "Joint"
-            }""")
-_URDF = Template("""\
+            }""",
+        f'[|"ex:{_FAULT}"|]',
+        '"ex:elbow"',
+    ),
+    "turtle": _Example(
+        "graph",
+        *_JOINT,
+        "joint",
+        """\
+            @prefix kc: <"""
+        + _JOINT[0][1]
+        + """> .
+            @prefix ex: <https://example.org/arm#> .
+            $id a kc:Joint .""",
+        f"[|ex:elbow|]  # {_FAULT}\n              ",
+        "ex:elbow",
+    ),
+    "urdf": _Example(
+        "urdf",
+        ("urdf", URDF),
+        "sh:targetObjectsOf urdf:joint",
+        "joint",
+        '            <robot name="arm">\n' + _LINKED,
+    ),
+    "xacro": _Example(
+        "urdf",
+        ("urdf", URDF),
+        "sh:targetObjectsOf urdf:joint",
+        "joint",
+        '            <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">\n' + _LINKED,
+    ),
+    "srdf": _Example(
+        "srdf",
+        ("srdf", SRDF),
+        "sh:targetObjectsOf srdf:group",
+        "group",
+        """\
             <robot name="arm">
-              <link name="base"/>
-              <link name="arm"/>
-              <joint name=$id type="fixed">
-                <parent link="base"/>
-                <child link="arm"/>
-              </joint>
-            </robot>""")
-EXAMPLES = {
-    "jsonld": ('"graph"', _JSON_LD, '"ex:TODO: the fault"', '"ex:elbow"'),
-    "urdf": ('"urdf"', _URDF, '"TODO: the fault"', '"elbow"'),
+              <group name="$id">
+                <joint name="shoulder"/>
+              </group>
+            </robot>""",
+    ),
+    "sdf": _Example(
+        "sdf",
+        ("sdf", SDF),
+        "sh:targetObjectsOf sdf:joint",
+        "joint",
+        """\
+            <sdf version="1.9">
+              <model name="arm">
+                <link name="base"/>
+                <link name="tip"/>
+                <joint name="$id" type="fixed">
+                  <parent>base</parent>
+                  <child>tip</child>
+                </joint>
+              </model>
+            </sdf>""",
+    ),
 }
-"""For each format of examples: those of the rule, a text, and what it has for bad and good."""
+"""The examples for each format."""
 
 
 def scaffold(name: str, code: str, form: str) -> str:
     """Return the text of a file for the rule *name* with examples in the format *form*."""
-    formats, example, bad, good = EXAMPLES[form]
+    example = EXAMPLES[form]
+    text = Template(example.text)
+    tree = BY_NAME[form].is_tree
+    prefix, namespace = example.vocabulary
     return _RULE.substitute(
         name=name,
         code=code,
-        formats=formats,
+        prefix=prefix,
+        namespace=namespace,
+        target=example.target,
+        thing=example.thing,
+        pattern="\n                $this at:name [] ." if tree else "",
+        where=": of an element its name, without the quotes" if tree else ", with its quotes",
+        formats=example.formats,
         format=form,
-        bad=example.substitute(id=f"[|{bad}|]"),
-        good=example.substitute(id=good),
+        bad=text.substitute(id=example.bad),
+        good=text.substitute(id=example.good),
     )
 
 

@@ -10,7 +10,8 @@ from pathlib import Path
 from kinlint import resources
 from kinlint.catalogue.scaffold import EXAMPLES, scaffold
 from kinlint.cli.argument_parser import Parser, non_empty, one_of
-from kinlint.errors import UsageError
+from kinlint.cli.project_rules import project_config
+from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
 from kinlint.formats.records import GRAPHS
@@ -36,7 +37,10 @@ def parser() -> Parser:
     add = made.add_argument
     add("--directory", type=non_empty, metavar="DIR", default="rules", help="default: rules")
     add(
-        "--code", type=non_empty, metavar="CODE", help="such as GRP001 (default: the next free one)"
+        "--code",
+        type=non_empty,
+        metavar="CODE",
+        help="such as ACME001 (default: the next free one of code-prefix or of the family)",
     )
     add(
         "--format",
@@ -63,7 +67,8 @@ def run(arguments: Sequence[str]) -> int:
         if (other := next(home.rglob(f"{name}.ttl"), None)) is not None:
             raise UsageError(f"a rule is called {name} already: {shown(other)}")
     codes = dict(_codes(homes))
-    code = options.code or _next(family, codes)
+    own = top == resources.data("rules").resolve()
+    code = options.code or _chosen(family, codes, top, own=own)
     if not CODE.fullmatch(code):
         raise UsageError(f"--code: '{code}' is not one to eight capitals and three digits")
     if code in codes:
@@ -78,6 +83,26 @@ def run(arguments: Sequence[str]) -> int:
     where = shown(path)
     sys.stdout.write(f"{where}: {code}. Fill in what is marked, then: kinlint test-rules {where}\n")
     return 0
+
+
+def _chosen(family: str, codes: Mapping[str, Path], top: Path, *, own: bool) -> str:
+    """Return the next free code for a rule of *family* below *top*.
+
+    Codes of kinlint are given only if the rules are its *own*; *codes* are all that are taken.
+    """
+    prefix = None if own else project_config(trust=False).code_prefix
+    if prefix:
+        if not re.fullmatch("[A-Z]{1,8}", prefix):
+            raise ConfigError(f"code-prefix: '{prefix}' is not one to eight capitals")
+        return _after(prefix, codes)
+    code = _next(family, codes)
+    taken = {each[:-3] for each, file in codes.items() if not file.is_relative_to(top)}
+    if not own and code[:-3] in taken:
+        raise UsageError(
+            f"codes in {code[:-3]} are kinlint's own: give one of yours, --code ACME001,"
+            ' or code-prefix = "ACME" in kinlint.toml'
+        )
+    return code
 
 
 def _parts(given: str) -> tuple[str, str]:
@@ -113,8 +138,12 @@ def _next(family: str, codes: Mapping[str, Path]) -> str:
                 f"codes in {prefix} are of another family; --code begins one of your own"
             )
         return f"{prefix}001"
-    prefix = max(own).rstrip("0123456789")
-    last = max(int(code[-3:]) for code in codes if code[:-3] == prefix)
+    return _after(max(own)[:-3], codes)
+
+
+def _after(prefix: str, codes: Iterable[str]) -> str:
+    """Return the code after the last one that begins with *prefix*, or the first."""
+    last = max((int(code[-3:]) for code in codes if code[:-3] == prefix), default=0)
     if last >= LAST:
         raise UsageError(f"no code of {prefix} is left; give one with --code")
     return f"{prefix}{last + 1:03}"

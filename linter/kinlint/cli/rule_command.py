@@ -11,6 +11,7 @@ from pathlib import Path
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.shacl_export import shacl
 from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.project_rules import project_rules
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
@@ -39,6 +40,7 @@ def parser() -> Parser:
         help="write all as Markdown: an index, and a page for each family",
     )
     made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
+    made.add_argument("--trust", action="store_true", help="add the project's own rules")
     made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
     return made
 
@@ -49,6 +51,7 @@ def run(arguments: Sequence[str]) -> int:
     if not options.names and not options.all:
         raise UsageError("name a rule, such as UNI002; kinlint rules lists them")
     extra = [absolute(path) for path in options.rules or ()]
+    extra += [path for path in project_rules(trust=options.trust) if path not in extra]
     book = rulebook.load(extra, (), cache_directory(os.environ))
     known = Catalogue(book.rules)
     if options.all and options.names:

@@ -9,11 +9,13 @@ from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.argument_parser import Parser
+from kinlint.cli.project_rules import project_rules
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.summary import plural
 from kinlint.rule_testing import rule_conformance
+from kinlint.rule_testing.remarks import Remark
 
 
 def parser() -> Parser:
@@ -23,7 +25,10 @@ def parser() -> Parser:
         description="Test rules: each bad example is found where it is marked, each good one is"
         " left alone, and the file says all that a rule file must say.",
     )
-    made.add_positionals("paths", "DIR", "rule files (default: the built-in)")
+    made.add_positionals(
+        "paths", "DIR", "rule files (default: those of the project, or the built-in)"
+    )
+    made.add_argument("--trust", action="store_true", help="use the project's own rules")
     made.add_argument("-q", "--quiet", action="store_true", help="only what fails")
     return made
 
@@ -31,20 +36,27 @@ def parser() -> Parser:
 def run(arguments: Sequence[str]) -> int:
     """Test the rules that *arguments* name; 0 if all keep their promises, else 1."""
     options = parser().read(arguments)
-    given = [absolute(path) for path in options.paths]
+    given = [absolute(path) for path in options.paths] or project_rules(
+        trust=options.trust, required=True
+    )
     book = rulebook.load(given, (), cache_directory(os.environ))
     rules = [rule for rule in book.rules if not given or _below(Path(rule.path), given)]
     if not rules:
         raise UsageError(f"no rules found in {', '.join(options.paths)}")
-    failed = 0
+    failed = remarks = 0
     for rule in rules:
         problems = list(rule_conformance.failures(rule, book))
-        failed += bool(problems)
+        noted = [each for each in problems if isinstance(each, Remark)]
+        failed += len(problems) > len(noted)
+        remarks += len(noted)
         for problem in problems:
-            sys.stdout.write(f"{rule.code} {rule.name}: {problem}\n")
+            mark = "remark: " if problem in noted else ""
+            if not (mark and options.quiet):
+                sys.stdout.write(f"{rule.code} {rule.name}: {mark}{problem}\n")
     if not options.quiet:
         examples = sum(len(rule.examples) for rule in rules)
         verdict = f"{failed} of them fail" if failed else "all keep their promises"
+        verdict += f" ({plural(remarks, 'remark')})" if remarks else ""
         told = f"{plural(len(rules), 'rule')} with {plural(examples, 'example')}"
         sys.stdout.write(f"{told}: {verdict}.\n")
     return 1 if failed else 0

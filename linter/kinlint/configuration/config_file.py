@@ -67,6 +67,8 @@ class Config:
     extra_contexts: Mapping[str, Path] | None = None
     context_directories: tuple[Path, ...] | None = None
     rules: tuple[Path, ...] | None = None
+    code_prefix: str | None = None
+    """Beginning of the codes of the project's own rules."""
     shapes: tuple[Path, ...] | None = None
     partial: bool | None = None
     file_timeout: float | None = None
@@ -131,6 +133,7 @@ def parse_config(
         extra_contexts=_table(contexts, root) if isinstance(contexts, dict) else None,
         context_directories=None if isinstance(contexts, dict) else _paths(contexts, root),
         rules=_paths(said.get("rules"), root),
+        code_prefix=said.get("code-prefix"),
         shapes=_paths(said.get("shapes"), root),
         partial=said.get("partial"),
         file_timeout=said.get("file-timeout"),

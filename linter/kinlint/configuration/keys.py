@@ -220,6 +220,12 @@ KEYS: Mapping[str, Key] = {
     "rules": Key(
         ONE_OR_MORE, "[]", "Rule files of your own, or directories of them.", 'rules = ["rules"]'
     ),
+    "code-prefix": Key(
+        STRING,
+        "none",
+        "What the codes of your own rules begin with, for kinlint new: one to eight capitals.",
+        'code-prefix = "ACME"',
+    ),
     "shapes": Key(
         ONE_OR_MORE, "[]", "Plain SHACL shapes of your own.", 'shapes = ["shapes/gripper.ttl"]'
     ),

@@ -201,11 +201,21 @@ def _cases(rule: Rule) -> Iterator[tuple[str, MarkedText]]:
 
 
 def _ignoring(rule: Rule) -> list[str]:
-    return [
+    """Return the ways to ignore *rule*, by where they are written."""
+    ways = [
         f"for one run: `--ignore {rule.code}`",
-        f'for a project: `ignore = ["{rule.code}"]` under `[tool.kinlint]` in `pyproject.toml`',
-        f'for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "{rule.code}"`',
+        f'for a project: `ignore = ["{rule.code}"]` in `kinlint.toml`',
     ]
+    meant = [form for form in FORMATS if not rule.formats or form.name in rule.formats]
+    if any(form.block_comment for form in meant):
+        ways.append(
+            f"for one element of XML: `<!-- kinlint: ignore[{rule.code}] -->` on the line before"
+        )
+    if not all(form.block_comment for form in meant):
+        ways.append(
+            f'for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "{rule.code}"`'
+        )
+    return ways
 
 
 def _example_object(example: Example) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
@@ -28,6 +27,7 @@ from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.rule import Rule
 from kinlint.rule_testing.mutants import mutants
+from kinlint.rule_testing.unmatched_pattern import readable
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
@@ -54,7 +54,7 @@ class MutationHarness:
         cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]
     ) -> MutationHarness:
         """Return the harness for the examples *texts* of *rule*."""
-        return cls(rule, rulebook, tuple(_closed(text, rulebook) for text in texts))
+        return cls(rule, rulebook, tuple(closed(text, rulebook) for text in texts))
 
     def outcomes(self, constraints: tuple[Constraint, ...]) -> list[Outcome]:
         """Return the findings of *constraints* in each example."""
@@ -69,7 +69,8 @@ class MutationHarness:
         ]
 
 
-def _closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
+def closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
+    """Return the documents of *texts*, and a store of what rules of *rulebook* see."""
     options = ReadOptions()
     documents = join_companions([read(text, options) for text in texts])
     inputs = Inputs(documents, documents, options.packages_of)
@@ -105,7 +106,7 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
             except RuleInvalid:
                 matters = True
             if not matters:
-                yield f"no example shows why the query needs {_short(deleted, known)}"
+                yield f"no example shows why the query needs {readable(deleted, known)}"
 
 
 def _queries(graph: ShapesGraph) -> Iterator[tuple[str, dict[str, str]]]:
@@ -122,9 +123,3 @@ def _replaced(text: str, query: str, by: str) -> str:
     """Return the rule file *text* with *query* in it replaced."""
     written = query if query in text else query.replace("\\", "\\\\")
     return text.replace(written, by.replace("\\", "\\\\"))
-
-
-def _short(text: str, prefixes: dict[str, str]) -> str:
-    for prefix, namespace in prefixes.items():
-        text = re.sub(f"<{re.escape(namespace)}([\\w-]+)>", rf"{prefix}:\1", text)
-    return text

@@ -22,9 +22,12 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.light_dataclasses import replace
 from kinlint.rule import Example, Rule
-from kinlint.rule_testing.mutation_harness import MutationHarness, unneeded_parts
+from kinlint.rule_testing.mutation_harness import MutationHarness, closed, unneeded_parts
+from kinlint.rule_testing.remarks import Remark, is_built_in, malformed, unused
+from kinlint.rule_testing.unmatched_pattern import unmatched
 from kinlint.sparql.tokens import tokens
 from kinlint.text import SourceText, Span
+from kinlint.vocabulary import SH
 
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
 UNQUOTED = re.compile(r"(?<!')\{[?$]this\}|\{[?$]this\}(?!')")
@@ -50,6 +53,8 @@ def unmarked(text: str) -> tuple[str, list[Span]]:
 def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterator[str]:
     """Yield what *rule* promises and does not keep, a sentence each.
 
+    What is a duty of kinlint's own rules is a `Remark` of others.
+
     Without *oracles* neither rdflib reads the queries nor pySHACL judges the bad examples, nor is
     each part of the queries left out to see that an example needs it. These take most of the time.
     """
@@ -62,9 +67,12 @@ def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterato
     yield from found
     if rule.repairs:
         yield from _repaired(rule, rulebook)
-    if oracles and not found:
+    if not is_built_in(rule):
+        yield from unused(rule)
+    if oracles and not any(not isinstance(each, Remark) for each in found):
         examples = (each for example in rule.examples for each in _texts(example))
-        yield from unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
+        parts = unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
+        yield from parts if is_built_in(rule) else map(Remark, parts)
 
 
 def _nonstandard(rule: Rule) -> Iterator[str]:
@@ -112,7 +120,10 @@ def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> It
             text, expected = unmarked(example.bad)
             yield from _bad(rule, rulebook, number, _source(example, text, home), expected)
         if example.good is not None:
-            for finding in found(rule, rulebook, _source(example, example.good, home)):
+            texts = _source(example, example.good, home)
+            if (flaw := malformed(read(texts[0], ReadOptions()))) and not is_built_in(rule):
+                yield f"good example {number}: {flaw}"
+            for finding in found(rule, rulebook, texts):
                 yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
 
 
@@ -182,7 +193,10 @@ def _bad(
     actual = found(rule, rulebook, texts)
     for span in expected:
         if span not in [finding.location.span for finding in actual]:
-            yield f"bad example {number}: {texts[0][span]} is marked and not found"
+            documents, store = closed(texts, rulebook)
+            why = malformed(documents[0]) or unmatched(rule, documents, store, span)
+            because = f": {why}" if why else ""
+            yield f"bad example {number}: {texts[0][span]} is marked and not found{because}"
     for finding in actual:
         if finding.location.span not in expected:
             where = f"{_place(finding)} without a mark"
@@ -263,4 +277,6 @@ def form(rule: Rule) -> Iterator[str]:
     store = Store()
     store.load([read(source, ReadOptions())])
     for result in check(store, shapes):
-        yield next(iter(result.constraint.messages), f"{result.path} has a wrong value")
+        said = next(iter(result.constraint.messages), f"{result.path} has a wrong value")
+        wish = result.constraint.severity == f"{SH}Info" and not is_built_in(rule)
+        yield Remark(said) if wish else said
