@@ -187,6 +187,7 @@ INDEPENDENT: dict[str, tuple[Edit, str]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("defect", INDEPENDENT)
 @pytest.mark.parametrize("name", CASCADES)
 def test_other_mistakes_are_not_hidden(

@@ -41,6 +41,7 @@ def renamed(directory, code, name):
     return file
 
 
+@pytest.mark.slow
 def test_a_kept_catalogue_equals_a_compiled_one(tmp_path):
     """Reviving from the cache loses nothing."""
     compiled = rulebook.load(cache=tmp_path)
@@ -108,6 +109,7 @@ REFERRING = """
 OTHER_SHAPE = "ex:Long a sh:NodeShape ; sh:property [ sh:path ex:length ; sh:minInclusive 1 ] ."
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("first", "second", "together"),
     [
@@ -143,6 +145,7 @@ def test_files_that_refer_to_each_other_are_compiled_together(
     assert set(book.constraints) == set(compile_shapes(book.shapes))
 
 
+@pytest.mark.slow
 def test_axioms_are_compiled_where_a_file_has_some(tmp_path, monkeypatch):
     """Rules that say nothing of the kind leave those of the ontology as they are."""
     rulebook.load(cache=tmp_path / "cache")
@@ -164,6 +167,7 @@ def test_what_another_version_kept_is_passed_over(tmp_path):
     assert "UNI001" in rulebook.load(cache=tmp_path).by_code
 
 
+@pytest.mark.slow
 def test_a_damaged_cache_is_compiled_anew(tmp_path):
     """A file cut short by a crash is not believed, nor one with a byte that has changed."""
     rulebook.load(cache=tmp_path)
@@ -177,6 +181,7 @@ def test_a_damaged_cache_is_compiled_anew(tmp_path):
         assert stored.read_bytes() == whole
 
 
+@pytest.mark.slow
 def test_a_cache_that_cannot_be_written_is_done_without(tmp_path):
     """A file where the cache directory should be costs time, not the run."""
     occupied = tmp_path / "cache"
@@ -185,6 +190,7 @@ def test_a_cache_that_cannot_be_written_is_done_without(tmp_path):
     assert rulebook.load(cache=occupied).rules
 
 
+@pytest.mark.slow
 def test_a_cache_does_not_grow_for_ever(tmp_path):
     """Catalogues of other rules are dropped, the oldest first."""
     for number in range(KEPT + 2):
@@ -201,6 +207,7 @@ def test_users_add_rules(tmp_path):
     assert rulebook.load([tmp_path]).by_code["ACME001"].name == "unit-left-out"
 
 
+@pytest.mark.slow
 def test_a_built_in_rule_given_again_is_the_same_rule(tmp_path):
     """A copy of a built-in rule stands for it instead of clashing with it."""
     copy = tmp_path / RULE.name
@@ -220,6 +227,7 @@ def test_shapes_without_a_rule_get_one(tmp_path):
     assert (rule.name, rule.severity.label) == ("named-joint", "warning")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("code", "name", "cause"),
     [
@@ -241,6 +249,7 @@ TWO = 'kl:b a kl:Rule ; kl:code "B001" . '
 OTHER = '<https://example.org/other> a kl:Rule ; kl:code "A001" . '
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
@@ -299,6 +308,7 @@ def found(book, text, engine="oxigraph", *, code="SHACL001"):
     return [(each.location.start.line, each.message) for each in every if each.rule.code == code]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", ["oxigraph", "pyshacl"])
 def test_axioms_of_a_users_file_hold(tmp_path, engine):
     """A shape applies to what is of its class only by the axioms beside it, in both engines."""
@@ -323,6 +333,7 @@ def test_a_users_file_is_data_for_queries(tmp_path):
     assert [*store.rows(makers)] == [{"x": "<https://example.org/shapes#Driven>"}]
 
 
+@pytest.mark.slow
 def test_axioms_of_a_users_rule_file_hold(tmp_path):
     """They stand beside the rule, and concern the built-in rules as well."""
     file = renamed(tmp_path, "ACME001", "unit-left-out")
@@ -332,6 +343,7 @@ def test_axioms_of_a_users_rule_file_hold(tmp_path):
     assert not found(rulebook.load(), MODEL, code="TOP005")
 
 
+@pytest.mark.slow
 def test_built_in_rules_are_no_vocabulary(tmp_path):
     """Neither those of the catalogue nor copies of them are loaded with each model."""
     copy = tmp_path / RULE.name

@@ -87,6 +87,7 @@ def test_each_reason_is_needed(form: Format) -> None:
     assert [one for one in known.reasons if one.lifted == "no" and one not in used] == []
 
 
+@pytest.mark.slow
 @lifted
 def test_a_lifted_number_is_at_its_place(form: Format) -> None:
     """Read there, it is that number, or its negative."""
@@ -99,6 +100,7 @@ def test_a_lifted_number_is_at_its_place(form: Format) -> None:
     assert seen
 
 
+@pytest.mark.slow
 @robots
 def test_a_computed_number_leads_to_all_that_it_was_computed_from(form: Format) -> None:
     """Each source is a number or words that the file says there, and none comes twice."""
@@ -114,6 +116,7 @@ def test_a_computed_number_leads_to_all_that_it_was_computed_from(form: Format) 
     assert several or f"\n{form.name}\t" not in worked_out
 
 
+@pytest.mark.slow
 @lifted
 def test_what_is_made_of_an_element_is_where_that_is(form: Format) -> None:
     """Also a number that is written nowhere, since the element leaves it out."""

@@ -49,6 +49,7 @@ EXAMPLES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rule", "example"), EXAMPLES)
 def test_examples_of_rules_about_robots(rule, example):
     for text in filter(None, (example.bad, example.good)):

@@ -157,6 +157,7 @@ def test_a_file_that_others_remove_meanwhile(arm, monkeypatch, capsys):
     assert f"{arm.name}:1:1: error: not fixed: No such file" in "".join(capsys.readouterr())
 
 
+@pytest.mark.slow
 @forked
 def test_two_at_once(tmp_path, monkeypatch):
     """Each file is fixed once, and nothing is left beside it."""
@@ -209,6 +210,7 @@ def test_the_owner_stays(arm):
     assert arm.read_bytes() != before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mark", [b"", b"\xef\xbb\xbf"], ids=["plain", "marked"])
 @each_format
 def test_line_ends_and_marks(arm, mark):

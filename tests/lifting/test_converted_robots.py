@@ -65,6 +65,7 @@ TURNED = """<robot name="r" version="1.1"><link name="a"/><link name="b"><visual
 <limit lower="-1" upper="1" effort="2" velocity="3"/></joint></robot>"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize("axis", ["1 0 0", "0 1 0", "0 0 1", "0 0 -1", "0.6 0 0.8", "0 0 2"])
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import re
 from dataclasses import replace
 from typing import Any
 
+import pytest
 from hypothesis import given
 from reported import here, report, reports, unit_finding
 from sarif_reader import (
@@ -28,6 +29,8 @@ from kinlint.reporters.sarif.line_hash import LineHashes
 from kinlint.reporters.sarif.sarif_log import log, render
 from kinlint.reporters.terminal_style import Style
 from kinlint.text import SourceText
+
+pytestmark = pytest.mark.slow
 
 
 def pairs(made: Report) -> list[tuple[Finding, dict[str, Any]]]:

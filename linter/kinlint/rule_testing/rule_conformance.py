@@ -50,32 +50,26 @@ def unmarked(text: str) -> tuple[str, list[Span]]:
     return MARK.sub(lambda match: match[1], text), spans
 
 
-def failures(rule: Rule, rulebook: Rulebook, *, oracles: bool = True) -> Iterator[str]:
+def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """Yield what *rule* promises and does not keep, a sentence each.
 
     What is a duty of kinlint's own rules is a `Remark` of others.
-
-    Without *oracles* neither rdflib reads the queries nor pySHACL judges the bad examples, nor is
-    each part of the queries left out to see that an example needs it. These take most of the time.
     """
-    if waiting := [*_unfilled(rule), *(_nonstandard(rule) if oracles else ())]:
+    if waiting := [*_unfilled(rule), *nonstandard_queries(rule)]:
         yield from waiting
         return
-    found = list(_broken(rule, rulebook))
-    if oracles:
-        found += _disputed(rule, rulebook)
+    found = [*broken_promises(rule, rulebook), *disagreements(rule, rulebook)]
     yield from found
-    if rule.repairs:
-        yield from _repaired(rule, rulebook)
+    yield from repair_failures(rule, rulebook)
     if not is_built_in(rule):
         yield from unused(rule)
-    if oracles and not any(not isinstance(each, Remark) for each in found):
-        examples = (each for example in rule.examples for each in _texts(example))
-        parts = unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
+    if all(isinstance(each, Remark) for each in found):
+        parts = untested_parts(rule, rulebook)
         yield from parts if is_built_in(rule) else map(Remark, parts)
 
 
-def _nonstandard(rule: Rule) -> Iterator[str]:
+def nonstandard_queries(rule: Rule) -> Iterator[str]:
+    """Yield queries of *rule* that rdflib does not take for SPARQL 1.1."""
     from kinlint.rule_testing.sparql_conformance import nonstandard  # noqa: PLC0415  it loads rdflib
 
     yield from nonstandard(rule)
@@ -97,7 +91,9 @@ def _uncomputed(rule: Rule) -> Iterator[str]:
     yield from uncomputed(parse(Path(rule.path)), prefixes())
 
 
-def _broken(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+def broken_promises(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    """Yield faults of the form of *rule*, and examples that it gets wrong."""
+    yield from _unfilled(rule)
     yield from _uncomputed(rule)
     yield from form(rule)
     yield from messages(rule)
@@ -127,7 +123,7 @@ def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> It
                 yield f"good example {number} is flagged at {_place(finding)}: {finding.message}"
 
 
-def _disputed(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+def disagreements(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """Yield bad examples on which the two engines disagree."""
     for number, example in enumerate(rule.examples, 1):
         if example.bad is None or example.format not in FORMATS:
@@ -139,7 +135,16 @@ def _disputed(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
                 yield f"bad example {number}: the engines disagree"
 
 
-def _repaired(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+def untested_parts(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    """Yield the parts of queries of *rule* that no example needs."""
+    examples = (each for example in rule.examples for each in _texts(example))
+    yield from unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
+
+
+def repair_failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
+    """Yield bad examples that the repairs of *rule* do not turn into what they promise."""
+    if not rule.repairs:
+        return
     from kinlint.rule_testing.repair_examples import shown  # noqa: PLC0415  few rules have repairs
 
     only, settings = _alone(rule, rulebook, "oxigraph")
