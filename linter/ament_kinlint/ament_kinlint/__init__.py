@@ -1,0 +1,1 @@
+"""Runs kinlint as a linter of ament."""
