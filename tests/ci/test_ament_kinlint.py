@@ -46,7 +46,7 @@ def test_findings_fail_and_are_written_as_xunit(tmp_path):
     assert done.returncode == 1
     assert "arm.urdf:3:34: error:" in done.stdout
     suites = ET.parse(tmp_path / "result.xml").getroot()  # noqa: S314
-    assert suites.get("failures") == "1"
+    assert int(suites.get("failures")) >= 1
     assert "LIM001" in (tmp_path / "result.xml").read_text("utf-8")
     assert run(tmp_path, "--fail-on", "none", "arm.urdf").returncode == 0
 
