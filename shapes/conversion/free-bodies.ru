@@ -23,8 +23,16 @@ INSERT {
         kin:gamma ?yaw .
 } WHERE {
     GRAPH ?said {
-        { ?model sdf:link ?link . BIND (?link AS ?free) }
-        UNION { ?model sdf:model ?link . ?link src:attachedTo ?free }
+        { ?model sdf:link ?link . BIND (?link AS ?free) BIND ("/pose" AS ?relation) }
+        # Its own pose is that of its frame on its canonical link.
+        UNION { ?model sdf:model ?link . ?link src:attachedTo ?free . BIND ("/placement" AS ?relation) }
+        # The canonical link is free, and the frame of the model on it: the others are seen from there.
+        UNION {
+            ?model ?word ?link ; src:attachedTo ?free .
+            FILTER (?word IN (sdf:link, sdf:model) && ?link != ?free)
+            FILTER NOT EXISTS { ?holding src:childBody ?link }
+            BIND (IF(?word = sdf:link, "/pose", "/placement") AS ?relation)
+        }
         ?link src:scope ?scope .
         OPTIONAL {
             ?link sdf:pose ?place .
@@ -38,19 +46,26 @@ INSERT {
         FILTER NOT EXISTS { ?joint src:parentBody|src:childBody ?free }
     }
     BIND (COALESCE(?seen, ?model) AS ?from)
-    BIND (IF(REGEX(STR(?from), "/joint/[^/]*$"), "/child-frame", "/frame") AS ?own)
-    BIND (IRI(CONCAT(REPLACE(STR(?from), "#/", "#"), ?own)) AS ?base)
+    # A joint without a pose is where its child is.
+    OPTIONAL { GRAPH ?said { ?from src:childBody ?child } }
+    BIND (IRI(CONCAT(REPLACE(STR(?from), "#/", "#"), "/child-frame")) AS ?hinge)
+    BIND (IF(!BOUND(?child), ?from, IF(EXISTS { ?hinge a geom:Frame }, ?none, ?child)) AS ?holder)
+    BIND (COALESCE(IRI(CONCAT(REPLACE(STR(?holder), "#/", "#"), "/frame")), ?hinge) AS ?base)
     BIND (REPLACE(STR(?link), "#/", "#") AS ?body)
     BIND (IRI(CONCAT(?body, "/frame")) AS ?frame)
-    BIND (IRI(CONCAT(?body, "/pose")) AS ?pose)
-    BIND (IRI(CONCAT(?body, "/pose/position")) AS ?position)
-    BIND (IRI(CONCAT(?body, "/pose/orientation")) AS ?orientation)
+    BIND (IRI(CONCAT(?body, ?relation)) AS ?pose)
+    BIND (IRI(CONCAT(?body, ?relation, "/position")) AS ?position)
+    BIND (IRI(CONCAT(?body, ?relation, "/orientation")) AS ?orientation)
     ?frame a geom:Frame .
     ?base a geom:Frame .
     # The frame of a model lies on its canonical link.
     ?carrier geom:simplices ?base .
     FILTER NOT EXISTS { ?carrier geom:simplices ?frame }
-    FILTER NOT EXISTS { ?known a geom-rel:Pose ; geom-rel:of ?frame }
+    FILTER NOT EXISTS {
+        ?known a geom-rel:Pose ; geom-rel:of ?frame ; geom-rel:with-respect-to ?there .
+        ?bearer geom:simplices ?there .
+        FILTER NOT EXISTS { ?bearer geom:simplices ?frame }
+    }
     FILTER NOT EXISTS { ?pose geom-rel:of ?other }
     BIND (COALESCE(?n1, "0"^^xsd:double) AS ?x)
     BIND (COALESCE(?n2, "0"^^xsd:double) AS ?y)

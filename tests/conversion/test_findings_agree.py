@@ -132,3 +132,29 @@ def test_a_body_without_joint_is_somewhere(pose: str) -> None:
 
     assert "link/lamp/pose" in text
     assert "TOP018" not in codes(text, "desk.jsonld")
+
+
+NESTED = """<sdf version="1.8">
+  <model name="cell">
+    <link name="floor"/>
+    <link name="base"/>
+    <link name="arm"/>
+    <joint name="hinge" type="revolute">
+      <parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis>
+    </joint>
+    <model name="table">
+      <pose relative_to="arm">1 0 0 0 0 0</pose>
+      <model name="top"><link name="plate"/></model>
+    </model>
+    <model name="lamp">
+      <pose relative_to="hinge">0 0 2 0 0 0</pose>
+      <link name="bulb"/>
+    </model>
+  </model>
+</sdf>"""
+
+
+def test_every_body_of_nested_models_is_somewhere():
+    """The canonical link is free; others are seen from it, from a link and from a joint."""
+    composed = converted(SourceText("cell.sdf", NESTED))
+    assert "TOP018" not in codes([composed])
