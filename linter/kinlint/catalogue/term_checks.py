@@ -5,7 +5,7 @@ Only names with a prefix are held to this. An IRI written in full is meant as it
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import NamedTuple
 
 from kinlint.catalogue.known_terms import attributes_of, names_in
@@ -39,7 +39,7 @@ def term_faults(file: ShapesFile, prefixes: Mapping[str, str]) -> Iterator[Fault
     own = {subject for subject, _, _ in file.triples}
     yield from _turtle(file, own)
     for query in queries(file):
-        for fault in _query(query, prefixes, own):
+        for fault in query_faults(query.text, prefixes, own, update=query.kind == sh("update")):
             yield Fault(query.place(file.text, fault.offset), fault.text)
 
 
@@ -98,11 +98,17 @@ def _turtle(file: ShapesFile, own: set[Term]) -> Iterator[Fault]:
                 predicate = token.text.rpartition(":")[2]
 
 
-def _query(query: WrittenQuery, prefixes: Mapping[str, str], own: set[Term]) -> Iterator[Fault]:
-    """Yield the words and terms of *query* that do not exist; their offsets are those in it."""
+def query_faults(
+    text: str, prefixes: Mapping[str, str], own: Collection[Term] = (), *, update: bool = False
+) -> Iterator[Fault]:
+    """Yield the words and terms of the query *text* that do not exist.
+
+    It may use *prefixes*, and terms of its *own* file. Elements that an *update* makes may have the
+    names of attributes.
+    """
     try:
-        known = {**prefixes, **prologue(query.text)}
-        found = split(query.text)
+        known = {**prefixes, **prologue(text)}
+        found = split(text)
     except NotSparql:
         return
     check = _Terms(known, own, frozenset(token.text for token in found))
@@ -113,7 +119,7 @@ def _query(query: WrittenQuery, prefixes: Mapping[str, str], own: set[Term]) -> 
             fault = _word(token, following.text if following else "")
         elif token.kind == "name" and before.upper() != "PREFIX":
             beside = "|" in (before, following.text if following else "")
-            fault = check.fault(token.text, lenient=beside or query.kind == sh("update"))
+            fault = check.fault(token.text, lenient=beside or update)
             if not fault and before in TYPED:
                 fault = check.no_class(token.text, f"write ?parent {token.text} ?element")
         if fault:
@@ -132,7 +138,9 @@ def _word(token: Token, following: str) -> str | None:
 class _Terms:
     """The check of the terms of a text."""
 
-    def __init__(self, prefixes: Mapping[str, str], own: set[Term], words: frozenset[str]) -> None:
+    def __init__(
+        self, prefixes: Mapping[str, str], own: Collection[Term], words: frozenset[str]
+    ) -> None:
         """Begin with the *prefixes* of the text, the terms that its file defines, its *words*."""
         self.prefixes = prefixes
         self.own = own

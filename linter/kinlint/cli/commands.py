@@ -17,6 +17,7 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
     "config": ("kinlint.cli.config_command", "describe the configuration keys"),
     "server": ("kinlint.cli.server_command", "start the language server for editors"),
     "graph": ("kinlint.cli.graph_command", "draw links and joints with the findings"),
+    "query": ("kinlint.cli.query_command", "ask the graph that rules see with SPARQL"),
     "convert": ("kinlint.cli.convert_command", "convert URDF, xacro or SDF to JSON-LD"),
     "contexts": ("kinlint.cli.contexts_command", "list or add JSON-LD contexts"),
     "new": ("kinlint.cli.new_command", "create a rule file"),

@@ -32,9 +32,15 @@ from kinlint.rule import Severity
 PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")
 """Options that mean what they mean to `kinlint check`."""
 
+TURTLE = "turtle"
+"""The format of the graph itself, which is no picture."""
+LAYERS = ("source", "lifted", "closure", "facts")
+"""Layers of the graph: what files state, and what is lifted, inferred and computed from it."""
+
 DESCRIPTION = """\
 Draw the links and joints of robots as roboticists do: links are boxes, joints ellipses, and what
-closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about."""
+closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about. With
+`--output-format turtle`, write the graph that rules see, with the place of each node."""
 
 EPILOG = "Exit code: 0 drawn, whatever was found; 2 if a file cannot be read or has no robot."
 
@@ -51,11 +57,18 @@ def parser() -> Parser:
     add = made.add_argument
     add(
         "--output-format",
-        type=one_of(tuple(FORMATS)),
-        metavar="|".join(FORMATS),
+        type=one_of((*FORMATS, TURTLE)),
+        metavar="|".join((*FORMATS, TURTLE)),
         help="the format (default: by the end of the name of the output file, or text)",
     )
     linting.add_output_file(made)
+    add(
+        "--layer",
+        type=one_of(("all", *LAYERS)),
+        metavar="|".join(("all", *LAYERS)),
+        default="all",
+        help="of turtle: what files state, what is lifted, inferred or computed (default: all)",
+    )
     add("--frames", **linting.FLAG, help="draw the frames of links, too")
     add("--no-findings", **linting.FLAG, help="draw the robots only, and judge nothing")
     add("--select", metavar="R", **linting.LISTS, help="mark only what these rules find")
@@ -87,8 +100,19 @@ def run(arguments: Sequence[str]) -> int:
     output = options.output_file
     path = None if output == STDOUT else Path(output)
     form = options.output_format or _format_of(path)
-    found, settings = _found(options)
+    found, settings = find_inputs(options)
     _check(path, found)
+    if form == TURTLE:
+        from kinlint.cli.model_graph import read_graph, turtle  # noqa: PLC0415  engines are slow
+
+        layers = LAYERS if options.layer == "all" else (options.layer,)
+        text = turtle(read_graph(found, settings, options), layers)
+        if path is None:
+            put(text, sys.stdout)
+        else:
+            with replacing(path) as stream:
+                put(text, stream)
+        return 0
     report = _report(found, settings, options)
     frames = options.frames
     if path is None:
@@ -104,6 +128,8 @@ def run(arguments: Sequence[str]) -> int:
 def _format_of(path: Path | None) -> str:
     """The format that the name of a file stands for; UsageError if nobody can tell."""
     suffix = "" if path is None else path.suffix.lower()
+    if suffix == ".ttl":
+        return TURTLE
     if suffix not in SUFFIXES:
         formats = "|".join(FORMATS)
         raise UsageError(
@@ -112,12 +138,12 @@ def _format_of(path: Path | None) -> str:
     return SUFFIXES[suffix]
 
 
-def _found(options: Namespace) -> tuple[Found, Settings]:
+def find_inputs(options: Namespace) -> tuple[Found, Settings]:
     """The files that *options* name, and how `kinlint check` would lint them."""
     said = [
         f"--{name.replace('_', '-')}={each}"
         for name in PASSED
-        for each in getattr(options, name) or ()
+        for each in getattr(options, name, None) or ()
     ]
     paths = options.paths or [STDOUT]
     same = linting.parser().read([*said, *["--isolated"] * options.isolated, "--", *paths])

@@ -7,7 +7,7 @@ is refused before an engine sees it, whichever engine is going to run it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -46,6 +46,24 @@ def check_permissions(graph: ShapesGraph) -> None:
             for value in graph.values(node, sh(name)):
                 if is_literal(value) and (fault := _fault(graph, node, name, literal_value(value))):
                     raise graph.invalid(node, f"sh:{name}: {fault}")
+
+
+def forbidden_in(text: str, prefixes: Mapping[str, str], kinds: Sequence[str]) -> str | None:
+    """Return why a query *text* of a user's own is not asked; None if it may be.
+
+    It has to be one of *kinds*, such as SELECT, and sees no more than rules do. Raises `NotSparql`.
+    """
+    if fault := _forbidden_keyword(text):
+        return fault
+    words = tokens(text, prefixes)
+    kind = words[0].upper() if words else ""
+    if kind not in kinds:
+        return f"expected {', '.join(kinds[:-1])} or {kinds[-1]}, got '{kind}'"
+    query = parse_construct(text, prefixes) if kind == "CONSTRUCT" else parse(words)
+    for function in _called(query):
+        if not function.startswith(CASTS):
+            return f"the function {function} is not known"
+    return None
 
 
 def _fault(graph: ShapesGraph, node: Term, name: str, written: str) -> str | None:
