@@ -49,6 +49,8 @@ class Report:
     """Number of findings in installed files that files of the run include; they are not listed."""
     fixed: tuple[Finding, ...] = ()
     """Findings that were fixed, each with the fix made."""
+    fails_from: Severity | None = Severity.WARNING
+    """Least severity of the findings that make the run fail; None if none does."""
     derived: bool = False
     """True if formats for people show what findings were derived from."""
     unsafe: bool | None = None

@@ -172,6 +172,10 @@ class Rule:
     """Variable whose greatest value makes a finding the one that its group shows; empty if none."""
     explains: tuple[str, ...] = ()
     """Queries for what a finding of it makes uncertain, so that other findings follow from it."""
+    unparsable: bool = False
+    """True if a finding means that its file cannot be parsed, so that the exit code is 2."""
+    preview: bool = False
+    """True if the rule is not settled: it is off unless previews are on or it is named."""
     optional: bool = False
     """True if the rule is off unless selected."""
     repairs: Sequence[Repair] = ()

@@ -44,6 +44,28 @@ def test_what_cannot_be_read_is_2_whatever_is_found(kinlint, pipeline, write, op
     assert ("UNI002" in out) is (options != ["-s"])
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("arm.urdf", '<robot name="arm"><link name="base"></robot>'),
+        ("arm.xacro", '<robot name="arm"><link name="base"></robot>'),
+        ("arm.srdf", '<robot name="arm"><group name="all"></robot>'),
+        ("arm.sdf", '<sdf version="1.9"><model name="arm"></sdf>'),
+        (
+            "arm.jsonld",
+            '{"@context": "https://comp-rob2b.github.io/metamodels/x.json", "@graph": [',
+        ),
+        ("arm.ttl", "@prefix ex: <https://example.org/> .\nex:a ex:b ."),
+    ],
+)
+@pytest.mark.parametrize("form", ["full", "json", "sarif", "junit"])
+def test_what_cannot_be_parsed_is_2_in_every_format(kinlint, write, name, text, form):
+    """Whatever the threshold is."""
+    write(name, text)
+
+    assert kinlint(name, "--output", form, "--fail-on", "none")[0] == 2
+
+
 def test_check_is_the_default_command(kinlint, pipeline, write):
     """`kinlint PATH` is `kinlint check PATH`; a path may have the name of a command."""
     write("rule")

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -107,6 +108,32 @@ def test_a_reader_that_goes_away_is_no_error(write):
     os.close(writing)
 
     assert (done.returncode, done.stderr) == (141, b"")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("arguments", [["--help"], ["--show-files"], ["rules"]])
+def test_a_full_disk_is_no_error_of_kinlint(write, arguments):
+    """One line says what happened."""
+    write("arm.jsonld")
+    with Path("/dev/full").open("wb") as full:
+        done = subprocess.run(
+            check=False,
+            args=[sys.executable, "-m", "kinlint", *arguments],
+            stdout=full,
+            stderr=subprocess.PIPE,
+        )
+
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"kinlint: error: cannot write")
+    assert done.stderr.endswith(b"No space left on device\n")
+    assert done.stderr.count(b"\n") == 1
+
+
+def test_closed_streams_are_no_error(write):
+    """`kinlint --show-files >&- 2>&-`."""
+    write("arm.jsonld")
+    line = f"{sys.executable} -m kinlint --show-files >&- 2>&-"
+    assert subprocess.run(["sh", "-c", line], check=False).returncode == 0
 
 
 def test_names_that_cannot_be_printed_are_escaped(here):

@@ -61,6 +61,8 @@ def marked(source: SourceText, *spans: tuple[int, int]) -> list[Finding]:
     return [unit_finding(Location(source, Span(*span))) for span in spans]
 
 
+NO_RULES = "SARIF2012"
+"""A note: no rule is described, which holds for a run without results."""
 CASES = {
     "both": BOTH,
     "nothing": report(),
@@ -97,13 +99,14 @@ def complaints(made: Report, directory: Path) -> list[str]:
 @needs_tool
 @pytest.mark.parametrize("case", CASES)
 def test_the_validator_has_nothing_to_say(case: str, tmp_path: Path) -> None:
-    assert set(complaints(CASES[case], tmp_path)) <= {OFFLINE, OUTSIDE_GIT}
+    known = {OFFLINE, OUTSIDE_GIT} | ({NO_RULES} if not CASES[case].findings else set())
+    assert set(complaints(CASES[case], tmp_path)) <= known
 
 
 @needs_tool
 def test_the_validator_would_speak(tmp_path: Path) -> None:
     """A run without any rule description is one of its notes, so it does look."""
-    assert "SARIF2012" in complaints(Report(rules=()), tmp_path)
+    assert NO_RULES in complaints(Report(rules=()), tmp_path)
 
 
 @pytest.fixture(scope="session")

@@ -172,8 +172,8 @@ def suites(made: Report, style: Style = PLAIN) -> list[Any]:
             assert case.tag == "testcase"
             assert {"name", "classname", "time", "file"} <= set(case.attrib)
             assert set(case.attrib) <= {"name", "classname", "time", "file", "line", "column"}
-            assert [one.tag for one in case] in ([], ["failure"], ["error"])
-            for one in case:
+            assert [one.tag for one in case] in ([], ["failure"], ["error"], ["system-out"])
+            for one in case.iterfind("*[@type]"):
                 assert set(one.attrib) == {"type", "message"}
                 own[f"{one.tag}s"] += 1
         for key in ("tests", "failures", "errors", "skipped"):
@@ -198,6 +198,19 @@ def test_a_finding_is_a_test_that_fails() -> None:
     assert (failure.type, failure.message) == ("error", BOTH.findings[0].message)
     assert failure.text == f"models/dynamics.jsonld:7:21: {BOTH.findings[0].message}"
     assert second.result[0].type == "warning"
+
+
+def test_failures_agree_with_the_exit_code() -> None:
+    """What is below the threshold passes, and is the output of its test."""
+    info = unit_finding(here("x", 0, 1), severity=Severity.INFO)
+    for least, failures in ((Severity.INFO, 3), (Severity.WARNING, 2), (Severity.ERROR, 1)):
+        made = report(*BOTH.findings, info, fails_from=least)
+        assert sum(suite.failures for suite in suites(made)) == failures
+    told = suites(report(info, fails_from=None))
+    assert [(suite.failures, suite.tests) for suite in told] == [(0, 1)]
+    assert "does not fit" in text(junit, report(info, fails_from=None))
+    unparsable = replace(info, rule=replace(info.rule, unparsable=True))
+    assert [(one.failures, one.errors) for one in suites(report(unparsable))] == [(0, 1)]
 
 
 def test_a_clean_file_is_a_test_that_passes() -> None:
@@ -368,6 +381,7 @@ def test_any_report_can_be_told(made: Report) -> None:
     """In each format, and to streams without Unicode."""
     for style in (PLAIN, ASCII):
         assert len(issues(made, style)) == len(made.findings)
-        assert sum(suite.failures for suite in suites(made, style)) == len(made.findings)
+        failed = [each for each in made.findings if each.severity >= Severity.WARNING]
+        assert sum(suite.failures for suite in suites(made, style)) == len(failed)
         assert sum(map(len, files(made, style).values())) == len(made.findings)
     assert len(commands(made)) == len(made.findings)

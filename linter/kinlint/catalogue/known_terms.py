@@ -17,7 +17,7 @@ _RULE_TERMS = """
     AP1 AP2 AP3 AP4 AP5 AP6 Rule antiPattern applicability bad because beside code column counts
     displayOnly example explains file fixed format good groupBy ignore line optional passesOver
     prefixes preview reason reportedBy rule safe severityFor since suppression symptom target
-    unfixable unsafe until wholeModel with worst
+    unfixable unparsable unsafe until wholeModel with worst
 """
 RULE_TERMS = frozenset(_RULE_TERMS.split())
 """Names of `kl:`, the vocabulary of rules, suppressions and reports, besides those of formats."""

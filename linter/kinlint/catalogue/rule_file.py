@@ -89,6 +89,8 @@ class _RuleReader:
             group_by=self.values(kl("groupBy")),
             worst=self.value(kl("worst")),
             explains=read_explanations(self.graph, self.subject),
+            unparsable=self.value(kl("unparsable")) in TRUE,
+            preview=self.value(kl("preview")) in TRUE,
             optional=self.value(kl("optional")) in TRUE,
             also=tuple(sorted(self.also(), reverse=True)),
             also_for=tuple(sorted(set(self.also_for()), key=astuple)),

@@ -113,6 +113,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     if options.show_suppressed:
         both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
         report = replace(report, findings=tuple(both), suppressed=())
+    report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
     told = report.with_consequences() if options.show_consequences else report
     with phases.phase("reporting"):
         streamed = any(one.path is None for one in found.inputs)
@@ -122,18 +123,22 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell_times(phases, book)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
-    left = replace(report, findings=()) if options.fix_only or options.diff else report
-    return exit_code(left, fail_on, exit_zero=options.exit_zero)
+    return exit_code(replace(report, findings=()) if outputs.only_fixes else report)
 
 
-def exit_code(report: Report, fail_on: str, *, exit_zero: bool = False) -> int:
-    """0, 1 or 2: whether something could not be read, or is at least as bad as *fail_on*."""
-    if report.errors or (report.passed_over and not report.files):
+def threshold(fail_on: str) -> Severity | None:
+    """Return the least severity that makes a run fail; None if none does."""
+    return None if fail_on == "none" else Severity[fail_on.upper()]
+
+
+def exit_code(report: Report) -> int:
+    """Return 2 if a file could not be read, 1 if findings make the run of *report* fail, else 0."""
+    unparsed = any(one.rule.unparsable for one in report.unsuppressed)
+    if report.errors or unparsed or (report.passed_over and not report.files):
         return ABNORMAL
-    if exit_zero or fail_on == "none":
-        return CLEAN
-    least = Severity[fail_on.upper()]
-    return FOUND if any(one.severity >= least for one in report.unsuppressed) else CLEAN
+    least = report.fails_from
+    failed = least is not None and any(one.severity >= least for one in report.unsuppressed)
+    return FOUND if failed else CLEAN
 
 
 def _find(options: Namespace, layers: Layers) -> Found:

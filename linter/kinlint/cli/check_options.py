@@ -60,6 +60,11 @@ def _rules(made: Parser) -> None:
     add = made.add_argument_group("Rules").add_argument
     add("--select", metavar="R", **LISTS, help="check only these rules")
     add("--extend-select", metavar="R", **LISTS, help="check these rules too")
+    add(
+        "--preview",
+        action=BooleanOptionalAction,
+        help="check preview rules too, which may still change",
+    )
     add("--ignore", metavar="R", **LISTS, help="do not check these rules")
     for word in SEVERITIES:
         add(f"--{word}", metavar="R", **LISTS, help=f"report findings of these rules as {word}")

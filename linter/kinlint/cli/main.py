@@ -5,6 +5,7 @@ This module is imported on every run, so it imports next to nothing.
 
 from __future__ import annotations
 
+import errno
 import gc
 import os
 import sys
@@ -15,6 +16,8 @@ from kinlint import __version__
 ABNORMAL = 2
 INTERRUPTED = 130
 BROKEN_PIPE = 141
+UNWRITABLE = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EROFS})
+"""Errors of the system that are no fault of kinlint: a full disk, a quota, a broken device."""
 GARBAGE = 100_000
 """Number of new objects that triggers the garbage collector."""
 
@@ -29,6 +32,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     if arguments in (["--version"], ["-V"], ["version"]):
         sys.stdout.write(f"kinlint {__version__}\n")
         return 0
+    if sys.stdout is None or sys.stderr is None:
+        # The shell closed them (`>&-`); what is written there is lost.
+        sys.stdout, sys.stderr = (
+            stream or open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115
+            for stream in (sys.stdout, sys.stderr)
+        )
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):
             reconfigure(errors="backslashreplace")
@@ -37,17 +46,34 @@ def main(argv: Sequence[str] | None = None) -> int:
         gc.set_threshold(GARBAGE)
     try:
         code = _run(arguments)
-        sys.stdout.flush()
+        code = code if _flushed() else ABNORMAL
         if argv is None:
             # The process ends here; the interpreter would search all it holds for garbage first.
             gc.freeze()
     except KeyboardInterrupt:
         return INTERRUPTED
     except BrokenPipeError:
-        # The interpreter flushes standard output once more at its end; give it somewhere to go.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _discard_output()
         return BROKEN_PIPE
     return code
+
+
+def _flushed() -> bool:
+    """Write the rest of standard output; say why it cannot be written, and return False."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        _discard_output()
+        _say(f"cannot write to standard output: {error.strerror or error}")
+        return False
+    return True
+
+
+def _discard_output() -> None:
+    """Have standard output, which the interpreter flushes at its end, go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _run(arguments: list[str]) -> int:
@@ -69,6 +95,11 @@ def _run(arguments: list[str]) -> int:
 
         if isinstance(error, FileNotFoundError) and not has_working_directory():
             _say("the working directory does not exist any more")
+            return ABNORMAL
+        if isinstance(error, OSError) and error.errno in UNWRITABLE:
+            _discard_output()
+            where = f"{error.filename}: " if error.filename else ""
+            _say(f"cannot write: {where}{error.strerror}")
             return ABNORMAL
         text = " ".join(f"{type(error).__name__}: {error}".split())
         _say(f"{text} (an error in kinlint itself: please report it with the command you ran)")

@@ -142,6 +142,7 @@ def _choices(options: Namespace) -> tuple[Choice, ...]:
     choice = Choice(
         origin=ORIGIN,
         select=None if options.select is None else tuple(options.select),
+        preview=options.preview,
         extend_select=tuple(options.extend_select or ()),
         ignore=tuple(options.ignore or ()),
         severity=severity,

@@ -75,5 +75,5 @@ def lines(rules: Sequence[Rule]) -> Iterator[str]:
 
 def _cells(rule: Rule) -> tuple[str, ...]:
     """Return code, severity, name and title of *rule*; optional and preview rules say so."""
-    aside = " (optional)" if rule.optional else ""
+    aside = " (preview)" if rule.preview else " (optional)" if rule.optional else ""
     return rule.code, rule.severity.label, rule.name, rule.title + aside

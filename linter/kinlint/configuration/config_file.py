@@ -150,6 +150,7 @@ def _choices(said: Mapping[str, Any], origin: str) -> tuple[Choice, ...]:
     choice = Choice(
         origin=origin,
         select=tuple(said["select"]) if "select" in said else None,
+        preview=said.get("preview"),
         extend_select=tuple(said.get("extend-select", ())),
         ignore=tuple(said.get("ignore", ())),
         fixable=tuple(said["fixable"]) if "fixable" in said else None,

@@ -115,6 +115,12 @@ KEYS: Mapping[str, Key] = {
         "Rules that speak beside those that are selected.",
         'extend-select = ["POR"]',
     ),
+    "preview": Key(
+        SWITCH,
+        "false",
+        "Whether preview rules, which may still change, are checked.",
+        "preview = true",
+    ),
     "ignore": Key(STRINGS, "[]", "Rules that are silent.", 'ignore = ["FRM014"]'),
     "severity": Key(
         table(one_of(SEVERITIES), "of rules and severities"),

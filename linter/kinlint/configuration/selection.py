@@ -129,7 +129,7 @@ def combine_policy(
     """Combine *choices*, the lowest layer first, for a file of format *form*.
 
     At first, all rules are on but optional ones that name none of the *targets*. A rule for other
-    targets is off all the same.
+    targets is off all the same, and a preview rule unless previews are on or it is named.
     """
     chosen = frozenset(
         rule.code for rule in catalogue.rules if not rule.optional or rule.concerns(targets)
@@ -142,14 +142,19 @@ def combine_policy(
         if any(each.targets and each.applies(targets, form) for each in rule.severity_for)
     }
     configured: set[str] = set()
+    preview, named = False, set[str]()
     for choice in choices:
+        preview = preview if choice.preview is None else choice.preview
         wanted = (*choice.extend_select, *(choice.select or ()))
+        named.update(catalogue.exact[each].code for each in wanted if each in catalogue.exact)
         below = chosen if choice.select is None else frozenset[str]()
         chosen = select_codes(below, wanted, choice.ignore, choice.origin, catalogue)
         ranked = [(catalogue.find_from(choice.origin, sel), sev) for sel, sev in choice.severity]
         for (_, codes), severity in sorted(ranked, key=lambda entry: entry[0][0]):
             severities.update(dict.fromkeys(codes, severity))
             configured |= codes
+    if not preview:
+        chosen -= {rule.code for rule in catalogue.rules if rule.preview} - named
     speaking = {code for code, severity in meant.items() if severity is not None} & chosen
     spoken = {code: severities[code] if code in speaking else None for code in severities}
     return Policy(

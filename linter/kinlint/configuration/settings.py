@@ -25,6 +25,8 @@ class Choice:
     """The place where the layer was written, for messages."""
     select: tuple[str, ...] | None = None
     """Selectors that replace those of lower layers; None keeps them."""
+    preview: bool | None = None
+    """True if preview rules are on; None keeps what lower layers say."""
     extend_select: tuple[str, ...] = ()
     """Selectors of rules to add."""
     ignore: tuple[str, ...] = ()

@@ -1,8 +1,9 @@
 """Findings as failed tests in JUnit's XML, which dashboards of all servers read.
 
 A suite is a file, a test in it is a finding; a file without one has a test that passes, so that no
-dashboard is empty. A file that cannot be read has a test that could not be run. Servers tell tests
-by class and name, so those of one rule in one file are numbered.
+dashboard is empty. Failures agree with the exit code: a finding below `--fail-on` is the output of
+a test that passes. A file that cannot be read or parsed has a test that could not be run. Servers
+tell tests by class and name, so those of one rule in one file are numbered.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.reporters.display_width import fold_lines
 from kinlint.reporters.repository_paths import Paths
@@ -20,10 +22,15 @@ from kinlint.rule import Severity
 
 PACKAGE = "org.kinlint"
 _TIME = {"time": "0"}
+_PASSED = "system-out"
+"""The element for what a test says that passes."""
 
 
 class _Case(NamedTuple):
-    """A test by its name; where it fails, as what (`failure` or `error`), how bad and why."""
+    """A test by its name; where it fails, as what (`failure` or `error`), how bad and why.
+
+    One of the kind `system-out` passes and says something.
+    """
 
     name: str
     place: Mapping[str, int]
@@ -51,7 +58,8 @@ def _test(case: _Case, name: str, style: Style) -> Iterator[str]:
     about = {"name": case.name, "classname": name, "file": name, **case.place, **_TIME}
     yield f"    {tag('testcase', about, style, empty=not case.kind)}\n"
     if case.kind:
-        outcome = {"type": case.severity, "message": case.message}
+        failed = case.kind != _PASSED
+        outcome = {"type": case.severity, "message": case.message} if failed else {}
         whole = ":".join(map(str, (name, *case.place.values()))) + f": {case.message}"
         opened = tag(case.kind, outcome, style, empty=False)
         yield f"      {opened}{content(whole, style)}</{case.kind}>\n"
@@ -67,7 +75,7 @@ def _suites(report: Report) -> dict[str, list[_Case]]:
         number = f" ({seen[file, code]})" if seen[file, code] > 1 else ""
         place = dict(zip(("line", "column"), finding.location.start, strict=True))
         name, severity = f"{PACKAGE}.{code}{number}", finding.severity.label
-        case = _Case(name, place, "failure", severity, fold_lines(finding.message))
+        case = _Case(name, place, _kind(finding, report), severity, fold_lines(finding.message))
         suites.setdefault(file, []).append(case)
     for error in report.errors:
         known = {"line": error.line, "column": error.column}
@@ -75,6 +83,14 @@ def _suites(report: Report) -> dict[str, list[_Case]]:
         case = _Case(PACKAGE, place, "error", Severity.ERROR.label, fold_lines(error.cause))
         suites.setdefault(paths.relative(error.name), []).append(case)
     return {name: cases or [_Case(PACKAGE, {})] for name, cases in suites.items()}
+
+
+def _kind(finding: Finding, report: Report) -> str:
+    """Return the element of a test that says *finding*."""
+    if finding.rule.unparsable:
+        return "error"
+    fails = report.fails_from is not None and finding.severity >= report.fails_from
+    return "failure" if fails else _PASSED
 
 
 def _counts(cases: list[_Case]) -> dict[str, int]:

@@ -142,6 +142,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
         "symptoms": list(rule.symptoms),
         "formats": list(rule.formats),
         "whole_model": rule.whole_model,
+        "preview": rule.preview,
         "optional": rule.optional,
         "group_by": list(rule.group_by),
         "worst": rule.worst or None,
@@ -177,6 +178,10 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
         yield "Formats", ", ".join(rule.formats)
     if rule.targets:
         yield "Needs", " or ".join(f"--target {target}" for target in rule.targets)
+    if rule.preview:
+        yield "Preview", f"off without --preview or --extend-select {rule.code}"
+    if rule.unparsable:
+        yield "Exit code", "2, as for all files that cannot be parsed"
     if rule.optional:
         yield "Needs", f"to be selected, as by --extend-select {rule.code}"
     if rule.whole_model:

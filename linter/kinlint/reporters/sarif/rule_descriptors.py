@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Any
 from urllib.parse import quote
 
+from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_page import help_markdown, help_text, paragraphs
 from kinlint.reporters.sarif.sarif_message import message_template
-from kinlint.rule import Rule, Severity
+from kinlint.rule import Example, Rule, Severity
 from kinlint.vocabulary import KINLINT, RULE
 
 TAXONOMY = "kinlint-antipatterns"
+EXAMPLES = 2
+"""Number of examples in the help of a rule; `kinlint rule` shows all."""
 TEXT_LENGTH = 1_024
 """GitHub cuts descriptions here."""
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
@@ -25,10 +29,15 @@ _INDEX = {pattern.id: index for index, pattern in enumerate(ANTIPATTERNS)}
 
 
 class Catalogue:
-    """The rules of one run in the order of their codes, each with the messages it made."""
+    """The rules of *findings* in the order of their codes, each with the messages it made."""
 
-    def __init__(self, rules: Iterable[Rule]) -> None:
-        self._rules = sorted({rule.code: rule for rule in rules}.values(), key=lambda r: r.code)
+    def __init__(self, findings: Sequence[Finding]) -> None:
+        rules = {finding.rule.code: finding.rule for finding in findings}
+        self._rules = [rules[code] for code in sorted(rules)]
+        self._formats: dict[str, set[str]] = {code: set() for code in rules}
+        for finding in findings:
+            if (form := finding.location.source.format) is not None:
+                self._formats[finding.rule.code].add(form.name)
         self._indices = {rule.code: index for index, rule in enumerate(self._rules)}
         self._messages: dict[str, dict[str, str]] = {}
         for rule in self._rules:
@@ -51,12 +60,13 @@ class Catalogue:
     def _descriptor(self, rule: Rule) -> dict[str, Any]:
         messages = self._messages.get(rule.code, {})
         why = "\n\n".join(paragraphs(rule.why))
+        page = help_markdown(replace(rule, examples=self._examples(rule)))
         descriptor: dict[str, Any] = {
             "id": rule.code,
             "name": friendly_name(rule.name),
             "shortDescription": {"text": (rule.title or rule.name)[:TEXT_LENGTH]},
             "fullDescription": {"text": (why or rule.title or rule.name)[:TEXT_LENGTH]},
-            "help": {"text": help_text(rule), "markdown": help_markdown(rule)},
+            "help": {"text": help_text(rule), "markdown": page},
             "helpUri": web_address(rule.iri),
             "defaultConfiguration": {"level": LEVELS[rule.severity]},
             "properties": {
@@ -72,6 +82,11 @@ class Catalogue:
             kinds = ["superset"]
             descriptor["relationships"] = [{"target": taxon, "kinds": kinds} for taxon in taxa]
         return descriptor
+
+    def _examples(self, rule: Rule) -> Sequence[Example]:
+        """Return a few examples of *rule*, in the formats of its findings if there are any."""
+        formats = self._formats[rule.code]
+        return sorted(rule.examples, key=lambda each: each.format not in formats)[:EXAMPLES]
 
 
 def friendly_name(name: str) -> str:

@@ -23,12 +23,12 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 def render(report: Report, style: Style) -> Iterator[str]:
     """The log as JSON."""
-    yield json_text(log(report), style, indent=2) + "\n"
+    yield json_text(log(report), style) + "\n"
 
 
 def log(report: Report) -> dict[str, Any]:
     """The `sarifLog` object."""
-    catalogue = Catalogue([*report.rules, *(finding.rule for finding in report.findings)])
+    catalogue = Catalogue(report.findings)
     top = repository_top(report.root)
     artifacts = Artifacts(report.root, top)
     results = Results(artifacts, catalogue)
@@ -37,7 +37,8 @@ def log(report: Report) -> dict[str, Any]:
     if report.baseline is not None:
         # Nothing that was known before is among them, and either all results say so or none does.
         found = [{**result, "baselineState": "new"} for result in found]
-    invocation: dict[str, Any] = {"executionSuccessful": not report.errors}
+    unparsed = any(finding.rule.unparsable for finding in report.unsuppressed)
+    invocation: dict[str, Any] = {"executionSuccessful": not (report.errors or unparsed)}
     if report.errors:
         notifications = [results.notification(error) for error in report.errors]
         invocation["toolExecutionNotifications"] = notifications
