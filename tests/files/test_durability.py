@@ -10,7 +10,8 @@ import random
 import signal
 import sys
 import time
-from collections.abc import Callable
+from ast import literal_eval
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -26,7 +27,11 @@ pytestmark = [
     pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot be forked here"),
 ]
 
-KILLS = int(os.environ.get("KINLINT_KILLS", "12"))
+KILLS = int(os.environ.get("KINLINT_KILLS", "100"))
+RUNS = 6
+"""Number of runs that are killed anywhere, not only while they write."""
+LINES = 150
+"""Number of lines of Python, at least, that are run to write a file."""
 
 
 def read(directory: Path) -> dict[str, bytes]:
@@ -34,11 +39,15 @@ def read(directory: Path) -> dict[str, bytes]:
     return {each.name: each.read_bytes() for each in directory.iterdir()}
 
 
-def unharmed() -> None:
-    """Let this process end as it will."""
+def put(directory: Path, files: Mapping[str, bytes]) -> None:
+    """Let *files* be all that *directory* has."""
+    for each in directory.iterdir():
+        each.unlink()
+    for name, text in files.items():
+        (directory / name).write_bytes(text)
 
 
-def fixed(directory: Path, begin: Callable[[], None]) -> int:
+def fixed(directory: Path, begin: Callable[[], None] = lambda: None) -> int:
     """Fix all files of *directory* in a process that calls *begin* first; its number."""
     child = os.fork()
     if child:
@@ -53,23 +62,50 @@ def fixed(directory: Path, begin: Callable[[], None]) -> int:
     os._exit(0)
 
 
-def killed_while_writing(seed: int) -> None:
-    """Let this process kill itself at one of the lines that are run while files are written."""
-    left = random.Random(seed).randrange(400)  # noqa: S311
+def kill_writers(directory: Path, before: Mapping[str, bytes], record: Path) -> None:
+    """Let this process write its fixes in many others, which are killed; *record* what they leave.
+
+    Every other one is killed at a line of the writing, the rest after a random part of the time.
+    """
     write = fix_files.write_fixes
 
+    def many(*arguments):
+        left: dict[tuple[tuple[str, bytes], ...], int] = {}
+        interrupted, seconds = 0, 0.0
+        for seed in range(KILLS + 1):
+            chance = random.Random(seed)  # noqa: S311
+            put(directory, before)
+            started = time.monotonic()
+            child = os.fork()
+            if not child:
+                if seed % 2:
+                    sys.settrace(killer(chance.randrange(LINES * len(before))))
+                write(*arguments)
+                os._exit(0)
+            if seed and not seed % 2:
+                time.sleep(chance.uniform(0, seconds))
+                os.kill(child, signal.SIGKILL)
+            _, status = os.waitpid(child, 0)
+            seconds = seconds or time.monotonic() - started
+            interrupted += os.WIFSIGNALED(status)
+            left.setdefault(tuple(sorted(read(directory).items())), seed)
+        record.write_text(repr((interrupted, [(seed, dict(each)) for each, seed in left.items()])))
+        os._exit(0)
+
+    fix_files.write_fixes = many
+
+
+def killer(lines: int) -> Callable[..., object]:
+    """A trace function that kills this process after so many *lines*."""
+
     def line(_frame, _event, _argument):
-        nonlocal left
-        left -= 1
-        if left < 0:
+        nonlocal lines
+        lines -= 1
+        if lines < 0:
             os.kill(os.getpid(), signal.SIGKILL)
         return line
 
-    def traced(*arguments, **options):
-        sys.settrace(line)
-        return write(*arguments, **options)
-
-    fix_files.write_fixes = traced
+    return line
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -78,27 +114,53 @@ def rules():
     book()
 
 
-@pytest.mark.parametrize("forms", [*([form] for form in FILES), [*FILES]], ids="-".join)
-def test_a_killed_process_leaves_old_or_new(forms, tmp_path, rules_cache):
-    """Killed at any moment, or at any line of the writing; the next run leaves nothing else."""
-    before = {f"arm.{form}": FILES[form].encode() for form in forms}
-    after, seconds, interrupted = {}, 0.0, 0
-    for seed in range(KILLS + 1):
-        for name, text in before.items():
-            (tmp_path / name).write_bytes(text)
-        started = time.monotonic()
-        child = fixed(tmp_path, partial(killed_while_writing, seed) if seed % 2 else unharmed)
-        if seed and not seed % 2:
-            time.sleep(random.Random(seed).uniform(0, seconds))  # noqa: S311
-            os.kill(child, signal.SIGKILL)
-        _, status = os.waitpid(child, 0)
-        left = read(tmp_path)
-        if not seed:
-            after, seconds = left, time.monotonic() - started
-            assert all(after[name] != text for name, text in before.items())
-        interrupted += os.WIFSIGNALED(status)
+@pytest.fixture(params=[*([form] for form in FILES), [*FILES]], ids="-".join)
+def before(request, tmp_path, rules_cache):
+    """The files of a directory, by name."""
+    files = {f"arm.{form}": FILES[form].encode() for form in request.param}
+    (tmp_path / "arms").mkdir()
+    put(tmp_path / "arms", files)
+    return files
+
+
+@pytest.fixture
+def after(before, tmp_path):
+    """The files when all are fixed."""
+    os.waitpid(fixed(tmp_path / "arms"), 0)
+    files = read(tmp_path / "arms")
+    assert all(files[name] != text for name, text in before.items())
+    put(tmp_path / "arms", before)
+    return files
+
+
+def test_a_process_killed_while_it_writes_leaves_old_or_new(before, after, tmp_path):
+    """At any line and at any moment; the next run finishes that, and leaves nothing else."""
+    arms, record = tmp_path / "arms", tmp_path / "record"
+    os.waitpid(fixed(arms, partial(kill_writers, arms, before, record)), 0)
+    interrupted, states = literal_eval(record.read_text())
+    assert interrupted > KILLS // 3
+    assert len(states) > len(before)
+    for seed, left in states:
         for name, text in before.items():
             assert left[name] in (text, after[name]), (seed, name)
-        os.waitpid(fixed(tmp_path, unharmed), 0)
-        assert read(tmp_path) == after, seed
-    assert interrupted > KILLS // 3
+        put(arms, left)
+        os.waitpid(fixed(arms), 0)
+        assert read(arms) == after, seed
+
+
+def test_a_run_killed_anywhere_leaves_old_or_new(before, after, tmp_path):
+    arms = tmp_path / "arms"
+    started = time.monotonic()
+    os.waitpid(fixed(arms), 0)
+    seconds = time.monotonic() - started
+    for seed in range(RUNS):
+        put(arms, before)
+        child = fixed(arms)
+        time.sleep(random.Random(seed).uniform(0, seconds))  # noqa: S311
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        left = read(arms)
+        for name, text in before.items():
+            assert left[name] in (text, after[name]), (seed, name)
+        os.waitpid(fixed(arms), 0)
+        assert read(arms) == after, seed
