@@ -103,8 +103,10 @@ def trimmed(group: Group, used: Collection[str]) -> Group:
                 free = variables(part) - sure
             else:
                 return False
+            if not free.isdisjoint(used):
+                return False
             own = Counter(filter(is_variable, words(part)))
-            return all(name not in used and named[name] == own[name] for name in free)
+            return all(named[name] == own[name] for name in free)
 
         smaller = _without(group, idle)
         if smaller == group:

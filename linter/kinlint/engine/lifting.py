@@ -82,7 +82,16 @@ class Lifting:
         if wanted is None:
             return self.made, self.where
         made = needed(self.made, wanted)
-        return made, trimmed(self.where, variables_of(made))
+        return made, self.where_for(frozenset(variables_of(made)))
+
+    def where_for(self, used: frozenset[str]) -> Group:
+        """Return the group that it matches, less what serves other variables than those *used*."""
+        return _trimmed(self, used)
+
+
+@lru_cache(maxsize=1024)
+def _trimmed(lifting: Lifting, used: frozenset[str]) -> Group:
+    return trimmed(lifting.where, used)
 
 
 @lru_cache(maxsize=512)

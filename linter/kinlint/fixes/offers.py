@@ -98,12 +98,15 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     phases: Phases | None = None,
     circles: FixCircles | None = None,
     settled: Mapping[LastingKey, Verdict] = NOTHING_SETTLED,
+    *,
+    alone: bool = False,
 ) -> Offers:
     """Return which candidates of *generator* hold when they are tried by *analyzer*.
 
     That is the one of its examination, whose store then says what the texts tried last say.
     Candidates that the settings trust less than *least* are not tried, nor are those for findings
     that are not *wanted*, nor those that *circles* bar or that are *settled* by an earlier trial.
+    If *alone*, texts without candidates are left aside, and the store then says nothing of them.
     The time of trials is added to *phases*.
     """
     found = generator.candidates(wanted(generator.examination.report.findings), least)
@@ -112,6 +115,9 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     known = {each: settled[key] for each in found if (key := lasting_key(each)) in settled}
     found = [each for each in found if each not in known]
     groups = _groups(found, generator) if found else []
+    # What cannot be read decides which suppressions of other texts are told to be unused.
+    if alone and not generator.examination.report.errors:
+        generator.texts = generator.texts.only(each for group in groups for each in group.sources)
 
     def again(texts: Texts) -> Examination:
         return examine_with_fixes(texts, (), analyzer, phases, brief=True)

@@ -81,7 +81,7 @@ def offers(  # noqa: PLR0913, PLR0917
     """
     with (phases or Phases()).phase("fixing"):
         generator = FixGenerator(examination, Texts(sources), settings, rulebook)
-        return offer_fixes(generator, analyzer, wanted=wanted)
+        return offer_fixes(generator, analyzer, wanted=wanted, alone=True)
 
 
 def fix_in_rounds(  # noqa: PLR0913, PLR0917

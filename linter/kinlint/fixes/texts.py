@@ -46,6 +46,11 @@ class Texts:
         """Tell whether all that is given and changed reads as in *other*."""
         return list(self.given) == list(other.given) and self.changed == other.changed
 
+    def only(self, sources: Iterable[SourceText]) -> Texts:
+        """Return the same with those of the given texts that are among *sources*."""
+        names = {each.name for each in sources}
+        return replace(self, given=[each for each in self.given if each.name in names])
+
     def path(self, source: SourceText) -> Path:
         """Return the file that holds *source*, with all links followed."""
         if source.name not in self._paths:

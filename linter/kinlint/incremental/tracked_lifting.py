@@ -11,6 +11,7 @@ from typing import TypeAlias
 import pyoxigraph as ox
 
 from kinlint.engine.compiler.query_dependencies import Dependencies, dependencies_of
+from kinlint.engine.construct_template import variables_of
 from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
@@ -49,16 +50,18 @@ class Unit:
     def from_lifting(cls, lifting: Lifting, kept: frozenset[Term] | None) -> Unit:
         """Return what makes all that *lifting* makes, or what of it is *kept*."""
         made, where = lifting.part(kept)
-        used = set[str]().union(*(each.variables for each in made))
+        used = frozenset(variables_of(made))
         names = tuple(sorted(name[1:] for name in used))
-        narrow = find_restriction(where) if names else None
+        narrow, dependencies = _looked_at(lifting, None if kept is None else used)
+        if not names:
+            narrow = None
         if narrow is not None:
             root = narrow.root[1:]
             names = (*(name for name in names if name != root), root)
         shown = " ".join(f"?{name}" for name in names) or "*"
         select = f"SELECT {shown} WHERE {render(where)}"
         template = [(each.subject, each.predicate, each.items or each.object) for each in made]
-        return cls(select, names, template, dependencies_of(where), narrow)
+        return cls(select, names, template, dependencies, narrow)
 
     def may_make(self, triple: Triple) -> bool:
         """Tell whether one of the triples that it makes may be *triple*."""
@@ -70,6 +73,15 @@ class Unit:
 
 
 _unit = lru_cache(maxsize=512)(Unit.from_lifting)
+
+
+@lru_cache(maxsize=512)
+def _looked_at(
+    lifting: Lifting, used: frozenset[str] | None
+) -> tuple[Restriction | None, Dependencies]:
+    """Return what *lifting* can be restricted by, and what it looks at, for variables *used*."""
+    where = lifting.where if used is None else lifting.where_for(used)
+    return find_restriction(where), dependencies_of(where)
 
 
 class TrackedLifting:
