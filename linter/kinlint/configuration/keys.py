@@ -39,6 +39,7 @@ OUTPUT_FORMATS = (
     "rdjson",
     "rdjsonl",
     "turtle",
+    "earl",
     "markdown",
     "html",
 )

@@ -47,6 +47,7 @@ FORMATS: Mapping[str, Format] = {
     "rdjson": Format("reviewdog.diagnostic_result"),
     "rdjsonl": Format("reviewdog.lines"),
     "turtle": Format("validation_report"),
+    "earl": Format("earl", fixes=False),
     "markdown": Format("markdown", fixes=False, escape=log_commands.ENTITY),
     "html": Format("html.page", drawn=True, escape=log_commands.ENTITY),
 }

@@ -7,18 +7,16 @@ no place. Fixes are `dash:suggestion`s: graph updates of triples to add and to d
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from urllib.parse import quote
 
 from kinlint.addresses import document_iri
 from kinlint.errors import SourceError
 from kinlint.finding import Finding, Fix
 from kinlint.report import Report
-from kinlint.reporters.display_width import replace_surrogates
 from kinlint.reporters.terminal_style import Style
+from kinlint.reporters.turtle_text import encodable, node, term
 from kinlint.rule import Applicability, Severity
-from kinlint.terms import Term, Triple, is_blank, is_iri, literal
+from kinlint.terms import Triple, is_blank, is_iri, literal
 from kinlint.text import Position
 from kinlint.vocabulary import DASH, KL, RDFS, SH
 
@@ -39,19 +37,11 @@ _APPLICABILITY = {
     Applicability.UNSAFE: "kl:unsafe",
     Applicability.DISPLAY: "kl:displayOnly",
 }
-_LABEL = re.compile(r"_:[A-Za-z0-9_](?:[A-Za-z0-9_.-]*[A-Za-z0-9_-])?")
-_WIDE = re.compile(r"[^\x00-\x7f]")
-_UNFIT = re.compile(r"[\x00-\x20<>\"{}|^`\\]")
 
 
 def render(report: Report, style: Style) -> Iterator[str]:
     """The report, a result at a time."""
-    for piece in _pieces(report):
-        yield (
-            piece
-            if style.unicode or piece.isascii()
-            else _WIDE.sub(_escaped, replace_surrogates(piece))
-        )
+    return (encodable(piece, style) for piece in _pieces(report))
 
 
 def _pieces(report: Report) -> Iterator[str]:
@@ -61,7 +51,7 @@ def _pieces(report: Report) -> Iterator[str]:
     conforms = str(not results).lower()
     yield f"\n[] a sh:ValidationReport ;\n  sh:conforms {conforms}"
     for lines in results:
-        yield f" ;\n  sh:result {_node(lines, 4)}"
+        yield f" ;\n  sh:result {node(lines, 4)}"
     yield " .\n"
 
 
@@ -69,19 +59,19 @@ def _result(finding: Finding) -> list[str]:
     shape = finding.rule.iri
     lines = [
         "a sh:ValidationResult",
-        f"sh:focusNode {_term(finding.focus)}",
+        f"sh:focusNode {term(finding.focus)}",
         f"sh:resultSeverity {_SEVERITIES[finding.severity]}",
         f"sh:resultMessage {literal(finding.message)}",
-        f"sh:sourceShape {_term(shape if is_blank(shape) else f'<{shape}>')}",
+        f"sh:sourceShape {term(shape if is_blank(shape) else f'<{shape}>')}",
         "sh:sourceConstraintComponent sh:SPARQLConstraintComponent",
         *_place(finding.location.source.name, finding.location.start),
     ]
     if finding.path is not None and is_iri(finding.path):
-        lines.append(f"sh:resultPath {_term(finding.path)}")
+        lines.append(f"sh:resultPath {term(finding.path)}")
     if finding.value is not None:
-        lines.append(f"sh:value {_term(finding.value)}")
+        lines.append(f"sh:value {term(finding.value)}")
     for order, fix in enumerate(finding.fixes, 1):
-        lines.append(f"dash:suggestion {_node(_suggestion(fix, order), 6)}")
+        lines.append(f"dash:suggestion {node(_suggestion(fix, order), 6)}")
     return lines
 
 
@@ -116,25 +106,5 @@ def _suggestion(fix: Fix, order: int) -> list[str]:
 
 
 def _statement(triple: Triple) -> str:
-    subject, predicate, value = map(_term, triple)
+    subject, predicate, value = map(term, triple)
     return f"[ rdf:subject {subject} ; rdf:predicate {predicate} ; rdf:object {value} ]"
-
-
-def _node(lines: list[str], indent: int) -> str:
-    between = " ;\n" + " " * indent
-    return f"[ {between.join(lines)} ]"
-
-
-def _escaped(match: re.Match[str]) -> str:
-    """A character as Turtle writes it in ASCII, in literals and IRIs alike."""
-    code = ord(match[0])
-    return f"\\u{code:04X}" if code <= 0xFFFF else f"\\U{code:08X}"  # noqa: PLR2004
-
-
-def _term(term: Term) -> str:
-    """Return *term* as every parser of Turtle accepts it."""
-    if is_iri(term):
-        return f"<{_UNFIT.sub(lambda match: quote(match[0]), term[1:-1])}>"
-    if is_blank(term) and not _LABEL.fullmatch(term):
-        return "_:x" + term[2:].encode("utf-8", "surrogatepass").hex()
-    return term
