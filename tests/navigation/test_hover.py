@@ -1,6 +1,7 @@
 """What is shown about a place."""
 
 import json
+from pathlib import Path
 
 from navigating import NON_BMP, Model
 
@@ -46,15 +47,17 @@ def test_a_number_shows_whom_it_is_of(tmp_path):
     assert model.hovered('a.jsonld: "lower": 9|0') == "90.0"
 
 
-def test_a_finding_shows_the_page_of_its_rule_first(tmp_path):
+def test_a_finding_shows_its_message_and_a_link_first(tmp_path):
     model = Model(tmp_path, {"a.jsonld": graph(ELBOW, LIMIT)})
     finding = next(f for f in model.examination.report.findings if f.rule.code == "LIM001")
     at = finding.location.span.start
     shown = model.navigator.hover(finding.location.source.name, at)
     assert shown is not None
     assert shown.markdown.startswith(f"**error**: {finding.message}")
-    assert "# LIM001" in shown.markdown
-    assert "For one run" in shown.markdown or "--ignore LIM001" in shown.markdown
+    first = shown.markdown.split("\n\n---\n\n")[0]
+    assert "[LIM001](https://" in first
+    assert len(first.splitlines()) <= 3
+    assert "# LIM001" not in shown.markdown
 
 
 def test_an_ignore_entry_shows_the_rule_that_it_silences(tmp_path):
@@ -152,7 +155,7 @@ def test_an_empty_file_shows_what_is_wrong_with_it(tmp_path):
     model = Model(tmp_path, {"e.urdf": ""})
     found = model.navigator.hover(str(tmp_path / "e.urdf"), 0)
     assert found is not None
-    assert "# SRC019" in found.markdown
+    assert "[SRC019](https://" in found.markdown
 
 
 def test_a_number_in_a_list_shows_who_has_the_list(tmp_path):
@@ -162,3 +165,109 @@ def test_a_number_in_a_list_shows_who_has_the_list(tmp_path):
     model = Model(tmp_path, {"a.jsonld": graph(chain)})
     assert model.hover("a.jsonld: 19|99.0").startswith("**ex:c**")
     assert model.hover("a.jsonld: 19|98.0").startswith("**ex:c**")
+
+
+ARM = """<robot name="arm">
+  <link name="base"/>
+  <link name="forearm">
+    <inertial>
+      <origin xyz="0 0 0.1"/><mass value="1"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/><child link="forearm"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+
+
+def test_a_link_in_a_sentence(tmp_path):
+    model = Model(tmp_path, {"arm.urdf": ARM})
+    told = "**link forearm**: 1 kg, centre (0, 0, 0.1) m, moved by elbow about y, -114.6 to 114.6°"
+    assert model.hover('arm.urdf: <link name="fore|arm"').startswith(told)
+    assert model.hover('arm.urdf: <child link="fore|arm"').startswith(told)
+    assert model.hover('arm.urdf: <link name="ba|se"').startswith(
+        "**link base**: root, carries elbow"
+    )
+
+
+def test_a_joint_in_a_sentence(tmp_path):
+    model = Model(tmp_path, {"arm.urdf": ARM})
+    told = "**joint elbow**: revolute about y, -114.6 to 114.6°, moves forearm on base"
+    assert model.hover('arm.urdf: <joint name="elb|ow"').startswith(told)
+    shown = Model(tmp_path, {"cart.urdf": URDF}).hover('cart.urdf: <joint name="li|ft"')
+    assert "**joint lift**: prismatic" in shown
+    assert "0 to -1.5 m, moves arm on base" in shown
+
+
+def test_the_meaning_of_elements_and_attributes(tmp_path):
+    model = Model(tmp_path, {"arm.urdf": ARM})
+    shown = model.hover("arm.urdf: <li|mit")
+    assert "`<limit>` Bounds of the position, the velocity and the effort" in shown
+    shown = model.hover('arm.urdf: <limit low|er="-2"')
+    assert "`lower` least position in rad, of prismatic joints in m" in shown
+    shown = model.hover('arm.urdf: upper="|2"')
+    assert "`upper` greatest position" in shown
+
+
+def test_an_axis_has_no_unit(tmp_path):
+    shown = Model(tmp_path, {"arm.urdf": ARM}).hover("arm.urdf: <ax|is")
+    assert "Direction of the axis" in shown
+    assert "- y: 1\n" in f"{shown}\n"
+    assert "0 1" not in shown
+
+
+XACRO = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="a" value="0.5"/>
+  <xacro:property name="b" value="${a * 4 + sin(0)}"/>
+  <xacro:macro name="m" params="n y">
+    <link name="${n}"><visual><geometry><sphere radius="${b * y}"/></geometry></visual></link>
+  </xacro:macro>
+  <xacro:m n="one" y="1"/><xacro:m n="two" y="2"/>
+</robot>
+"""
+
+
+def test_the_values_of_xacro(tmp_path):
+    model = Model(tmp_path, {"r.xacro": XACRO})
+    assert "**b** = 2" in model.hover('r.xacro: name="|b"')
+    shown = model.hover("r.xacro: ${|b * y}")
+    assert "value 2" in shown
+    assert "value 4" in shown
+    assert "**b** = 2" in shown
+
+
+SDF = """<sdf version="1.9"><model name="m">
+  <link name="a"/><link name="b"><inertial><mass>2</mass></inertial></link>
+  <joint name="j" type="prismatic"><parent>a</parent><child>b</child>
+    <axis><xyz>0 0 -1</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis>
+  </joint>
+</model></sdf>
+"""
+
+
+def test_sdf_and_srdf(tmp_path):
+    model = Model(tmp_path, {"m.sdf": SDF})
+    shown = model.hover("m.sdf: <child>|b")
+    assert "moved by j along -z, -1 to 1 m" in shown
+    assert "`<child>` The frame that the joint moves" in shown
+    assert "Least position in rad" in model.hover("m.sdf: <lower>-|1")
+    srdf = '<robot name="arm"><group name="all"><link name="forearm"/></group></robot>'
+    model = Model(tmp_path, {"arm.urdf": ARM, "arm.srdf": srdf})
+    shown = model.hover('arm.srdf: <link name="fore|arm"')
+    assert shown.startswith("**link forearm**: 1 kg")
+    assert "A link of the group" in shown
+
+
+def test_parts_of_json_ld_in_a_sentence(tmp_path):
+    folder = Path(__file__).parents[2] / "samples" / "one-dof"
+    files = {each.name: each.read_text("utf-8") for each in sorted(folder.glob("*.jsonld"))}
+    model = Model(tmp_path, files)
+    text = files["chain.jsonld"]
+    at = text.index('"rob:joint1"') + 3
+    shown = model.navigator.hover(str(tmp_path / "chain.jsonld"), at)
+    assert shown is not None
+    told = "**joint joint1**: revolute about z, moves link2 on link1"
+    assert shown.markdown.startswith(told)

@@ -19,7 +19,7 @@ async def test_columns_count_in_the_units_of_the_client(editor, profile):
     assert found.severity == 1
     assert found.source == "kinlint"
     assert found.code_description.href == "https://w3id.org/kinlint/rules/inverted-limit"
-    assert found.message.endswith("\nhelp: Swap the two limits")
+    assert "help" not in found.message
     for related in found.related_information or ():
         assert related.location.uri == editor.uri("leg.urdf")
 

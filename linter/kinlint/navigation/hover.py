@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from kinlint.finding import Finding
 from kinlint.reporters import rule_page
+from kinlint.reporters.sarif.rule_descriptors import web_address
 from kinlint.rule import Rule
 from kinlint.suppression.directive import Directive
 from kinlint.text import Span
@@ -26,19 +27,18 @@ class Hover(NamedTuple):
 
 
 def on_findings(findings: Sequence[Finding]) -> str:
-    """Return the messages of *findings* at one place, each with the page of its rule."""
-    parts: list[str] = []
-    told: set[str] = set()
-    for finding in findings:
-        said = f"**{finding.severity.label}**: {finding.message}"
-        if finding.suppressed is not None:
-            said += f" ({finding.suppressed})"
-        parts.append(said)
-    for finding in findings:
-        if finding.rule.code not in told and len(told) < MOST_RULES:
-            told.add(finding.rule.code)
-            parts.append(rule_page.markdown(finding.rule))
-    return ACROSS.join(parts)
+    """Return the messages of *findings* at one place, each with the reason and a link."""
+    return ACROSS.join(map(_on_finding, findings))
+
+
+def _on_finding(finding: Finding) -> str:
+    said = f"**{finding.severity.label}**: {finding.message}"
+    if finding.suppressed is not None:
+        said += f" ({finding.suppressed})"
+    if finding.reason:
+        said += f"  \nbecause {finding.reason}"
+    rule = finding.rule
+    return f"{said}  \n[{rule.code}]({web_address(rule.iri)}) {rule.title}"
 
 
 def on_ignore(directive: Directive, rules: Sequence[Rule]) -> str:

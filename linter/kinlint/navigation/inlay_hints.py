@@ -62,6 +62,17 @@ class InlayHints:
             for offset, texts in sorted(found.items())
         ]
 
+    def expressions(self, name: str, offset: int) -> Sequence[InlayHint]:
+        """Return what the expression at *offset* of the text called *name* comes to."""
+        path = self._paths[name]
+        found: dict[str, InlayHint] = {}
+        for index in self._indexes:
+            if index.document.format.includes:
+                there = self._values(index, path, Span(offset, offset))
+                for hint in _expressions(index, list(there)):
+                    found.setdefault(hint.text, hint)
+        return list(found.values())[:MOST_VALUES]
+
     def _values(self, index: StatementIndex, path: Path, span: Span) -> Iterator[_Value]:
         """Yield the values of the elements that *span* of the file at *path* has a part of."""
         document = index.document

@@ -11,7 +11,8 @@ from kinlint.configuration.selectors import Catalogue
 from kinlint.facts.robot_structures import structures
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
-from kinlint.navigation.entity_hover import EntityPages
+from kinlint.navigation.element_meaning import meaning
+from kinlint.navigation.entity_hover import MOST, EntityPages
 from kinlint.navigation.file_links import Link, links
 from kinlint.navigation.graph_model import GraphModel
 from kinlint.navigation.hover import ACROSS, Hover, on_findings, on_ignore
@@ -21,10 +22,14 @@ from kinlint.navigation.node_at_offset import Surroundings
 from kinlint.navigation.node_description import Descriptions
 from kinlint.navigation.occurrence import Occurrence
 from kinlint.navigation.outline import Symbol, outline
+from kinlint.navigation.part_summary import PartSummaries
 from kinlint.navigation.renaming.rename import Renamer
+from kinlint.navigation.xacro_names import label
+from kinlint.navigation.xacro_values import property_value
 from kinlint.pipeline.analyzer import Examination
 from kinlint.suppression.directive import Directive, find_directives
 from kinlint.term_format import TermFormatter
+from kinlint.terms import is_iri
 from kinlint.text import Location, SourceText, Span
 
 SPACES = frozenset({"2D", "3D", "Euclidean"})
@@ -130,10 +135,50 @@ class Navigator:
             spans.append(span)
         named = self._index.at(name, offset)
         pages = self._pages(named, name, offset)
+        told = [*self._summaries_of(named), *self._meaning(name, offset)]
+        told += self._values_there(named, name, offset)
+        if told and pages is not None:
+            pages = pages._replace(markdown=ACROSS.join(["\n\n".join(told), pages.markdown]))
         if pages is not None:
             parts.append(pages.markdown)
             spans.append(pages.span)
+        elif told:
+            parts.append("\n\n".join(told))
+            spans.append(Span(offset, offset))
         return Hover(ACROSS.join(parts), min(spans, key=_length)) if parts else None
+
+    @cached_property
+    def _summaries(self) -> PartSummaries:
+        return PartSummaries(self._model.store, self._locator)
+
+    def _summaries_of(self, named: Sequence[Occurrence]) -> Iterator[str]:
+        """Yield a sentence about each part of a robot that is *named* at one place."""
+        entities = dict.fromkeys(each.entity for each in named)
+        for entity in list(entities)[:MOST]:
+            if is_iri(entity) and (told := self._summaries.summary(entity)):
+                yield told
+
+    def _meaning(self, name: str, offset: int) -> Iterator[str]:
+        """Yield what the format means by the element and the attribute at *offset*."""
+        for document in self._documents:
+            for source in document.sources if document.format.is_tree else ():
+                if self._index.paths[source.name] == self._index.paths[name]:
+                    if told := meaning(source, document.format, offset):
+                        yield told
+                    return
+
+    def _values_there(self, named: Sequence[Occurrence], name: str, offset: int) -> Iterator[str]:
+        """Yield the value of an expression of xacro at *offset*, or of a property *named* there."""
+        for hint in self._hints.expressions(name, offset):
+            yield f"value {hint.text.removeprefix('= ')}"
+        for each in named[:1]:
+            kind, own = label(each.entity) or ("", "")
+            for document in self._documents if kind == "property" else ():
+                texts = {source.name for source in document.sources}
+                if each.location.source.name in texts:
+                    if value := property_value(document, own):
+                        yield f"**{own}** = {value}"
+                    return
 
     def _pages(self, named: Sequence[Occurrence], name: str, offset: int) -> Hover | None:
         pages = EntityPages(self._model, self._index, self._locator)

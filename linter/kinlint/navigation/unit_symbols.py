@@ -12,8 +12,9 @@ OFFSET, KIND = iri(f"{QUDT}conversionOffset"), iri(f"{QUDT}hasQuantityKind")
 
 
 def symbol(store: Store, unit: Term) -> str:
-    """Return the symbol of *unit*; nothing if it has none."""
-    return next(map(literal_value, store.values(unit, SYMBOL)), "")
+    """Return the symbol of *unit* behind a number; nothing if it has none, or is 1."""
+    found = next(map(literal_value, store.values(unit, SYMBOL)), "")
+    return "" if found == "1" else found
 
 
 def multiplier(store: Store, unit: Term) -> float | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kinlint.engine.store import Store
-from kinlint.navigation.unit_symbols import KIND, coherent, multiplier, symbol
+from kinlint.navigation.unit_symbols import KIND, SYMBOL, coherent, multiplier, symbol
 from kinlint.term_format import TermFormatter
 from kinlint.terms import RDF_TYPE, Term, iri, iri_value, is_iri, literal_value
 from kinlint.vocabulary import KIN, OWL, QUANTITY_KIND, RDFS, UNIT
@@ -41,10 +41,10 @@ def sort(term: Term, store: Store) -> str:
 
 
 def _unit(unit: Term, store: Store, display: TermFormatter) -> Iterator[str]:
-    own = symbol(store, unit)
-    if not own:
+    if not any(store.values(unit, SYMBOL)):
         yield "a unit that kinlint does not know"
         return
+    own = symbol(store, unit) or "1"
     yield f"symbol: {own}"
     factor, si = multiplier(store, unit), coherent(store, unit)
     if factor is not None and si and factor != 1:

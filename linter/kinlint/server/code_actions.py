@@ -100,7 +100,7 @@ def _fixes(
             yield types.CodeAction(
                 title=f"kinlint ({finding.rule.code}): {fix.title}",
                 kind=types.CodeActionKind.QuickFix,
-                diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
+                diagnostics=[diagnostic(finding, view.places, related=False)],
                 is_preferred=fix is preferred,
                 edit=workspace_edit(
                     fix.edits, view.places, versioned=server.supports_versioned_edits
@@ -123,7 +123,7 @@ def _ignores(
         yield types.CodeAction(
             title=f"kinlint ({finding.rule.code}): Ignore {finding.rule.code} here",
             kind=types.CodeActionKind.QuickFix,
-            diagnostics=[diagnostic(finding, view.examination, view.places, related=False)],
+            diagnostics=[diagnostic(finding, view.places, related=False)],
             is_preferred=False,
             edit=workspace_edit(edits, view.places, versioned=server.supports_versioned_edits),
         )

@@ -12,7 +12,6 @@ from lsprotocol import types
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
 from kinlint.light_dataclasses import dataclass
-from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.sarif.rule_descriptors import web_address
 from kinlint.rule import Severity
 from kinlint.server.request_context import Places
@@ -65,9 +64,7 @@ def diagnostics_by_file(
         errors = examination.report.errors
         for finding in examination.report.findings:
             path = places.path(finding.location.source.name)
-            items.setdefault(path, []).append(
-                diagnostic(finding, examination, places, related=related)
-            )
+            items.setdefault(path, []).append(diagnostic(finding, places, related=related))
     for error in errors:
         path = places.path(error.name)
         items.setdefault(path, []).append(error_diagnostic(error, texts.get(path), places))
@@ -84,16 +81,11 @@ def _version(places: Places, path: Path) -> int | None:
     return None if buffer is None else buffer.version
 
 
-def diagnostic(
-    finding: Finding, examination: Examination, places: Places, *, related: bool
-) -> types.Diagnostic:
+def diagnostic(finding: Finding, places: Places, *, related: bool) -> types.Diagnostic:
     """Convert *finding* to a diagnostic."""
-    message = finding.message
-    if advice := _advice(finding, examination):
-        message += f"\nhelp: {advice}"
     return types.Diagnostic(
         range=places.range(finding.location),
-        message=message,
+        message=finding.message,
         severity=SEVERITIES[finding.severity],
         code=finding.rule.code,
         code_description=types.CodeDescription(href=web_address(finding.rule.iri)),
@@ -117,14 +109,6 @@ def error_diagnostic(
         severity=types.DiagnosticSeverity.Error,
         source=SOURCE,
     )
-
-
-def _advice(finding: Finding, examination: Examination) -> str:
-    """Return the title of the preferred repair if it needs no computed fix, else ""."""
-    for repair in finding.rule.repairs[:1]:
-        title = examination.builder.filled(repair.title, finding)
-        return "" if "''" in title else title
-    return ""
 
 
 def _related(finding: Finding, places: Places) -> Iterator[types.DiagnosticRelatedInformation]:

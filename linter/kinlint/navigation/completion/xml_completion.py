@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from kinlint.formats.xml.documentation import documentation
 from kinlint.formats.xml.element_types import ElementType, Slot
 from kinlint.formats.xml.schema import TEXT, schema
 from kinlint.formats.xml.unfinished_text import Cursor, Spot, TextElement, UnfinishedText
@@ -32,6 +33,7 @@ class _Completion:
         document = situation.document
         form = situation.format if document is None else document.format
         self.table = schema(form.lifted_as)
+        self.meaning = documentation(form.lifted_as)
         self.macros = situation.format.expands_to is not None
         self.text = UnfinishedText(situation.source.text)
         self.cursor = self.text.cursor(situation.offset)
@@ -81,7 +83,14 @@ class _Completion:
         snippet = _snippet(type_) if rest in ("", "\n", "\r", "<", " ", "\t") else None
         if rest in (" ", "\t") and self._is_continued(end):
             snippet = None
-        return Candidate(type_.tag, Kind.ELEMENT, _needs(type_), rank, snippet=snippet)
+        return Candidate(
+            type_.tag,
+            Kind.ELEMENT,
+            _needs(type_),
+            rank,
+            snippet=snippet,
+            documentation=self.meaning.element(type_.tag),
+        )
 
     def _is_continued(self, at: int) -> bool:
         """Tell whether the tag that ends *at* has attributes, or an end."""
@@ -111,7 +120,14 @@ class _Completion:
                 rank = LATER if old else MISSING if needed else USUAL
                 detail = f"{slot.reading.expected}{', required' if needed else ''}"
                 yield Candidate(
-                    name, Kind.ATTRIBUTE, detail, rank, f'{name}=""', f'{name}="$1"', again=True
+                    name,
+                    Kind.ATTRIBUTE,
+                    detail,
+                    rank,
+                    f'{name}=""',
+                    f'{name}="$1"',
+                    self.meaning.attribute(type_.tag, name),
+                    again=True,
                 )
 
     def _values(self, cursor: Cursor) -> Iterator[Candidate]:
