@@ -12,6 +12,8 @@ from kinlint.suggestion import did_you_mean
 
 COMMANDS: Mapping[str, tuple[str, str]] = {
     "check": ("kinlint.cli.check_command", "lint files (the default)"),
+    "demo": ("kinlint.cli.demo_command", "lint a faulty robot and explain the findings"),
+    "init": ("kinlint.cli.init_command", "set up a project: configuration, pre-commit, CI"),
     "rules": ("kinlint.cli.rules_command", "list the rules, one a line"),
     "rule": ("kinlint.cli.rule_command", "explain a rule or a family of rules"),
     "config": ("kinlint.cli.config_command", "describe the configuration keys"),
