@@ -62,3 +62,30 @@ def test_docstrings_begin_with_a_verb_or_a_noun(package):
         if HEADLESS.match(text)
     ]
     assert headless == []
+
+
+RECORDS = ("NamedTuple", "TypedDict", "Protocol")
+
+
+def is_record(node: ast.ClassDef) -> bool:
+    """Tell whether the fields of a class are its interface."""
+    decorators = (ast.unparse(each) for each in node.decorator_list)
+    bases = (ast.unparse(each).partition("[")[0] for each in node.bases)
+    return any("dataclass" in each for each in decorators) or not {*bases}.isdisjoint(RECORDS)
+
+
+def undocumented(module: Path):
+    """The public fields in *module* without a text below them."""
+    for node in ast.walk(ast.parse(module.read_text("utf-8"))):
+        if not isinstance(node, ast.ClassDef) or not is_record(node):
+            continue
+        for each, below in zip(node.body, [*node.body[1:], None], strict=True):
+            if not isinstance(each, ast.AnnAssign) or each.target.id.startswith("_"):
+                continue
+            if not (isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant)):
+                yield f"{node.name}.{each.target.id}"
+
+
+def test_fields_are_documented_one_by_one():
+    found = {module.relative_to(PACKAGE).as_posix(): [*undocumented(module)] for module in MODULES}
+    assert {name: fields for name, fields in found.items() if fields} == {}

@@ -79,7 +79,9 @@ class Watcher:
     """Watches what *options* name, and what governs it."""
 
     options: Namespace
+    """The options of the command line, which name the files."""
     check: Check
+    """Lints once and reports."""
     _settings: Settings = field(default_factory=Settings)
     _polling: bool | None = None
     _before: list[object] = field(default_factory=list)

@@ -52,28 +52,49 @@ class Config:
     choices: tuple[Choice, ...] = ()
     """Layers of rule selection, the lowest first."""
     exclude: tuple[Glob, ...] | None = None
+    """Patterns of files and directories that searches pass over, in place of the default ones."""
     extend_exclude: tuple[Glob, ...] = ()
+    """Further patterns of this kind."""
     respect_gitignore: bool | None = None
+    """True if searches pass over what git ignores."""
     per_file_ignores: tuple[PerFile, ...] | None = None
+    """Ignores for files that match a pattern."""
     extend_per_file_ignores: tuple[PerFile, ...] = ()
+    """Further ignores of this kind."""
     require_reason: bool | None = None
+    """True if suppressions have to give a reason."""
     target: tuple[str, ...] | None = None
+    """Consumers that the robots are for."""
     srdf: tuple[tuple[Glob, Path], ...] | None = None
+    """The URDF that each SRDF matching a pattern belongs to."""
     unsafe_fixes: bool | None = None
+    """True if `--fix` applies unsafe fixes."""
     fail_on: str | None = None
+    """The least severity that makes the exit code 1."""
     show: str | None = None
+    """The least severity that is shown."""
     output_format: str | None = None
+    """The name of the output format."""
     contexts: str | None = None
+    """The release of the composable-model contexts."""
     extra_contexts: Mapping[str, Path] | None = None
+    """Files of further contexts, by IRI."""
     context_directories: tuple[Path, ...] | None = None
+    """Directories in which contexts are searched."""
     rules: tuple[Path, ...] | None = None
+    """Rule files, and directories of them."""
     code_prefix: str | None = None
     """Beginning of the codes of the project's own rules."""
     shapes: tuple[Path, ...] | None = None
+    """SHACL files without rule metadata."""
     partial: bool | None = None
+    """True if the files are part of a larger model."""
     file_timeout: float | None = None
+    """The time in seconds that a file may take."""
     engine: str | None = None
+    """The name of the engine that checks."""
     baseline: Path | None = None
+    """The file with the known findings."""
     home: Path | None = None
     """The directory of the configuration file."""
     packages: tuple[tuple[str, Path], ...] = ()
@@ -247,15 +268,6 @@ def _in(directory: Path, restrict: Callable[[Config], Config]) -> Config | None:
         path = directory / name
         if path.is_file() and (said := read(path)) is not None:
             return restrict(_extended(path, said, ()))
-    return None
-
-
-def file_above(directory: Path) -> Path | None:
-    """Return the configuration file that is nearest at or above *directory*."""
-    for each in (directory, *directory.parents):
-        for name in NAMES:
-            if (path := each / name).is_file() and read(path) is not None:
-                return path
     return None
 
 

@@ -6,8 +6,8 @@ import json
 import re
 from pathlib import Path
 
-from kinlint.configuration.config_file import file_above, parse_config
-from kinlint.configuration.config_text import PROJECT
+from kinlint.configuration.config_file import NAMES, parse_config
+from kinlint.configuration.config_text import PROJECT, read
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathname import shown
 from kinlint.light_dataclasses import dataclass
@@ -35,7 +35,7 @@ class ContextEntry:
 
         Raises `UsageError` or `ConfigError` if that cannot be written.
         """
-        file = file_above(here) or here / DEFAULT
+        file = _file_above(here) or here / DEFAULT
         text = file.read_text(encoding="utf-8") if file.exists() else ""
         values = _values(text, file)
         known = values.get(KEY)
@@ -79,3 +79,12 @@ def _with_entry(text: str, file: Path, line: str) -> str:
         return f"{text[:at]}{'' if header[1] else chr(10)}{line}{text[at:]}"
     gap = "" if not text else "\n" if text.endswith("\n") else "\n\n"
     return f"{text}{gap}[{name}]\n{line}"
+
+
+def _file_above(directory: Path) -> Path | None:
+    """Return the configuration file that is nearest at or above *directory*."""
+    for each in (directory, *directory.parents):
+        for name in NAMES:
+            if (path := each / name).is_file() and read(path) is not None:
+                return path
+    return None

@@ -16,9 +16,9 @@ from kinlint.engine.construct_template import Made, trimmed
 from kinlint.engine.lifting import Lifting
 from kinlint.formats.records import ELEMENTS
 from kinlint.light_dataclasses import dataclass, field
-from kinlint.sparql.ast import Bind, Clause, Element, Expression, Group, Triples, Union, render
+from kinlint.sparql.ast import Bind, Expression, Group, Triples, joined, render
 from kinlint.sparql.expression_tokens import arguments, end, unwrapped
-from kinlint.sparql.patterns import Pattern, patterns
+from kinlint.sparql.patterns import Pattern, patterns, spelled_out
 from kinlint.sparql.tokens import is_variable
 from kinlint.sparql.variables import variables
 from kinlint.terms import RDF_TYPE, Term
@@ -53,7 +53,9 @@ class Choice:
     test: str
     """The variable that is bound to the condition."""
     then: Derivation
+    """The value if the condition holds."""
     otherwise: Derivation
+    """The value if it does not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +63,7 @@ class Negation:
     """The negative of a number."""
 
     part: Derivation
+    """The number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +71,7 @@ class Combination:
     """A value worked out from all of its parts, in a way that is not analysed."""
 
     parts: tuple[Derivation, ...] = ()
+    """The values that it is worked out from."""
     alike: bool = False
     """True if each part is the value, where it has one: of joined patterns, or of branches."""
 
@@ -81,6 +85,7 @@ class Stated:
     """A template triple whose object, or a member of it, is read somewhere."""
 
     made: Made
+    """The template triple."""
     members: tuple[Derivation, ...]
     """The derivation of the object, or of each member of a list."""
 
@@ -90,6 +95,7 @@ class Derivations:
     """The derivations of the values of one lifting query."""
 
     lifting: Lifting
+    """The lifting query."""
     probes: dict[str, str] = field(default_factory=dict)
     """The expressions that a run has to work out, by the variables that stand for them."""
 
@@ -206,19 +212,19 @@ class Derivations:
     @cached_property
     def _where(self) -> Group:
         """The WHERE of the query, with a variable for each node on a path."""
-        return _spelled(self.lifting.where, count())
+        return spelled_out(self.lifting.where, count())
 
     @cached_property
     def assignments(self) -> Sequence[Bind]:
         """The BINDs of the query, those of joined groups included."""
-        return [each for each in _joined(self._where) if isinstance(each, Bind)]
+        return [each for each in joined(self._where) if isinstance(each, Bind)]
 
     @cached_property
     def patterns(self) -> Sequence[Pattern]:
         """The triple patterns of the query, filters left out."""
         return [
             pattern
-            for each in _joined(self._where)
+            for each in joined(self._where)
             if isinstance(each, Triples)
             for pattern in patterns(each.tokens, count())
         ]
@@ -271,30 +277,3 @@ def _valued(pattern: Pattern) -> tuple[Term, ...]:
     if pattern.path[::2] != tuple(word for word in pattern.path if word[0] == "<"):
         return ()
     return tuple(each for each in pattern.path[::2] if not each.startswith(_ELEMENTS))
-
-
-def _joined(group: Group) -> Iterator[Element]:
-    """Yield the elements of *group* and of those whose solutions are joined to it."""
-    for each in group.elements:
-        yield each
-        if isinstance(each, Union):
-            for branch in each.branches:
-                yield from _joined(branch)
-        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
-            yield from _joined(each.group)
-
-
-def _spelled(group: Group, names: count[int]) -> Group:
-    """Return *group* with sequences of steps, outside of filters, as patterns of their own."""
-    found: list[Element] = []
-    for each in group.elements:
-        if isinstance(each, Triples):
-            text = " . ".join(pattern.text for pattern in patterns(each.tokens, names))
-            found.append(Triples(tuple(f"{text} .".split(" "))))
-        elif isinstance(each, Union):
-            found.append(Union(tuple(_spelled(branch, names) for branch in each.branches)))
-        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
-            found.append(Clause(each.head, _spelled(each.group, names)))
-        else:
-            found.append(each)
-    return Group(tuple(found))

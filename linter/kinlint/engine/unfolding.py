@@ -44,6 +44,7 @@ class _Unfolding:
     """The unfolding of a shared query by one reading."""
 
     reading: Construct
+    """The query that reads what the shared one makes."""
     values: dict[str, str] = field(default_factory=dict)
     """The terms in place of the variables of the shared query."""
 

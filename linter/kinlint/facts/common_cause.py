@@ -34,7 +34,9 @@ class Miss(NamedTuple):
     edge: int
     """Index of the closing edge."""
     odd: tuple[float, ...]
+    """Numbers that change their sign if the loop is walked the other way."""
     even: tuple[float, ...] = ()
+    """Numbers that do not."""
 
     @property
     def square(self) -> float:

@@ -46,6 +46,7 @@ class Description:
     """Parts of a robot by name, as one file, or all composable models together, call them."""
 
     form: str
+    """The name of the file format."""
     bodies: dict[str, Term] = field(default_factory=dict)
     """Bodies by name."""
     joints: dict[str, Term] = field(default_factory=dict)

@@ -32,7 +32,9 @@ class Mention(NamedTuple):
     """The first statement of a file that refers to a name."""
 
     subject: Term
+    """The node that refers to it."""
     predicate: Term
+    """The property by which it does."""
 
 
 def undescribed_names(scan: PredicateIndex) -> Iterator[Triple]:

@@ -92,7 +92,9 @@ class _Insertion:
     """New nodes that are connected, and what is already there that they are connected with."""
 
     provenance: Provenance
+    """The provenance of lifted statements."""
     added: Sequence[Triple]
+    """The statements about the new nodes."""
     _made: dict[tuple[Term, Term], Term] = field(default_factory=dict)
     """New elements, by the element around each and its property."""
 

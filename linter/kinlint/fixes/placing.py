@@ -50,8 +50,11 @@ class _Sheet:
     """Changes to make in one document."""
 
     document: Document
+    """The document."""
     removed: dict[Triple, None] = field(default_factory=dict)
+    """Statements to remove, in their order."""
     added: dict[Triple, None] = field(default_factory=dict)
+    """Statements to add, in their order."""
 
     def delta(self) -> Delta:
         """The change; numbers have the type that was there, and if they only move, the spelling."""

@@ -49,7 +49,9 @@ class SuppressionGenerator(Generator):
     _nests: dict[Term, Mapping[str, IntervalIndex[Location]]] = field(default_factory=dict)
 
     remains: ClassVar[str] = "it would be found all the same"
+    """The reason against a suppression that changes nothing."""
     lasting: ClassVar[bool] = True
+    """A suppression stays for later runs."""
 
     def candidates(self, findings: Sequence[Finding], least: Applicability) -> list[Candidate]:
         """Return a suppression for each of *findings* that can be silenced at all."""

@@ -37,10 +37,15 @@ class _Value(NamedTuple):
     """A number or word of an attribute, or of the text of an element."""
 
     element: Term
+    """The element."""
     name: str
+    """Name of the attribute; empty for the text of the element."""
     component: int
+    """Index among the words of the attribute."""
     value: Term
+    """The literal that it is lifted to."""
     span: Span
+    """Its place."""
 
 
 class InlayHints:

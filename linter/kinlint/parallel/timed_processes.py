@@ -33,6 +33,7 @@ class _Task:
     """Models for one process, and what to do with their outcomes."""
 
     models: Sequence[Model]
+    """The models."""
     done: Callable[[Answer], None]
     """A function of the outcomes, or of why there are none."""
     errors: Sequence[SourceError] = ()
@@ -49,8 +50,11 @@ class _Worker:
     """A process, and what it is at."""
 
     process: Process
+    """The process."""
     pipe: Connection
+    """The connection to it."""
     task: _Task | None = None
+    """Its task; None while it waits."""
     until: float = 0.0
     """Time, by the monotonic clock, at which the task has taken too long."""
 
@@ -81,7 +85,9 @@ class TimedProcesses:
     """Processes that lint *job*; *errors* are of files that could not be decoded."""
 
     job: Job
+    """The files and settings to lint with."""
     errors: Sequence[SourceError]
+    """The errors in files that could not be decoded."""
     count: int
     """The largest number of processes at once."""
     seconds: float
@@ -173,6 +179,7 @@ class _Division:
     """A model that is linted as a whole or, if that takes too long, less its slow files."""
 
     model: Model
+    """The model."""
     done: Callable[[Outcome], None]
     """A function of the outcome."""
     add: Callable[[_Task], None]

@@ -33,10 +33,15 @@ class _Case(NamedTuple):
     """
 
     name: str
+    """Name of the test."""
     place: Mapping[str, int]
+    """File, line and column."""
     kind: str = ""
+    """`failure`, `error` or `system-out`; empty if the test passes."""
     severity: str = ""
+    """Severity of the finding."""
     message: str = ""
+    """Text of the message."""
 
 
 def render(report: Report, style: Style) -> Iterator[str]:

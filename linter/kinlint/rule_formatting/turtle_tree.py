@@ -17,6 +17,7 @@ class Leaf:
     """A term as it is written."""
 
     text: str
+    """The term."""
 
 
 @dataclass(frozen=True)

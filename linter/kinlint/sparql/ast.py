@@ -17,6 +17,7 @@ class Group:
     """`{ … }` with elements joined in order."""
 
     elements: tuple[Element, ...]
+    """The elements."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,7 @@ class Triples:
     """Triple patterns between dots, as tokens."""
 
     tokens: tuple[str, ...]
+    """The tokens."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,7 @@ class Filter:
     """`FILTER` and its expression."""
 
     expression: Expression
+    """The condition."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +41,9 @@ class Bind:
     """`BIND(expression AS variable)`."""
 
     expression: Expression
+    """The value."""
     variable: str
+    """The variable that is bound to it."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +51,7 @@ class Union:
     """A group, or several with UNION between them."""
 
     branches: tuple[Group, ...]
+    """The groups."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +69,7 @@ class Values:
     """A VALUES clause, as tokens."""
 
     tokens: tuple[str, ...]
+    """The tokens."""
 
 
 @dataclass(frozen=True)
@@ -178,3 +185,14 @@ def walk(part: Group | Element | Expression) -> Iterator[Group | Element]:
     for each in inner:
         if not isinstance(each, str):
             yield from walk(each)
+
+
+def joined(group: Group) -> Iterator[Element]:
+    """Yield the elements of *group* and of those whose solutions are joined to it."""
+    for each in group.elements:
+        yield each
+        if isinstance(each, Union):
+            for branch in each.branches:
+                yield from joined(branch)
+        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
+            yield from joined(each.group)

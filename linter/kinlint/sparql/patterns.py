@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import accumulate, count
 from typing import NamedTuple
 
+from kinlint.sparql.ast import Clause, Element, Group, Triples, Union
 from kinlint.sparql.tokens import NotSparql, is_variable
 from kinlint.terms import RDF, RDF_TYPE, XSD, Term, Triple, literal, literal_value
 
@@ -260,3 +261,19 @@ class _Template(_Reader):
             members.append(self.node())
         self.take()
         return f"( {' '.join(members)} )"
+
+
+def spelled_out(group: Group, names: count[int]) -> Group:
+    """Return *group* with sequences of steps, outside of filters, as patterns of their own."""
+    found: list[Element] = []
+    for each in group.elements:
+        if isinstance(each, Triples):
+            text = " . ".join(pattern.text for pattern in patterns(each.tokens, names))
+            found.append(Triples(tuple(f"{text} .".split(" "))))
+        elif isinstance(each, Union):
+            found.append(Union(tuple(spelled_out(branch, names) for branch in each.branches)))
+        elif isinstance(each, Clause) and each.head[0].upper() == "OPTIONAL":
+            found.append(Clause(each.head, spelled_out(each.group, names)))
+        else:
+            found.append(each)
+    return Group(tuple(found))

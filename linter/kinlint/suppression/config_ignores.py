@@ -21,6 +21,7 @@ class ConfigIgnores:
     """The ignores of a run; remembers which of their selectors silenced something."""
 
     policies: Policies
+    """The policies of each file."""
     _used: set[tuple[Ignore, str]] = field(default_factory=set)
     _places: dict[tuple[str, str], Span | None] = field(default_factory=dict)
 

@@ -21,6 +21,7 @@ class ShapeScope:
     """A shape with the SPARQL variables for its focus node, its value nodes and its results."""
 
     shape: Shape
+    """The shape."""
     focus: str
     """The variable of the focus node."""
     value: str
@@ -70,6 +71,7 @@ class Violation:
     at_value: bool = False
     """The value node is the value of the result."""
     messages: tuple[str, ...] = ()
+    """Templates of its message, one for each language."""
     because: str = ""
     """The template of its `kl:because`."""
     own_messages: bool = False

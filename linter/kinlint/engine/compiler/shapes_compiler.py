@@ -53,6 +53,7 @@ class _Walk:
     """The way from a shape with targets down through `sh:property`."""
 
     root: Shape
+    """The shape with targets."""
 
     def constraints(self, shape: Shape, above: tuple[Shape, ...]) -> Iterator[Constraint]:
         nodes = tuple(each.node for each in above)
@@ -115,9 +116,13 @@ class _Chain:
     """Groups that bind the focus node, starting from the target in variable `root`."""
 
     root: str
+    """The variable of the nodes that the target selects."""
     target: Target
+    """The target of the first shape."""
     groups: tuple[str, ...]
+    """Groups that are evaluated one inside the other."""
     premises: tuple[Triple, ...]
+    """Patterns that every solution matches."""
 
 
 def _chain(root: Shape, scope: ShapeScope, above: tuple[Shape, ...]) -> _Chain:

@@ -17,6 +17,7 @@ class Slot(NamedTuple):
     key: str
     """Key, as it is written."""
     stands: Span
+    """The place of its values."""
 
 
 class ExpansionObserver(Protocol):

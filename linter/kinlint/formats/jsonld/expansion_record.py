@@ -17,6 +17,7 @@ class DroppedKey(NamedTuple):
     key: Text
     """The key, with its place."""
     origin: Origin
+    """The object that has the key."""
     resolution: Resolution
     """Result of resolving it as an IRI."""
 
@@ -29,6 +30,7 @@ class StrayValue(NamedTuple):
     span: Span
     """Place of the value."""
     origin: Origin | None
+    """The object that has the value; None for one outside of nodes."""
     written: str
     """The value as written."""
     reason: str
@@ -85,15 +87,25 @@ class ExpansionRecord:
     """The notes of one file."""
 
     drops: dict[int, DroppedKey] = field(default_factory=dict)
+    """Keys without meaning, by their position."""
     uses: dict[int, Text] = field(default_factory=dict)
+    """IRIs of the contexts that are used, by their position."""
     problems: dict[tuple[int, int], ContextProblem] = field(default_factory=dict)
+    """Problems of contexts, by their span."""
     shadows: dict[str, ShadowedTerm] = field(default_factory=dict)
+    """Terms that a later context of an array redefines, by name."""
     shadow_uses: dict[ShadowedTerm, Text] = field(default_factory=dict)
+    """The first key that uses each of these."""
     prefixes: dict[str, str] = field(default_factory=dict)
+    """Namespaces by prefix."""
     definitions: dict[int, TermDefinition] = field(default_factory=dict)
+    """Terms that contexts in the file define, by their position."""
     cleared: dict[int, tuple[Key, Origin]] = field(default_factory=dict)
+    """Keys that a context maps to null, and the objects that have them, by their position."""
     strays: dict[Span, StrayValue] = field(default_factory=dict)
+    """Values without effect, by their span."""
     unprefixed: dict[int, Text] = field(default_factory=dict)
+    """Datatypes whose prefix is unknown, by their position."""
 
     def drop(self, key: Text, origin: Origin, resolution: Resolution) -> None:
         """Note that *key* in *origin* means nothing, as *resolution* says."""

@@ -72,6 +72,7 @@ class LostType:
     written: Iri
     """The type as written."""
     origin: Origin | None
+    """The object that has the type; None for one outside of nodes."""
 
 
 class Nested(NamedTuple):

@@ -59,7 +59,9 @@ class _Inclusion:
     """Files that one file includes, directly or not."""
 
     options: ReadOptions
+    """The options of the run."""
     packages: Packages
+    """The packages and models that URIs lead to."""
     count: int = 0
     """Number of inclusions so far."""
     stated: int = 0

@@ -67,6 +67,7 @@ class _Python:
     """Functions of Python that could be asked for too much."""
 
     bounds: Limits
+    """Limits to the sizes of values."""
 
     @property
     def values(self) -> Mapping[str, Any]:

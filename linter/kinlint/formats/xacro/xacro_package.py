@@ -49,3 +49,4 @@ class Included:
     """Part of a document's interface that xacro uses."""
 
     documentElement: Element | None  # noqa: N815
+    """The outermost element."""

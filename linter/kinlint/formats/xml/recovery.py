@@ -80,10 +80,15 @@ class _Edit(NamedTuple):
     """Replacement of the text at `span`; it is reported if it has a reason."""
 
     span: Span
+    """The text that is replaced."""
     new: str
+    """The text in its place."""
     reason: str = ""
+    """Reason why readers need it."""
     attribute: str | None = None
+    """Name of the attribute concerned, if it is about one."""
     shown: Span | None = None
+    """Place to report it at, if that is another one."""
 
 
 def is_sound(text: str) -> bool:

@@ -21,11 +21,17 @@ class Rules:
     """The lines of a tree: a branch, the last one, what passes by a branch, and loops likewise."""
 
     branch: str
+    """A branch with others below it."""
     last: str
+    """The last branch."""
     beside: str
+    """Line beside the part below a branch."""
     loop: str
+    """A joint that closes a loop."""
     last_loop: str
+    """The last one of these."""
     arrow: str
+    """Points from a joint to its link."""
 
 
 BOXES = Rules("├─ ", "└─ ", "│  ", "├╌ ", "└╌ ", "→")

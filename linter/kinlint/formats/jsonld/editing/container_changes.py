@@ -42,9 +42,14 @@ class DeletedRanges:
 
 @dataclass
 class _Touched:
+    """Changes of one container."""
+
     container: Object | Array
+    """The container."""
     gone: set[int] = field(default_factory=set)
+    """Indices of the children that are removed."""
     new: list[NewChild] = field(default_factory=list)
+    """Children that are added."""
 
 
 @dataclass

@@ -26,7 +26,9 @@ class Division:
     """Text in parts: the elements of its outermost graph, and the hull around them."""
 
     stating: PartStatements
+    """Reads the parts."""
     elements: Arrangement
+    """The elements in their order."""
     hull: Part
     """The hull as it was read first."""
     end: int

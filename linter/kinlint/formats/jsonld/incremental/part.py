@@ -147,17 +147,24 @@ class Part:
     """Statements and nodes of one element, with their places when it was read."""
 
     whole: Span
+    """Place of the element."""
     spans: Mapping[Triple, Span]
+    """Its statements, each with its place."""
     nodes: Mapping[Term, NodeSpans]
+    """Its nodes, each with its places."""
     described: tuple[Triple, ...]
+    """Statements that its nodes are described in the file."""
     terms: Mapping[Term, Span]
+    """Properties and classes, each with the place of its first use."""
     namespaces: Mapping[str, Span]
+    """Namespaces, each with the place of its first use."""
     asked: tuple[tuple[Term, str | None], ...] = ()
     """Its blank nodes in the order of their creation, with their labels in the text."""
     steps: tuple[int, int, int] = (0, 0, 0)
     """Blank nodes created by statements, then by keys without meaning, then by values without
     effect; repeated keys created the others."""
     notes: PartNotes = field(default=NOTHING)
+    """Notes on what is lost of it."""
 
     def renamed(self, names: Names) -> Part:
         """Return the same with the blank nodes called by their final *names*."""

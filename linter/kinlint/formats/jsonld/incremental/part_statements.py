@@ -40,12 +40,19 @@ class PartObservations(NamedTuple):
     """
 
     record: ExpansionRecord
+    """The record of its expansion."""
     known: Collection[int]
+    """Contexts that are named outside of the part, by their position."""
     watch: LossObserver
+    """Observes what is lost."""
     triples: Triples
+    """The statements."""
     blanks: DeferredBlankNodes
+    """The blank nodes that were asked for."""
     repeats: Collection[Object]
+    """Objects in which a key stands more than once."""
     origins: Mapping[int, Origin]
+    """The objects that nodes were expanded from, by `id`."""
 
     def owners(self) -> Iterator[Origin]:
         """Yield the objects of the nodes of which something is lost."""

@@ -30,6 +30,7 @@ class NewElements:
     kept: frozenset[str]
     """Spellings that stay."""
     taken: Taken
+    """Returns the edits that already change a range of the text."""
     written: set[Term] = field(default_factory=set)
     """Nodes that were written so far."""
 
