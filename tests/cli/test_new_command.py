@@ -76,7 +76,7 @@ def test_a_family_of_ones_own_has_a_prefix_of_its_own(kinlint, here):
     for name, code in (("hand-held", "GRI001"), ("held-twice", "GRI002")):
         code_and_out = kinlint("new", f"gripping/{name}")[:2]
         path = f"rules/gripping/{name}.ttl"
-        said = f"{path}: {code}. Fill in what is marked, then: kinlint test-rules {path}\n"
+        said = f"{path}: {code}. Replace each TODO, then run: kinlint test-rules {path}\n"
         assert code_and_out == (0, said)
 
 

@@ -186,7 +186,10 @@ def test_verbose_without_configuration(kinlint, model):
         (("--sarif-output", "link.jsonld"), "--sarif-output: link.jsonld is read in this run"),
         (("-o", "x", "--json-output=./x"), "--json-output: x is written by another option, too"),
         (("--json-output=x", "--sarif-output=x"), "--sarif-output: x is written by another"),
-        (("--json-output=-",), "--json-output: '-' is no file; for standard output, --output-for"),
+        (
+            ("--json-output=-",),
+            "--json-output: '-' is not a file; for standard output, --output-for",
+        ),
         (("--json-output=no/x",), "--json-output: cannot write no/x: there is no directory no"),
         (("--json-output=.",), "--json-output: cannot write .: Is a directory"),
         (("-o", ""), "-o/--output-file: expected a value, got ''"),

@@ -130,7 +130,7 @@ def test_what_is_wrong_in_a_context_file_is_placed_there() -> None:
             {"context.json": '{"@context": "b.json"}', "b.json": '{"@context": ["context.json"]}'},
             "it includes itself",
         ),
-        ({"context.json": '{"@context": "../beyond.json"}'}, "lies outside of the project"),
+        ({"context.json": '{"@context": "../beyond.json"}'}, "is outside of the project"),
         (
             {"context.json": '{"@context": ".hidden/c.json"}'},
             "none of the files that a robot is made of",
@@ -169,7 +169,7 @@ def test_links_do_not_lead_out_of_the_project(here: Path) -> None:
 
     ((_, _, reason),) = problems(document("context.json"))
 
-    assert reason == "'context.json' lies outside of the project"
+    assert reason == "'context.json' is outside of the project"
 
 
 def test_extra_contexts_go_first(here: Path) -> None:

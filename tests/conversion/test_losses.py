@@ -83,7 +83,7 @@ def test_what_is_malformed_unknown_or_repeated():
         <joint name="j" type="fixed"><parent link="a"/><child link="b"/><origin xyz="1 0 0"/>
         <origin xyz="2 0 0"/></joint>"""
     )
-    assert found["malformed values"] == "1: kinlint check tells where"
+    assert found["malformed values"] == "1: kinlint check lists the places"
     assert found["'link/colision'"] == "1: the format has no such thing here"
     assert found["'joint/origin'"] == "1: the first of several counts"
 
@@ -110,4 +110,4 @@ def test_what_is_to_be_included_and_is_not_there():
         <uri>https://example.org/tool</uri></include></model></sdf>""",
         "model.sdf",
     )
-    assert found["included files that are not there"] == "1: kinlint check tells where"
+    assert found["included files that are not there"] == "1: kinlint check lists the places"

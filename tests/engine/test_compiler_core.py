@@ -123,7 +123,7 @@ def test_shapes_may_refer_to_other_files() -> None:
         ("sh:in ( []  )", "blank node"),
         ("sh:hasValue '1'^^xsd:long", "does not keep"),
         ("sh:pattern '(?=a)'", "regular expression"),
-        ("sh:target [ a sh:SPARQLTarget ] ; sh:nodeKind sh:IRI", "no part of SHACL"),
+        ("sh:target [ a sh:SPARQLTarget ] ; sh:nodeKind sh:IRI", "not part of SHACL"),
     ],
 )
 def test_what_is_not_covered_is_deferred(constraint: str, reason: str) -> None:
@@ -147,9 +147,9 @@ def test_what_is_not_covered_is_deferred(constraint: str, reason: str) -> None:
         ("sh:property [ sh:path [] ]", "not a property path"),
         ("sh:property [ sh:path ( :p ) ]", "two members"),
         ("sh:in :nowhere", "not a well-formed list"),
-        ("sh:nodeKind :Thing", "no node kind"),
+        ("sh:nodeKind :Thing", "is not a node kind"),
         ("sh:datatype xsd:int, xsd:string", "2 values"),
-        ("sh:node 'text'", "a literal is no shape"),
+        ("sh:node 'text'", "a literal is not a shape"),
         ("sh:js []", "scripts are not run"),
     ],
 )

@@ -283,7 +283,7 @@ def test_abbreviated_patterns_mean_in_exists_what_they_mean_outside(
     [
         ("sh:prefix 'x' ; sh:namespace 'urn:1', 'urn:2'", "2 values"),
         ("sh:prefix 'x'", "lacks sh:namespace"),
-        ("sh:prefix '' ; sh:namespace 'urn:1'", "stands for two namespaces"),
+        ("sh:prefix '' ; sh:namespace 'urn:1'", "is declared for two namespaces"),
     ],
 )
 def test_prefix_must_be_declared_once(declarations: str, cause: str) -> None:

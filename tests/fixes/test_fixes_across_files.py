@@ -198,7 +198,7 @@ def test_files_of_others_stay(here, limits):
     """Those that lie neither below what is linted nor where kinlint runs."""
     put(arm__xacro=ROBOT.format(included="../other/macros.xacro"))
     put(**{"../other/macros__xacro": MACROS})
-    reason = "it is written in ../other/macros.xacro, which lies outside of what is linted"
+    reason = "it is written in ../other/macros.xacro, which is not among the linted files"
 
     assert refused(limits, "arm.xacro") == (1, [reason])
 

@@ -71,7 +71,7 @@ def test_twelve_findings_make_ten_annotations_and_a_count() -> None:
     assert kinds == ["::error"] * 10 + ["::warning"] * 10 + ["::notice", "kinlint:"]
     assert lines[-1] == (
         "kinlint: 1 more error, 2 more warnings not annotated, since GitHub shows 10 of a kind;"
-        " other formats tell all."
+        " other formats list all."
     )
 
 

@@ -51,8 +51,8 @@ def test_one_finding(silenced):
 
 
 def test_a_suppression_at_fault_is_not_silenced(silenced):
-    """It is to be mended."""
-    with pytest.raises(NotExpressible, match="is to be mended"):
+    """It has to be corrected."""
+    with pytest.raises(NotExpressible, match="has to be corrected"):
         silenced(ARM, "LNT001")
 
 

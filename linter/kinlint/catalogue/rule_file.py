@@ -100,7 +100,7 @@ class _RuleReader:
 
     def severity(self, said: str) -> Severity:
         if said not in SEVERITY_BY_IRI:
-            raise RuleInvalid(f"{self.file}: {said} is no severity that kinlint knows")
+            raise RuleInvalid(f"{self.file}: {said} is not a severity")
         return SEVERITY_BY_IRI[said]
 
     def also(self) -> set[Severity]:

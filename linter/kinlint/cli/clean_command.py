@@ -19,9 +19,9 @@ def parser() -> Parser:
     """The parser of `kinlint clean`."""
     made = Parser(
         prog="kinlint clean",
-        description="Remove what earlier runs kept: reports, and compiled rules.",
+        description="Delete the cache: reports and compiled rules of earlier runs.",
     )
-    made.add_argument("--cache-dir", type=non_empty, metavar="DIR", help="where they are kept")
+    made.add_argument("--cache-dir", type=non_empty, metavar="DIR", help="cache directory")
     return made
 
 

@@ -17,12 +17,12 @@ def parser() -> Parser:
     """The parser of `kinlint config`."""
     made = Parser(
         prog="kinlint config",
-        description="Tell the keys of kinlint.toml and of [tool.kinlint] in pyproject.toml: all,"
-        " or one with what it holds.",
+        description="List the keys of kinlint.toml and of [tool.kinlint] in pyproject.toml, or"
+        " describe some of them.",
         usage="kinlint config [KEY...] [--schema]",
     )
-    made.add_positionals("keys", "KEY", "the keys to tell of")
-    made.add_argument("--schema", action="store_true", help="print the JSON schema of all")
+    made.add_positionals("keys", "KEY", "keys to describe")
+    made.add_argument("--schema", action="store_true", help="print the JSON schema")
     return made
 
 

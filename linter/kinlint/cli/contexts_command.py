@@ -37,9 +37,9 @@ def parser() -> Parser:
         " given to `add`.",
         usage="kinlint contexts [add FILE-OR-URL [--for IRI]]",
     )
-    made.add_positionals("words", "add FILE-OR-URL", "the context to add")
+    made.add_positionals("words", "add FILE-OR-URL", "context to add")
     made.add_argument(
-        "--for", dest="answers", metavar="IRI", help="the IRI by which models name it"
+        "--for", dest="answers", metavar="IRI", help="IRI by which models refer to it"
     )
     return made
 

@@ -29,11 +29,11 @@ FIRST_SUFFIX = {each.name: each.suffixes[0] for each in WRITTEN}
 _NAMESPACE = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:[^\s<>\"{}|\\^`]*[#/:]")
 
 DESCRIPTION = """\
-Write a robot as composable JSON-LD: what its URDF, xacro or SDF says, and an SRDF given with it,
-with all frames, units and axes that the format leaves to its documentation. What has no place in
-the composable metamodels is told on standard error. The output is a directory if it is one, or if
-its name ends with / or without a suffix; skeleton, spatial relations, coordinates, kinematic chain,
-dynamics, actuation and shapes are files of their own in it."""
+Convert a URDF, xacro or SDF, and an SRDF given with it, to composable JSON-LD. Frames, units and
+axes that the format leaves to its documentation are written out. Elements that the composable
+metamodels cannot express are listed on standard error. If the output is a directory (its name ends
+with / or has no suffix), skeleton, spatial relations, coordinates, kinematic chain, dynamics,
+actuation and shapes are separate files in it."""
 
 
 def parser() -> Parser:
@@ -41,32 +41,32 @@ def parser() -> Parser:
     made = Parser(
         prog="kinlint convert", description=DESCRIPTION, usage="kinlint convert FILE... [options]"
     )
-    made.add_positionals("paths", "FILE", "the robot; several files are one model")
+    made.add_positionals("paths", "FILE", "robot description; several files are one model")
     add = made.add_argument
     linting.add_output_file(
-        made, "FILE|DIR", "write there; into a directory, a file for each domain of the model"
+        made, "FILE|DIR", "write to FILE, or one file per domain of the model to DIR"
     )
     add(
         "--to",
         type=one_of(FORMATS),
         metavar="|".join(FORMATS),
-        help="the format (default: by the end of the name of the output file, or jsonld)",
+        help="format (default: by the suffix of the output file, or jsonld)",
     )
     add(
         "--rotation",
         type=one_of(ROTATIONS),
         metavar="|".join(ROTATIONS),
         default=ROTATIONS[0],
-        help=f"how rotations are represented (default: {ROTATIONS[0]})",
+        help=f"representation of rotations (default: {ROTATIONS[0]})",
     )
     add(
         "--namespace",
         type=_namespace,
         metavar="IRI",
-        help="where the names of its parts live (default: https://example.org/ROBOT#)",
+        help="namespace of the names in the model (default: https://example.org/ROBOT#)",
     )
     linting.add_reading_options(add)
-    add("-q", "--quiet", **linting.FLAG, help="do not tell what is left out")
+    add("-q", "--quiet", **linting.FLAG, help="do not list what cannot be expressed")
     return made
 
 

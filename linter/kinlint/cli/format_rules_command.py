@@ -18,15 +18,14 @@ def parser() -> Parser:
     """Return the parser of `kinlint format-rules`."""
     made = Parser(
         prog="kinlint format-rules",
-        description="Format rule files: prefixes sorted and only those that are used, one"
-        " indentation, lines of at most 100 columns. Comments stay, and so does every character"
-        " of the examples.",
+        description="Format rule files: sorted prefixes without unused ones, one indentation,"
+        " lines of at most 100 columns. Comments and examples are kept as they are.",
     )
     made.add_positionals(
         "paths", "PATH", "rule files and directories of them (default: the built-in)"
     )
     made.add_argument(
-        "--check", action="store_true", help="write nothing; exit with 1 if a file would change"
+        "--check", action="store_true", help="change no files; exit with 1 if a file would change"
     )
     return made
 

@@ -53,13 +53,13 @@ def parser() -> Parser:
         epilog=EPILOG,
         usage="kinlint graph FILE... [options]",
     )
-    made.add_positionals("paths", "FILE", "the robots; - is standard input")
+    made.add_positionals("paths", "FILE", "robot descriptions; - is standard input")
     add = made.add_argument
     add(
         "--output-format",
         type=one_of((*FORMATS, TURTLE)),
         metavar="|".join((*FORMATS, TURTLE)),
-        help="the format (default: by the end of the name of the output file, or text)",
+        help="format (default: by the suffix of the output file, or text)",
     )
     linting.add_output_file(made)
     add(
@@ -67,20 +67,25 @@ def parser() -> Parser:
         type=one_of(("all", *LAYERS)),
         metavar="|".join(("all", *LAYERS)),
         default="all",
-        help="of turtle: what files state, what is lifted, inferred or computed (default: all)",
+        help="of turtle: statements of files, lifted, inferred or computed ones (default: all)",
     )
-    add("--frames", **linting.FLAG, help="draw the frames of links, too")
-    add("--no-findings", **linting.FLAG, help="draw the robots only, and judge nothing")
-    add("--select", metavar="R", **linting.LISTS, help="mark only what these rules find")
-    add("--extend-select", metavar="R", **linting.LISTS, help="mark what these rules find, too")
-    add("--ignore", metavar="R", **linting.LISTS, help="mark nothing that these rules find")
-    add("--target", metavar="NAME", **linting.LISTS, help="judge for this consumer, too")
+    add("--frames", **linting.FLAG, help="draw the frames of links too")
+    add("--no-findings", **linting.FLAG, help="draw the robots without findings")
+    add("--select", metavar="R", **linting.LISTS, help="mark only findings of these rules")
+    add("--extend-select", metavar="R", **linting.LISTS, help="mark findings of these rules too")
+    add("--ignore", metavar="R", **linting.LISTS, help="do not mark findings of these rules")
+    add("--target", metavar="NAME", **linting.LISTS, help="also check for this consumer")
     add("--rules", metavar="DIR", **linting.TEXTS, help="add the rule files in DIR")
-    add("--config", metavar="PATH|KEY=VALUE", **linting.TEXTS, help="this configuration, or key")
-    add("--isolated", **linting.FLAG, help="without configuration files")
+    add(
+        "--config",
+        metavar="PATH|KEY=VALUE",
+        **linting.TEXTS,
+        help="use this configuration file, or set a key",
+    )
+    add("--isolated", **linting.FLAG, help="ignore configuration files")
     linting.add_reading_options(add)
-    add("--stdin-filename", type=non_empty, metavar="F", help="what standard input is called")
-    add("--cache-dir", type=non_empty, metavar="DIR", help="where compiled rules are kept")
+    add("--stdin-filename", type=non_empty, metavar="F", help="file name to use for standard input")
+    add("--cache-dir", type=non_empty, metavar="DIR", help="cache directory")
     add(
         "--color",
         type=one_of(("auto", "always", "never")),

@@ -27,12 +27,12 @@ def parser() -> Parser:
     """The parser of `kinlint new`."""
     made = Parser(
         prog="kinlint new",
-        description="Begin a rule: DIR/FAMILY/NAME.ttl, with what is to be filled in marked TODO."
-        " Once that is done, `kinlint test-rules` says whether the rule keeps its promises.",
+        description="Create a rule file, DIR/FAMILY/NAME.ttl, with TODO where something has to be"
+        " filled in. `kinlint test-rules` then tests the rule.",
         usage="kinlint new FAMILY/NAME [options]",
     )
     made.add_positionals(
-        "rules", "FAMILY/NAME", "such as limits/inverted-limit: the name is that of a fault"
+        "rules", "FAMILY/NAME", "family and name, after the fault: limits/inverted-limit"
     )
     add = made.add_argument
     add("--directory", type=non_empty, metavar="DIR", default="rules", help="default: rules")
@@ -81,7 +81,7 @@ def run(arguments: Sequence[str]) -> int:
     except OSError as error:
         raise UsageError(f"cannot write {shown(path)}: {error.strerror or error}") from None
     where = shown(path)
-    sys.stdout.write(f"{where}: {code}. Fill in what is marked, then: kinlint test-rules {where}\n")
+    sys.stdout.write(f"{where}: {code}. Replace each TODO, then run: kinlint test-rules {where}\n")
     return 0
 
 

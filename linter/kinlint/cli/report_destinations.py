@@ -87,7 +87,7 @@ def _copies(options: Namespace) -> Iterator[tuple[str, Path]]:
         file = getattr(options, f"{name.replace('-', '_')}_output")
         if file == STDOUT:
             raise UsageError(
-                f"--{name}-output: '-' is no file; for standard output, --output-format {name}"
+                f"--{name}-output: '-' is not a file; for standard output, --output-format {name}"
             )
         if file:
             yield name, Path(file)

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from kinlint.cli.argument_parser import Parser, count
 
 DESCRIPTION = """\
-A language server: editors start it, and speak with it on standard input and output."""
+Start a language server (LSP) for editors, on standard input and output."""
 
 
 def parser() -> Parser:
     """The parser of `kinlint server`."""
     made = Parser(prog="kinlint server", description=DESCRIPTION, usage="kinlint server [options]")
     add = made.add_argument
-    add("--stdio", action="store_true", help="speak on standard input and output (the default)")
-    add("--tcp", type=count, metavar="PORT", help="speak on this port of this machine instead")
+    add("--stdio", action="store_true", help="use standard input and output (default)")
+    add("--tcp", type=count, metavar="PORT", help="listen on this local port instead")
     return made
 
 

@@ -22,14 +22,14 @@ def parser() -> Parser:
     """The parser of `kinlint test-rules`."""
     made = Parser(
         prog="kinlint test-rules",
-        description="Test rules: each bad example is found where it is marked, each good one is"
-        " left alone, and the file says all that a rule file must say.",
+        description="Test rules: bad examples have findings exactly where they are marked, good"
+        " examples have none, and the rule file is complete.",
     )
     made.add_positionals(
         "paths", "DIR", "rule files (default: those of the project, or the built-in)"
     )
     made.add_argument("--trust", action="store_true", help="use the project's own rules")
-    made.add_argument("-q", "--quiet", action="store_true", help="only what fails")
+    made.add_argument("-q", "--quiet", action="store_true", help="print only failures")
     return made
 
 

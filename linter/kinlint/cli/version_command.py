@@ -20,7 +20,7 @@ def parser() -> Parser:
     """The parser of `kinlint version`."""
     made = Parser(
         prog="kinlint version",
-        description="Show the version; with -v what to tell in a report of an error in kinlint.",
+        description="Print the version; with -v everything that a bug report needs.",
     )
     made.add_argument("-v", "--verbose", action="store_true", help="with all that it runs on")
     return made

@@ -90,7 +90,7 @@ def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
 def _hint(key: str, value: object) -> str:
     """Return a suggestion for the unknown *key*."""
     if isinstance(value, dict) and (key == "tool" or KEYS.keys() & value.keys()):
-        return "; keys of kinlint stand in no table here"
+        return "; in this file the keys of kinlint are at the top level"
     return did_you_mean(key, KEYS) or f"; there are {', '.join(KEYS)}"
 
 
@@ -106,14 +106,15 @@ KEYS: Mapping[str, Key] = {
     ),
     "select": Key(
         STRINGS,
-        "all rules but those of taste",
-        "The rules that speak: codes, their beginnings, names, anti-patterns (AP1 to AP6), ALL.",
+        "all but optional and preview rules",
+        "Rules to check: codes or beginnings of codes, names, families, anti-patterns (AP1 to AP6)"
+        " or ALL.",
         'select = ["ALL"]',
     ),
     "extend-select": Key(
         STRINGS,
         "[]",
-        "Rules that speak beside those that are selected.",
+        "Rules to check in addition to those selected.",
         'extend-select = ["POR"]',
     ),
     "preview": Key(
@@ -122,21 +123,21 @@ KEYS: Mapping[str, Key] = {
         "Whether preview rules, which may still change, are checked.",
         "preview = true",
     ),
-    "ignore": Key(STRINGS, "[]", "Rules that are silent.", 'ignore = ["FRM014"]'),
+    "ignore": Key(STRINGS, "[]", "Rules not to check.", 'ignore = ["FRM014"]'),
     "severity": Key(
         table(one_of(SEVERITIES), "of rules and severities"),
         "{}",
-        "What rules count as, in place of what their files say.",
+        "Severities of rules that replace their own.",
         'severity = { LD007 = "info" }',
     ),
     "fixable": Key(
-        STRINGS, '["ALL"]', "The rules whose findings are fixed.", 'fixable = ["UNI", "LD001"]'
+        STRINGS, '["ALL"]', "Rules whose findings may be fixed.", 'fixable = ["UNI", "LD001"]'
     ),
     "unfixable": Key(STRINGS, "[]", "Rules whose findings are not fixed.", 'unfixable = ["LIM"]'),
     "unsafe-fixes": Key(
         SWITCH,
-        "neither: they are hinted at",
-        "Whether unsafe fixes are made; if false, they are not even hinted at.",
+        "not set: unsafe fixes are offered, not applied",
+        "Whether unsafe fixes are applied; if false, they are not offered either.",
         "unsafe-fixes = false",
     ),
     "extend-safe-fixes": Key(
@@ -148,112 +149,113 @@ KEYS: Mapping[str, Key] = {
     "extend-unsafe-fixes": Key(
         STRINGS,
         "[]",
-        "Rules whose safe fixes are to be looked at in this project.",
+        "Rules whose safe fixes are unsafe in this project.",
         'extend-unsafe-fixes = ["ID"]',
     ),
     "per-file-ignores": Key(
         table(STRINGS, "of places and rules"),
         "{}",
-        "Rules that are silent in files (a glob), at a JSON Pointer in files (glob#/pointer), or"
+        "Rules not to check in files (a glob), below a JSON Pointer in files (glob#/pointer), or"
         " about an entity (<IRI>).",
         'per-file-ignores = { "legacy/*.jsonld" = ["UNI"] }',
     ),
     "extend-per-file-ignores": Key(
         table(STRINGS, "of places and rules"),
         "{}",
-        "The same, beside those of the configuration that is extended.",
+        "The same, in addition to the configuration that is extended.",
         'extend-per-file-ignores = { "models/arm.jsonld#/@graph/0" = ["LD001"] }',
     ),
     "require-reason": Key(
-        SWITCH, "false", "Whether each suppression has to say why.", "require-reason = true"
+        SWITCH, "false", "Whether each suppression needs a reason.", "require-reason = true"
     ),
     "exclude": Key(
         STRINGS,
-        "hidden and built directories",
-        "What a search of directories passes over: globs, from the directory of this file.",
+        "hidden and build directories",
+        "Files and directories to skip: globs relative to the directory of this file.",
         'exclude = ["third-party"]',
     ),
     "extend-exclude": Key(
-        STRINGS, "[]", "What it passes over beside that.", 'extend-exclude = ["generated"]'
+        STRINGS,
+        "[]",
+        "Files and directories to skip in addition to `exclude`.",
+        'extend-exclude = ["generated"]',
     ),
     "respect-gitignore": Key(
         SWITCH,
         "true",
-        "Whether a search of directories passes over what git ignores.",
+        "Whether files that git ignores are skipped in directories.",
         "respect-gitignore = false",
     ),
     "target": Key(
         STRINGS,
         "[]",
-        f"The consumers that are meant: {', '.join(TARGETS)}.",
+        f"Consumers to check for: {', '.join(TARGETS)}.",
         'target = ["gazebo"]',
     ),
     "srdf": Key(
         table(STRING, "of globs and files"),
         "{}",
-        "The URDF that SRDF files are for, where it is not beside them.",
+        "The URDF of SRDF files, where it is in another directory.",
         'srdf = { "config/*.srdf" = "urdf/arm.urdf" }',
     ),
     "fail-on": Key(
         one_of(THRESHOLDS),
         '"warning"',
-        "The least severity that makes the exit code 1.",
+        "Least severity that makes the exit code 1.",
         'fail-on = "error"',
     ),
     "show": Key(
         one_of(SEVERITIES),
         '"warning", or "info" if fail-on is',
-        "The least severity that full, concise and grouped show; other formats report everything.",
+        "Least severity that full, concise and grouped show; other formats report everything.",
         'show = "info"',
     ),
     "output-format": Key(
-        one_of(OUTPUT_FORMATS), '"full"', "How findings are shown.", 'output-format = "concise"'
+        one_of(OUTPUT_FORMATS), '"full"', "Format of the report.", 'output-format = "concise"'
     ),
     "baseline": Key(
         STRING,
         "none",
-        "The file of known findings, which are not reported.",
+        "Baseline: the file of known findings, which are not reported.",
         'baseline = "kinlint-baseline.json"',
     ),
     "contexts": Key(
-        STRING, "the newest", "The release of the comp-rob2b contexts.", 'contexts = "ba7e601"'
+        STRING, "the newest", "Release of the comp-rob2b contexts.", 'contexts = "ba7e601"'
     ),
     "extra-contexts": Key(
         either(_CONTEXTS, table(STRING, "of IRIs and files"), ONE_OR_MORE),
         "{}",
-        "Contexts of your own, which are never fetched: a file for each IRI, or directories.",
+        "Your own contexts, as local files: a file for each IRI, or directories.",
         'extra-contexts = { "https://example.org/gripper.json" = "contexts/gripper.json" }',
     ),
     "rules": Key(
-        ONE_OR_MORE, "[]", "Rule files of your own, or directories of them.", 'rules = ["rules"]'
+        ONE_OR_MORE, "[]", "Your own rule files, or directories of them.", 'rules = ["rules"]'
     ),
     "code-prefix": Key(
         STRING,
         "none",
-        "What the codes of your own rules begin with, for kinlint new: one to eight capitals.",
+        "Prefix of the codes of your own rules, for kinlint new: one to eight capitals.",
         'code-prefix = "ACME"',
     ),
-    "shapes": Key(
-        ONE_OR_MORE, "[]", "Plain SHACL shapes of your own.", 'shapes = ["shapes/gripper.ttl"]'
-    ),
+    "shapes": Key(ONE_OR_MORE, "[]", "Your own SHACL shapes.", 'shapes = ["shapes/gripper.ttl"]'),
     "partial": Key(
         SWITCH,
         "false",
-        "Whether the files are a part of a model, so that others may say more.",
+        "Whether the files are part of a larger model (no missing-part findings).",
         "partial = true",
     ),
     "file-timeout": Key(
         SECONDS,
         "0",
-        "Seconds after which a file is given up and reported, so that the others are linted;"
-        " 0 is no limit.",
+        "Time limit for each file in seconds; a file that takes longer is reported, and the"
+        " others are linted. 0 means no limit.",
         "file-timeout = 60",
     ),
-    "engine": Key(one_of(ENGINES), '"oxigraph"', "What checks the rules.", 'engine = "pyshacl"'),
+    "engine": Key(one_of(ENGINES), '"oxigraph"', "SHACL engine.", 'engine = "pyshacl"'),
     "packages": Key(
         table(STRING, "of packages and directories"),
         "{}",
-        "Where package:// and $(find ...) lead, besides what is found.",
+        "Directories of ROS packages, in addition to those found.",
         'packages = { arm_description = "../arm_description" }',
     ),
     "xacro-args": Key(
@@ -262,13 +264,13 @@ KEYS: Mapping[str, Key] = {
             "of arguments and values, or of globs and such tables",
         ),
         "{}",
-        "Arguments for xacro files: for all, or below a glob for those that it matches.",
+        "Arguments for xacro files: for all, or below a glob for the files that match it.",
         'xacro-args = { prefix = "left_", "right/*.xacro" = { prefix = "right_" } }',
     ),
     "xacro-env": Key(
         STRINGS,
         "[]",
-        "Environment variables for $(env) and $(optenv), besides ROS_DISTRO and its kind.",
+        "Environment variables for $(env) and $(optenv), in addition to those of ROS.",
         'xacro-env = ["ROBOT_MODEL"]',
     ),
 }

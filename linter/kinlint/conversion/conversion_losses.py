@@ -32,7 +32,7 @@ FAULTS = {
     f"<{SRC}Unexpanded>": "places that xacro would have to expand",
 }
 COMPONENT = re.compile(r"-\d+$")
-FAULTY = "kinlint check tells where"
+FAULTY = "kinlint check lists the places"
 FOREIGN = "the format has no such thing here"
 REPEATED = "the first of several counts"
 UNUSED = "nothing in the model takes it here"

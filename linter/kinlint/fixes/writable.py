@@ -41,7 +41,7 @@ class WritableFiles:
         if path in self.given:
             return
         if not any(_holds(root, path) for root in self.roots):
-            raise NotExpressible(f"it is written in {name}, which lies outside of what is linted")
+            raise NotExpressible(f"it is written in {name}, which is not among the linted files")
         if not writable(path):
             raise NotExpressible(f"it is written in {name}, which cannot be written to")
 

@@ -126,10 +126,10 @@ class SuppressionGenerator(Generator):
         Raises `NotExpressible` where the configuration alone can do that.
         """
         if finding.rule.name in FAULTS:
-            raise NotExpressible("a suppression at fault is to be mended, not silenced")
+            raise NotExpressible("a faulty suppression has to be corrected, not suppressed")
         home = self.homes.get(finding.location.source.name)
         if home is None:
-            raise NotExpressible("it lies in no robot model")
+            raise NotExpressible("it is not in a robot model")
         if home.format.is_tree:
             return self._element(home, finding.location)
         node = self._about.get(finding.focus, finding.focus)
@@ -158,7 +158,7 @@ class SuppressionGenerator(Generator):
         nest = self._nests[home.graph].get(place.source.name)
         around = None if nest is None else next(nest.containing(place.span), None)
         if around is None:
-            raise NotExpressible("it lies in no element; use per-file-ignores")
+            raise NotExpressible("it is not in an element; use per-file-ignores")
         return Site(home.graph, home.graph, around)
 
     def _statements(self, document: Document, change: Delta) -> Iterable[Edit]:

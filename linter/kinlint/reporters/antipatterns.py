@@ -32,8 +32,8 @@ ANTIPATTERNS = (
     AntiPattern(
         "AP1",
         "Underutilised identifiers",
-        "What others need to refer to has no identifier, or one that is not unique or not "
-        "absolute, so that nobody can annotate, extend or compose it from outside.",
+        "Entities have no identifier, or one that is not unique or not absolute, so that others "
+        "cannot annotate, extend or compose them.",
     ),
     AntiPattern(
         "AP2",

@@ -51,7 +51,7 @@ def render(report: Report, style: Style) -> Iterator[str]:  # noqa: ARG001
     ]
     if more:
         summary = "they are in the summary of this step"
-        where = summary if os.environ.get("GITHUB_STEP_SUMMARY") else "other formats tell all"
+        where = summary if os.environ.get("GITHUB_STEP_SUMMARY") else "other formats list all"
         limit = f"GitHub shows {ANNOTATIONS_OF_A_KIND} of a kind"
         yield f"kinlint: {', '.join(more)} not annotated, since {limit}; {where}.\n"
 

@@ -185,7 +185,7 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
     if rule.optional:
         yield "Needs", f"to be selected, as by --extend-select {rule.code}"
     if rule.whole_model:
-        yield "Needs", "the whole model, so it is silent with --partial"
+        yield "Needs", "the whole model, so it is off with --partial"
     if rule.since:
         yield "Since", rule.since
 

@@ -51,7 +51,7 @@ The symptoms of the anti-patterns in a model, and the rules that find them in ea
 that are *inherent* in a format cannot be avoided by the author: `kinlint --profile` lists them.
 
 """
-_COLUMNS = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "What it finds")
+_COLUMNS = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "Title")
 
 
 def catalogue(rules: Iterable[Rule]) -> Iterator[str]:

@@ -50,7 +50,7 @@ def render(report: Report, robots: Sequence[Structure], url: Address, room: int)
         left -= size
         yield text
     if omitted:
-        yield "\nThere is no room for the rest; other output formats tell all.\n"
+        yield "\nThe rest is too long for this summary; other output formats list everything.\n"
 
 
 def _pictures(report: Report, robots: Sequence[Structure]) -> Iterator[str]:

@@ -92,7 +92,7 @@ async def _register(server: KinlintServer) -> None:
     try:
         await server.client_register_capability_async(types.RegistrationParams([registration]))
     except Exception as error:  # noqa: BLE001  whatever the client answers, there is work to do
-        server.log(f"kinlint is not told of changes on disk: {error}", types.MessageType.Warning)
+        server.log(f"kinlint does not see changes on disk: {error}", types.MessageType.Warning)
 
 
 def _can_be_asked(server: KinlintServer) -> bool:
@@ -108,7 +108,7 @@ async def _ask(server: KinlintServer) -> None:
     try:
         said = await server.workspace_configuration_async(types.ConfigurationParams([item]))
     except Exception as error:  # noqa: BLE001  whatever the client answers, there is work to do
-        server.log(f"kinlint is not told its settings: {error}", types.MessageType.Warning)
+        server.log(f"kinlint does not receive its settings: {error}", types.MessageType.Warning)
         return
     if said and said[0] is not None:
         server.use_settings(ClientSettings.from_json(said[0]))

@@ -111,8 +111,8 @@ def test_of_an_attribute_given_twice_the_first_counts() -> None:
 @pytest.mark.parametrize(
     ("text", "place", "reason"),
     [
-        ("", "", "the file has no element"),
-        ("  \n", " ", "the file has no element"),
+        ("", "", "the file is empty"),
+        ("  \n", " ", "the file is empty"),
         ("<!-- nothing -->", "<", "the file has no element"),
         ("<robot><link name='b'></robot>", "</robot>", "</robot> closes <link>"),
         ("<robot name='a'>\n<link name='b'/>", "robot", "<robot> is never closed"),

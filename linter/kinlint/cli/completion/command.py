@@ -20,7 +20,7 @@ SCRIPTS: Mapping[str, Callable[[Words], str]] = dict(
 )
 
 DESCRIPTION = """\
-Print a script that has the shell complete what is typed after kinlint.
+Print the completion script for a shell.
 
   bash:  kinlint generate-shell-completion bash > ~/.local/share/bash-completion/completions/kinlint
   zsh:   kinlint generate-shell-completion zsh > DIR/_kinlint    (DIR is one of $fpath)

@@ -31,7 +31,9 @@ def namespaces(graph: ShapesGraph, *ontologies: Term) -> dict[str, str]:
                 _text(graph, declaration, name) for name in ("prefix", "namespace")
             )
             if found.setdefault(prefix, namespace) != namespace:
-                raise graph.invalid(ontology, f"the prefix '{prefix}:' stands for two namespaces")
+                raise graph.invalid(
+                    ontology, f"the prefix '{prefix}:' is declared for two namespaces"
+                )
     return found
 
 

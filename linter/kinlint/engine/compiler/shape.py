@@ -63,7 +63,7 @@ class Shape:
 def read_shape(graph: ShapesGraph, node: Term) -> Shape:
     """Return the shape that *node* describes; a value that cannot be a shape is refused."""
     if is_literal(node):
-        raise graph.invalid(node, "a literal is no shape")
+        raise graph.invalid(node, "a literal is not a shape")
     path = graph.one(node, sh("path"))
     return Shape(graph, node, read_path(graph, path) if path else None)
 

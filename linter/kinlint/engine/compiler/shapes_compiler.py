@@ -76,7 +76,7 @@ class _Walk:
     ) -> Constraint:
         shape = scope.shape
         advanced = shape.graph.values(self.root.node, sh("target"))
-        reason = "sh:target is no part of SHACL" if advanced else violation.deferred
+        reason = "sh:target is not part of SHACL" if advanced else violation.deferred
         messages = violation.messages
         if not violation.own_messages:
             messages = shape.messages or messages

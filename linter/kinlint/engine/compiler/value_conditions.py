@@ -59,7 +59,7 @@ def _datatype(scope: ShapeScope) -> Conditions:
 def _node_kind(scope: ShapeScope) -> Conditions:
     for kind in scope.shape.values("nodeKind"):
         if kind not in _KINDS:
-            raise scope.shape.graph.invalid(scope.shape.node, f"{kind} is no node kind")
+            raise scope.shape.graph.invalid(scope.shape.node, f"{kind} is not a node kind")
         message = f"is not of node kind '{shown(scope.shape, kind)}'"
         yield f"!{_KINDS[kind].format(scope.value)}", message
 

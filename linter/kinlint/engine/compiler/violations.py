@@ -58,7 +58,7 @@ def violations(scope: ShapeScope) -> Iterator[Violation]:
             yield Violation(component(name), deferred=str(reason))
     for parameter, name in _BEYOND.items():
         if scope.shape.values(parameter):
-            yield Violation(component(name), deferred=f"sh:{parameter} is no part of SHACL")
+            yield Violation(component(name), deferred=f"sh:{parameter} is not part of SHACL")
 
 
 def top_frame(shape: Shape, names: count[int], above: tuple[Term, ...]) -> ShapeScope:

@@ -168,7 +168,7 @@ class ActiveContexts:
         iri = str(entry) if isinstance(entry, str) else None
         try:
             if not self.strict and isinstance(entry, Object) and "@context" in entry:
-                raise JsonLdError("'@context' cannot stand in a context", "jsonld.SyntaxError")
+                raise JsonLdError("'@context' is not allowed in a context", "jsonld.SyntaxError")
             given = unplaced(entry) if shared else entry
             found = self.resolver.resolve(active, given, options["base"])
             documents = [context.document for context in found]

@@ -111,7 +111,7 @@ class LocalContexts:
     def _read(self, path: Path) -> Any:
         near = absolute(self.source.name)
         if not any(real(path).is_relative_to(root) for root in self._roots(near)):
-            raise Unreadable(f"'{shown(path)}' lies outside of the project")
+            raise Unreadable(f"'{shown(path)}' is outside of the project")
         if len(self._pieces) >= MOST_FILES:
             raise Unreadable(f"the model names more than {MOST_FILES} context files")
         text = included_text(path, near, shown(path), self.options, LARGEST)

@@ -119,7 +119,9 @@ def _fatal(source: SourceText, parsed: ExpatResult, code: int, at: int) -> Synta
         span = _tag(source, parsed, number)
         return SyntaxFlaw(span, f"<{source.text[slice(*span)]}> is never closed")
     if code == NO_ELEMENT:
-        return SyntaxFlaw(Span(0, min(1, len(source.text))), "the file has no element")
+        empty = not source.text.strip()
+        reason = "the file is empty" if empty else "the file has no element"
+        return SyntaxFlaw(Span(0, min(1, len(source.text))), reason)
     span = Span(at, min(at + 1, len(source.text)))
     if code == UNENDED:
         return SyntaxFlaw(span, "what begins here never ends")

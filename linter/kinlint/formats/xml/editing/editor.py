@@ -117,7 +117,7 @@ class _Writing:
 
     def _rename(self, node: Term, tag: str) -> None:
         if not NAME.fullmatch(tag):
-            raise NotExpressible(f"{tag} is no name in XML")
+            raise NotExpressible(f"{tag} is not a name in XML")
         site = self._sites.shared_site(node)
         names = site.layout.names(site.number)
         self._make(site, [Edit(span, tag) for span in names])

@@ -37,7 +37,7 @@ class NewElements:
     def element(self, tag: str, node: Term, layout: ElementLayout, quote: str) -> Written:
         """Return *node* as a new element with *tag*, for a text with a *layout*."""
         if not NAME.fullmatch(tag):
-            raise NotExpressible(f"{tag} is no name in XML")
+            raise NotExpressible(f"{tag} is not a name in XML")
         if node in self.changes.moved:
             return self._moved(node, layout)
         self.written.add(node)

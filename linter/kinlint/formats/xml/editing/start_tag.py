@@ -30,7 +30,7 @@ def listed(slots: Slots, quote: str, layout: ElementLayout, kept: frozenset[str]
 def assignment(name: str, value: str, quote: str, layout: ElementLayout) -> str:
     """Return an attribute as it is written."""
     if not NAME.fullmatch(name):
-        raise NotExpressible(f"{name} is no name in XML")
+        raise NotExpressible(f"{name} is not a name in XML")
     return f"{name}={quote}{spelling.escaped_attribute(value, quote, layout.source)}{quote}"
 
 
@@ -108,7 +108,7 @@ class StartTag:
     def _renamed(self, old: str, new: str, value: str) -> Iterator[Edit]:
         attribute = self._first[old]
         if not NAME.fullmatch(new):
-            raise NotExpressible(f"{new} is no name in XML")
+            raise NotExpressible(f"{new} is not a name in XML")
         self._once(old)
         yield Edit(attribute.key, new)
         if spelling.tokens(rewriting.current_text(self.slots[old])) != spelling.tokens(value):
