@@ -100,7 +100,7 @@ def test_files_that_are_slow_only_together_are_all_reported(here, capsys):
 
     assert code == 2
     assert [name for name, *_ in errors] == ["a.jsonld", "b.jsonld"]
-    assert all("judged with 1 other" in message for _, _, message in errors)
+    assert all("checked with 1 other" in message for _, _, message in errors)
 
 
 def test_a_process_that_ends_is_reported(here, capsys):

@@ -176,7 +176,7 @@ def test_verbose(kinlint, pipeline, write):
 
 def test_verbose_without_configuration(kinlint, model):
     """There is none to name."""
-    assert "kinlint: configuration: none, so the defaults hold\n" in kinlint("-v")[2]
+    assert "kinlint: configuration: none (defaults)\n" in kinlint("-v")[2]
 
 
 @pytest.mark.parametrize(

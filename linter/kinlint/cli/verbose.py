@@ -22,7 +22,7 @@ def lines_before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> 
     python = ".".join(map(str, sys.version_info[:3]))
     release = settings.contexts or ""
     yield f"kinlint {__version__}, Python {python} on {sys.platform}"
-    yield f"configuration: {', '.join(files) or 'none, so the defaults hold'}"
+    yield f"configuration: {', '.join(files) or 'none (defaults)'}"
     yield f"contexts: release {release} ({RELEASE_DATES.get(release, 'of unknown date')})"
     yield f"engine: {', '.join(map(_version, ENGINES[settings.engine]))}"
     cache = "recalled" if book.recalled else "compiled"

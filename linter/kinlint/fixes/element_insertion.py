@@ -107,7 +107,7 @@ class _Insertion:
                 element, property_, sign = self._place(triple, created)
                 found.setdefault((element, property_), []).append(signed(triple[2], sign))
         if not found:
-            raise NotExpressible("the format has no word for what is added")
+            raise NotExpressible("the format cannot express the new statement")
         for (element, property_), values in found.items():
             said = (way for way, _ in self.provenance.store.predicate_objects(element))
             if any(COMPONENT.sub("", way[:-1]) == property_[:-1] for way in said):
@@ -146,7 +146,7 @@ class _Insertion:
                 if (way := self._way(derived, read.element)) is not None:
                     found.append((-fit, way, read.properties[0], sign))
         if not found:
-            raise NotExpressible("the format has no word for what is added")
+            raise NotExpressible("the format cannot express the new statement")
         _, (anchor, steps), property_, sign = min(found, key=lambda each: each[0])
         element = anchor
         for step in steps:

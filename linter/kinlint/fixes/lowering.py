@@ -52,7 +52,7 @@ def lower_delta(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
         ((document, old),) = trace.written
         yield Replacement(document, old, (old[0], old[1], signed(new[0], trace.sign)))
     if added:
-        raise NotExpressible("the format has no word for what is added")
+        raise NotExpressible("the format cannot express the new statement")
 
 
 def signed(value: Term, sign: int) -> Term:

@@ -227,7 +227,7 @@ class _Division:
 def _given_up(reasons: Mapping[str, str], model: Model) -> Outcome:
     """Return the outcome of *model*, of which some files are given up, for *reasons* by name."""
     others = len(model) - 1
-    beside = f", judged with {others} other{'s' * (others > 1)}" if others else ""
+    beside = f", checked with {others} other{'s' * (others > 1)}" if others else ""
     errors = tuple(FileTimeout(name, f"{why}{beside}") for name, why in reasons.items())
     return Outcome(Report(errors=errors), Record())
 

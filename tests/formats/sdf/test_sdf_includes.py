@@ -198,7 +198,7 @@ def test_what_is_included_is_bounded_in_all(folder, monkeypatch):
     names = "".join(f"<include><name>n{i}</name><uri>hand</uri></include>" for i in range(4))
     (folder / "arm.sdf").write_text(ARM.format(names, ""))
     found = losses(file(folder / "arm.sdf"), "UnresolvedInclude")
-    assert [each["reason"] for each in found] == ["what is included is too large"] * 3
+    assert [each["reason"] for each in found] == ["the included files are too large"] * 3
 
 
 def test_the_files_of_an_included_model_are_beside_it(folder):

@@ -110,7 +110,7 @@ class _Inclusion:
     def _excess(self, depth: int) -> str:
         """Return the reason why nothing more is included; empty if there is none."""
         if self.stated > MOST_STATED:
-            return "what is included is too large"
+            return "the included files are too large"
         too_many = depth > MOST_DEEP or self.count > MOST_INCLUDED
         return "too many files include each other" if too_many else ""
 

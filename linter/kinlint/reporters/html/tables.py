@@ -40,7 +40,7 @@ def _by_severity(report: Report) -> str:
         if group:
             now, more = fixable(group, unsafe=report.unsafe)
             rows.append((chip(severity), f"{len(group):,}", f"{now:,}", f"{more:,}"))
-    return _table("By severity", ("Severity", "Findings", "Fixable", "With care"), rows)
+    return _table("By severity", ("Severity", "Findings", "Safe fixes", "Unsafe fixes"), rows)
 
 
 def _by_rule(findings: Sequence[Finding]) -> str:

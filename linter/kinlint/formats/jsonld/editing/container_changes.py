@@ -147,7 +147,7 @@ def _joined(edits: list[Edit]) -> list[Edit]:
         elif edit.span.start == last.span.end:
             joined[-1] = Edit(Span(last.span.start, edit.span.end), last.text + edit.text)
         elif edit.text:
-            raise NotExpressible("what is to be said would stand in what goes")
+            raise NotExpressible("the new statement would be inside a deleted one")
     return joined
 
 

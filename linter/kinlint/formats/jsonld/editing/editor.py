@@ -79,9 +79,9 @@ def _check(plan: EditPlan) -> None:
     places = plan.places
     for triple in plan.removed:
         if triple not in plan.settled and not (places.spans(triple) and plan.goes(triple)):
-            raise NotExpressible("what is to go is written in a way that cannot be taken out alone")
+            raise NotExpressible("the statement to delete cannot be deleted alone")
     if any(triple not in plan.stated for triple in plan.added):
-        raise NotExpressible("there is no place in the file for what is to be said")
+        raise NotExpressible("the file has no place for the new statement")
     for cut in plan.changes.cut:
         for triple in places.within(cut):
             if triple in plan.removed or triple in plan.settled:

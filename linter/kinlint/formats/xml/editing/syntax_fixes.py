@@ -112,7 +112,7 @@ def _corrected(layout: ElementLayout, span: Span) -> Iterator[Edit]:
     elif start and text[start - 1] in "\"'":
         yield Edit(Span(start, start), " ")
     else:
-        raise NotExpressible("nobody knows what is meant")
+        raise NotExpressible("it is unclear what is meant")
 
 
 def _comment(text: str, at: int) -> Iterator[Edit]:
