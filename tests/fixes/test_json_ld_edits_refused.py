@@ -8,7 +8,7 @@ import pytest
 from editing_json_ld import OPTIONS, document, domain, edited
 
 from kinlint.edits import Delta, NotExpressible, applied
-from kinlint.formats.jsonld.editing import editor
+from kinlint.formats.jsonld.editing import editor, traced_expansion
 from kinlint.terms import RDF_TYPE, Term, Triple
 from kinlint.vocabulary import SRC
 
@@ -151,6 +151,22 @@ def test_a_text_is_expanded_once_for_all_deltas(monkeypatch: pytest.MonkeyPatch)
     for triple in stated(text, "p"):
         assert made.edits(Delta((triple,)))
     assert len(calls) == 1
+
+
+def test_only_the_elements_in_question_are_traced(monkeypatch: pytest.MonkeyPatch) -> None:
+    traced: list[str] = []
+    trace = traced_expansion.Tracing.trace_element
+
+    def noted(processor: traced_expansion.Tracing, element: dict[str, str]) -> None:
+        traced.append(element["@id"])
+        trace(processor, element)
+
+    monkeypatch.setattr(traced_expansion.Tracing, "trace_element", noted)
+    nodes = [f'{{ "@id": "ex:n{number}", "p": {number} }}' for number in range(20)]
+    text = graph(*nodes, '{ "@id": "ex:a", "p": 0.5, "q": "ex:n7" }')
+    (one,) = [triple for triple in stated(text, "p") if triple[0] == A]
+    assert edited(document(text), Delta((one,))) == text.replace('"p": 0.5, ', "")
+    assert traced == ["ex:a"]
 
 
 LAYOUTS = {

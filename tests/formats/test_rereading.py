@@ -15,6 +15,7 @@ from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.formats import incremental_reader
 from kinlint.formats.incremental_reader import IncrementalReader
+from kinlint.formats.json_text.json_outline import Unplaced
 from kinlint.formats.jsonld.incremental import divided_reader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -260,3 +261,21 @@ def test_random_edits(seed: int) -> None:
             good = text
         elif chance.random() < 0.6:
             text = good
+
+
+def test_places_in_parts_are_found_when_one_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    placed: list[int] = []
+    place = Unplaced.placed
+
+    def noted(element: Unplaced) -> Any:
+        placed.append(element.start)
+        return place(element)
+
+    monkeypatch.setattr(Unplaced, "placed", noted)
+    nodes = [node(f"n{number}", **{PROP: number}) for number in range(9)]
+    read_as = divided_reader.read_divided(SourceText("robot.jsonld", model(*nodes)), ReadOptions())
+    first = len(placed)
+    assert first < len(nodes)
+    triple = next(each for each in read_as.document.statements if each[2].startswith('"8"'))
+    assert read_as.document.map.triples[triple].start > placed[0]
+    assert len(placed) == first + 1
