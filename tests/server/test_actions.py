@@ -187,6 +187,9 @@ async def test_debug_information_and_graph(editor):
     assert editor.encoding in told
     assert "flowchart" in drawn
     assert "knee" in drawn
+    picture = await editor.command("kinlint.showRobot", editor.uri("leg.urdf"))
+    assert "<svg" in picture
+    assert "knee" in picture
 
 
 async def test_clients_without_versions_get_plain_changes(stranger):

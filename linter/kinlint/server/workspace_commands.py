@@ -12,11 +12,13 @@ from lsprotocol import types
 from kinlint import __version__
 from kinlint.facts.robot_structures import structures
 from kinlint.findings.locator import Locator
-from kinlint.reporters.picture.finding_badges import marks
+from kinlint.reporters.picture import svg
+from kinlint.reporters.picture.finding_badges import Marks, marks
 from kinlint.reporters.picture.mermaid import lines
 from kinlint.server.app import KinlintServer
 from kinlint.server.code_actions import FIX_ALL, fix_all
 from kinlint.server.request_context import RequestContext
+from kinlint.structure import Structure
 
 
 def register(server: KinlintServer) -> None:
@@ -48,6 +50,11 @@ def register(server: KinlintServer) -> None:
         """The robot of a file as a Mermaid flowchart; None if it has none."""
         return await server.consult(_uri(arguments), _graph)
 
+    @server.command("kinlint.showRobot")
+    async def show_robot(*arguments: Any) -> str | None:
+        """The robot of a file as a picture in SVG, with what was found; None if it has none."""
+        return await server.consult(_uri(arguments), _picture)
+
 
 def _uri(arguments: tuple[Any, ...]) -> str:
     """The URI in *arguments*, which clients send in several forms."""
@@ -59,12 +66,21 @@ def _uri(arguments: tuple[Any, ...]) -> str:
 
 
 def _graph(view: RequestContext) -> str | None:
+    return "\n\n".join("\n".join(lines(one, found)) for one, found in _robots(view)) or None
+
+
+def _picture(view: RequestContext) -> str | None:
+    robots = _robots(view)
+    return "".join(svg.document(robots)) if robots else None
+
+
+def _robots(view: RequestContext) -> list[tuple[Structure, Marks]]:
+    """Return the robots of a file, or else those of its model, with what was found of each."""
     examination = view.examination
     found = examination.report.findings
     drawn = structures(examination.store, Locator(examination.documents, examination.store), found)
     own = [one for one in drawn if view.source.name in one.files] or drawn
-    text = "\n\n".join("\n".join(lines(one, marks(one, found))) for one in own)
-    return text or None
+    return [(one, marks(one, found)) for one in own]
 
 
 def _state(server: KinlintServer) -> Iterator[str]:

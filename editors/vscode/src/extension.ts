@@ -1,0 +1,123 @@
+/** Extension for VS Code: starts the server, and shows robots and rule pages. */
+
+import * as vscode from "vscode";
+import { LanguageClient, type LanguageClientOptions } from "vscode-languageclient/node";
+
+import { robotPage } from "./robotPage";
+import { rulePages } from "./rulePages";
+import { SECTION, serverCommand, serverSettings } from "./settings";
+
+const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq}";
+const CONFIGURATION = "**/{kinlint.toml,.kinlint.toml,pyproject.toml,package.xml}";
+
+let client: LanguageClient | undefined;
+
+export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  context.subscriptions.push(
+    vscode.commands.registerCommand("kinlint.openRobot", openRobot),
+    vscode.commands.registerCommand("kinlint.openRulePage", openRulePage),
+    vscode.commands.registerCommand("kinlint.restart", restart),
+    vscode.workspace.onDidChangeConfiguration(async (event) => {
+      if (event.affectsConfiguration(`${SECTION}.command`)) {
+        await restart();
+      }
+    }),
+  );
+  await start();
+}
+
+export async function deactivate(): Promise<void> {
+  await client?.stop();
+}
+
+async function start(): Promise<void> {
+  try {
+    client = newClient();
+    await client.start();
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    void vscode.window.showErrorMessage(
+      `kinlint does not start: ${reason}. "pip install kinlint" installs it; the setting kinlint.command says how it is called.`,
+    );
+  }
+}
+
+async function restart(): Promise<void> {
+  await client?.stop().catch(() => undefined);
+  await start();
+}
+
+function newClient(): LanguageClient {
+  const { command, args } = serverCommand(vscode.workspace.getConfiguration(SECTION).get("command"));
+  const patterns = [FILES, CONFIGURATION];
+  const options: LanguageClientOptions = {
+    documentSelector: [
+      { language: "xml" },
+      { language: "json" },
+      { language: "jsonld" },
+      { language: "turtle" },
+      { pattern: FILES },
+    ],
+    initializationOptions: settings(),
+    synchronize: {
+      configurationSection: SECTION,
+      fileEvents: patterns.map((each) => vscode.workspace.createFileSystemWatcher(each)),
+    },
+    middleware: {
+      workspace: {
+        configuration: async (params, token, next) => {
+          const found = await next(params, token);
+          return Array.isArray(found) ? found.map((each) => (isRecord(each) ? serverSettings(each) : each)) : found;
+        },
+        didChangeConfiguration: async () => {
+          await client?.sendNotification("workspace/didChangeConfiguration", { settings: { kinlint: settings() } });
+        },
+      },
+    },
+  };
+  const run = { command, args: [...args] };
+  return new LanguageClient(SECTION, "kinlint", { run, debug: run }, options);
+}
+
+function settings(): Record<string, unknown> {
+  const section = vscode.workspace.getConfiguration().get(SECTION);
+  return serverSettings(isRecord(section) ? section : {});
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** Show the robot of the active file beside it, and again whenever the file is saved. */
+async function openRobot(): Promise<void> {
+  const document = vscode.window.activeTextEditor?.document;
+  if (document === undefined || client === undefined) {
+    return;
+  }
+  const name = vscode.workspace.asRelativePath(document.uri);
+  const panel = vscode.window.createWebviewPanel("kinlint.robot", name, {
+    viewColumn: vscode.ViewColumn.Beside,
+    preserveFocus: true,
+  });
+  const draw = async (): Promise<void> => {
+    const svg = await client?.sendRequest<string | null>("workspace/executeCommand", {
+      command: "kinlint.showRobot",
+      arguments: [document.uri.toString()],
+    });
+    panel.webview.html = robotPage(name, svg);
+  };
+  const saving = vscode.workspace.onDidSaveTextDocument(draw);
+  panel.onDidDispose(() => saving.dispose());
+  await draw();
+}
+
+/** Open the page of a rule of which something was found in the active file. */
+async function openRulePage(): Promise<void> {
+  const document = vscode.window.activeTextEditor?.document;
+  const found = document === undefined ? [] : rulePages<vscode.Uri>(vscode.languages.getDiagnostics(document.uri));
+  const items = found.map((each) => ({ label: each.code, description: each.message, address: each.address }));
+  const chosen = await vscode.window.showQuickPick(items, { placeHolder: "Rule" });
+  if (chosen !== undefined) {
+    await vscode.env.openExternal(chosen.address);
+  }
+}
