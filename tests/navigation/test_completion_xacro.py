@@ -51,6 +51,17 @@ def test_names_of_the_same_macro_as_they_are_written(parts):
     assert found[0] == "${prefix}_wheel"
 
 
+def test_an_included_file_that_is_broken(tmp_path):
+    """What the robot was when both files could be read is remembered."""
+    files = {
+        "cart.urdf.xacro": CART.replace("$(find cart)/urdf/", ""),
+        "parts.xacro": PARTS,
+    }
+    typing = Typing(tmp_path, files, ["cart.urdf.xacro", "parts.xacro"])
+    found = typing.labels('parts.xacro: <parent link="base"/> => <parent link="|')
+    assert {"base", "flag", "left_wheel"} <= set(found)
+
+
 def test_macros_as_elements(cart):
     found = cart.candidates('cart.urdf.xacro: <link name="base"/> => <xacro:wh|')
     wheel = next(each for each in found if each.label == "xacro:wheel")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import islice
 
 from kinlint.document import Document
@@ -30,15 +30,27 @@ class ReadableDocuments:
         documents = () if examination is None else examination.documents
         for each in documents:
             if is_readable(each):
-                self._known[each.source.name] = documents
+                self._known.update(dict.fromkeys(_names(each), documents))
+
+    def forget(self, names: Iterable[str]) -> None:
+        """Forget the files called *names*, none of which is open."""
+        closed = set(names)
+        for name, documents in list(self._known.items()):
+            if any(each.source.name in closed for each in documents):
+                del self._known[name]
 
     def of(self, name: str, examination: Examination) -> Sequence[Document]:
         """Return the documents of the model of the file *name*, which is now in *examination*."""
         now = {each.source.name: each for each in examination.documents if is_readable(each)}
-        if name in now:
+        if any(name in _names(each) for each in now.values()):
             return examination.documents
         before = {each.source.name: each for each in self._known.get(name, ())}
         return tuple({**before, **now}.values())
+
+
+def _names(document: Document) -> list[str]:
+    """Return the names of the texts that *document* is made of."""
+    return [each.name for each in document.sources]
 
 
 def is_readable(document: Document) -> bool:

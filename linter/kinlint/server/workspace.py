@@ -110,6 +110,7 @@ class Workspace:
             self._blamed.pop(model.key, None)
             found = diagnostics_by_file(shown, self._places(shown, snapshot), related=self._related)
             if urgency == _LAST:
+                self._readable.forget(each.name for each in model.sources)
                 shown.release()
             fresh |= shown.model.key | shown.outside.keys()
             return self._step(model.key, found, fresh, faults)
@@ -117,6 +118,7 @@ class Workspace:
         for urgency, model in self._ranked(snapshot):
             if urgency >= _LAST and model.key in self._sessions:
                 self._sessions[model.key].release()
+                self._readable.forget(each.name for each in model.sources)
         self._settle()
         return replace(self._step(frozenset(), {}, fresh, faults), done=True)
 

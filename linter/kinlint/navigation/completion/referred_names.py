@@ -55,8 +55,12 @@ class ReferredNames:
     def _known(self, targets: Sequence[tuple[str, str]]) -> Iterator[Candidate]:
         """Yield the names that other files have, and those of this one once it is expanded."""
         situation = self._situation
-        document, pairing = situation.document, situation.source.pairing
-        own = None if document is None else {document.graph}
+        pairing, name = situation.source.pairing, situation.source.name
+        own = {
+            each.graph
+            for each in situation.documents
+            if any(source.name == name for source in each.sources)
+        } or None
         other = {document_iri(pairing.partner)} if pairing and pairing.partner else None
         for namespace, tag in targets:
             is_own = namespace == self._table.namespace
