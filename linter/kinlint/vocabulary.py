@@ -17,6 +17,7 @@ INTERMEDIATE = f"{KINLINT}intermediate#"
 URDF = f"{KINLINT}urdf#"
 SDF = f"{KINLINT}sdf#"
 SRDF = f"{KINLINT}srdf#"
+YAML = f"{KINLINT}yaml#"
 RULE = f"{KINLINT}rules/"
 
 SH = "http://www.w3.org/ns/shacl#"

@@ -158,3 +158,127 @@ def test_what_git_ignores(ws, kinlint):
     ws.write("src/kinlint.toml", "respect-gitignore = false")
     assert files(kinlint) == sorted((*before, *both))
     assert files(kinlint, "--respect-gitignore") == before
+
+
+CONTROLLERS = """controller_manager:
+  ros__parameters:
+    update_rate: 100
+arm_controller:
+  ros__parameters:
+    joints:
+      - {}
+      - wrist
+    interface_name: position
+"""
+LIMITS = """joint_limits:
+  elbow:
+    has_velocity_limits: true
+    max_velocity: {}
+    has_position_limits: false
+    max_position: 9
+"""
+CONFIG = "src/arm_repo/my_arm_moveit_config/config/"
+
+
+@pytest.fixture
+def configured(ws):
+    """The workspace with controllers, limits and first positions, in a package that depends."""
+    ws.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbow"))
+    ws.write(f"{CONFIG}joint_limits.yaml", LIMITS.format("1.0"))
+    ws.write(f"{CONFIG}initial_positions.yaml", "initial_positions:\n  elbow: 0\n  wrist: 1\n")
+    ws.write(f"{CONFIG}other.yaml", "a: &x [1]\nb: *x\n")
+    ws.write(f"{CONFIG}broken.yaml", "joints: [elbow\n")
+    ws.change(
+        "src/arm_repo/my_arm_moveit_config/package.xml",
+        "</package>",
+        "  <exec_depend>my_arm_description</exec_depend>\n</package>",
+    )
+    return ws
+
+
+def of_yaml(kinlint, *paths):
+    """What is found in YAML files."""
+    lines = kinlint(*paths, "--output-format", "concise", "-q", "--select", "CMP")[1].splitlines()
+    return [line.removeprefix(CONFIG) for line in lines if ".yaml:" in line]
+
+
+UNKNOWN = (
+    "ros2_controllers.yaml:7:9: error: The robot has no joint named 'elbo'; closest name: 'elbow'."
+    " [CMP001]"
+)
+
+
+def test_yaml_that_fits_the_robot(configured, kinlint):
+    """Is passed over in silence, as is YAML about other things."""
+    assert kinlint(*FLAGS) == (0, "", "")
+    assert f"{CONFIG}other.yaml" not in files(kinlint)
+    assert files(kinlint, f"{CONFIG}other.yaml") == [f"{CONFIG}other.yaml"]
+    assert kinlint(f"{CONFIG}other.yaml", f"{CONFIG}broken.yaml", *FLAGS) == (0, "", "")
+
+
+def test_joints_that_no_robot_has(configured, kinlint):
+    """They are found in the whole workspace and in the one file."""
+    configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
+    assert of_yaml(kinlint) == [UNKNOWN]
+    assert of_yaml(kinlint, f"{CONFIG}ros2_controllers.yaml") == [UNKNOWN]
+
+
+def test_limits_wider_than_those_of_the_robot(configured, kinlint):
+    """Only those that count."""
+    configured.write(f"{CONFIG}joint_limits.yaml", LIMITS.format("2.5"))
+    (told,) = of_yaml(kinlint)
+    said = "The max_velocity of joint 'elbow' is 2.5, but the robot allows 1.5."
+    assert told == f"joint_limits.yaml:4:19: warning: {said} [CMP009]"
+
+
+def test_which_robot_yaml_is_about_is_told(configured, kinlint):
+    """As a related place, and by -v."""
+    configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
+    _, out, err = kinlint("-v")
+    why = "because it is in a package that this one depends on"
+    assert f"robot of {CONFIG}ros2_controllers.yaml: {ARM_FILE}, {why}" in err
+    assert f"names are looked up in this robot, {why}" in out
+
+
+def test_the_robot_of_yaml_can_be_configured(configured, kinlint):
+    """By the file; and a launch file that names both tells it."""
+    configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
+    other = "src/arm_repo/my_arm_description/urdf/other.urdf"
+    joints = "".join(
+        f'<link name="{name}l"/><joint name="{name}" type="fixed"><parent link="base"/>'
+        f'<child link="{name}l"/></joint>'
+        for name in ("elbo", "wrist")
+    )
+    configured.write(other, f'<robot name="other"><link name="base"/>{joints}</robot>')
+    assert of_yaml(kinlint) == []
+    configured.write("kinlint.toml", f'srdf = {{ "**/ros2_*.yaml" = "{ARM_FILE}" }}')
+    assert of_yaml(kinlint) == [UNKNOWN]
+    (configured.top / "kinlint.toml").unlink()
+    configured.write(
+        "src/arm_repo/my_arm_moveit_config/launch/demo.launch.py",
+        "xacro = 'urdf/my_arm.urdf.xacro'\ncontrollers = 'config/ros2_controllers.yaml'\n",
+    )
+    assert of_yaml(kinlint) == [UNKNOWN]
+
+
+def test_yaml_of_other_robots_is_not_judged(configured, kinlint):
+    """Of whose names the robot has hardly any, or which macros make where other arguments are."""
+    names = "[front_left_wheel, front_right_wheel, rear_left_wheel]"
+    configured.write(f"{CONFIG}wheels.yaml", f"wheels:\n  joints: {names}\n")
+    configured.write(f"{CONFIG}left.yaml", "left:\n  joints: [left_elbow, left_wrist, elbow]\n")
+    assert of_yaml(kinlint) == []
+    configured.change(ARM_FILE, "$(find my_gripper", "$(find their_gripper")
+    configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
+    assert of_yaml(kinlint) == []
+
+
+def test_hostile_yaml(configured, kinlint):
+    """Aliases that multiply and endless nesting are passed over."""
+    bomb = "a: &a [x, x]\n" + "".join(
+        f"{new}: &{new} [{', '.join([f'*{old}'] * 9)}]\n"
+        for old, new in zip("abcdefghijklm", "bcdefghijklmn", strict=True)
+    )
+    configured.write(f"{CONFIG}bomb.yaml", f"{bomb}joints: *n\n")
+    configured.write(f"{CONFIG}deep.yaml", f"joints: {'[' * 20_000}\n")
+    configured.write(f"{CONFIG}loop.yaml", "joints: &a [*a, elbow]\n")
+    assert kinlint(*FLAGS) == (0, "", "")

@@ -30,6 +30,12 @@ OUTSIDE = {
     ("sdf", "include", "placement_frame"),
 }
 """Elements whose names are looked for around the element that they stand in, or in another file."""
+YAML = {
+    "joint": "controller:\n  joints: [{}]\n  command_joints: [goal]\n",
+    "joint_limit": "joint_limits:\n  {}: {{max_velocity: 1}}\njoints: [goal]\n",
+    "initial_position": "initial_positions:\n  {}: 0.5\njoints: [goal]\n",
+}
+"""Files of YAML for each kind of entry, which name `GOAL` besides."""
 
 
 @cache
@@ -88,8 +94,10 @@ class ReferenceKind:
 
         The model has a `GOAL` where the name is looked for; it is named once besides.
         """
-        scope = self._scope()
-        text = self._element(0, scope, name)
+        if self.form.fence == "yaml":
+            text = YAML[self.path[-1].tag].format(name)
+        else:
+            text = self._element(0, self._scope(), name)
         files = {f"arm{self.form.suffixes[0]}": text}
         if not self.own:
             other = next(each for each in LIFTED if each.namespace == self.namespace)

@@ -13,8 +13,10 @@ from kinlint.formats.records import FORMATS, GLOBBED, SEARCHED
 ROOT = Path(__file__).parents[2]
 SEARCHED_FORMATS = [each for each in FORMATS if each.searched]
 TITLES = ", ".join(each.title for each in SEARCHED_FORMATS)
-UNKNOWN_TO_EDITORS = {suffix for each in SEARCHED_FORMATS for suffix in each.suffixes}
-"""Suffixes for which editors have to be told a language; they know `.json` and `.ttl`."""
+UNKNOWN_TO_EDITORS = {
+    suffix for each in SEARCHED_FORMATS if each.fence != "yaml" for suffix in each.suffixes
+}
+"""Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`."""
 
 README = (ROOT / "linter" / "README.md").read_text("utf-8")
 EDITORS = README.split("\n## Editors\n")[1].split("\n## ")[0]
@@ -56,7 +58,7 @@ def test_descriptions_name_the_formats(text):
 @pytest.mark.parametrize("block", [each for each in BLOCKS if suffixes(each) - {".json"}])
 def test_settings_of_editors(block):
     """Each that names files names those of all formats, but for Turtle, which editors know."""
-    assert suffixes(block) - {".json", ".ttl"} == UNKNOWN_TO_EDITORS
+    assert suffixes(block) - {".json", ".ttl", ".yaml", ".yml"} == UNKNOWN_TO_EDITORS
 
 
 def test_the_text_about_editors():

@@ -12,7 +12,6 @@ from kinlint.errors import SourceError
 from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
-from kinlint.formats.xacro.format import XACRO
 from kinlint.suggestion import did_you_mean
 from kinlint.text import SourceText
 
@@ -51,7 +50,7 @@ def unknown_arguments(
 
     Nor any that these include; *packages_of* returns the packages that the file of a name can name.
     """
-    files = [each for each in sources if each.format == XACRO]
+    files = [each for each in sources if each.format and each.format.expands_to]
     known, complete = _known(files, packages_of)
     for text in pairs:
         name = (name_and_value(text) or ("", ""))[0]

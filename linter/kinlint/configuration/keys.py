@@ -195,7 +195,7 @@ KEYS: Mapping[str, Key] = {
     "srdf": Key(
         table(STRING, "of globs and files"),
         "{}",
-        "The URDF of SRDF files, where it is in another directory.",
+        "The URDF of SRDF and YAML files, where it is not the one that is found.",
         'srdf = { "config/*.srdf" = "urdf/arm.urdf" }',
     ),
     "fail-on": Key(

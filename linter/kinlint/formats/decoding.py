@@ -17,7 +17,7 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "UTF-16"),
 )
 BOM = "\ufeff"
-_NO_XML = (JSON, *(suffix for each in FORMATS if not each.is_tree for suffix in each.suffixes))
+_NO_XML = (JSON, *(suffix for each in FORMATS if each.fence != "xml" for suffix in each.suffixes))
 _HEAD = 1024
 
 

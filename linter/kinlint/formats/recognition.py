@@ -13,7 +13,7 @@ JSONLD, TURTLE, NQUADS = BY_NAME["jsonld"], BY_NAME["turtle"], BY_NAME["nquads"]
 HEAD = 1024
 KEYWORDS = frozenset({'"@context"', '"@graph"', '"@id"', '"@type"'})
 """Keys by which JSON is JSON-LD."""
-XML_SUFFIXES = tuple(suffix for each in TREES for suffix in each.suffixes)
+XML_SUFFIXES = tuple(suffix for each in TREES if each.fence == "xml" for suffix in each.suffixes)
 
 _TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
 _VALUE = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
@@ -41,7 +41,7 @@ def recognise(name: str, text: str) -> Format | None:
     JSON is JSON-LD if there is a keyword of it at its top or in an element of a top-level array.
     """
     by_name = by_suffix(name)
-    if by_name is not None and not by_name.is_tree:
+    if by_name is not None and by_name.fence != "xml":
         return by_name
     head = text.lstrip()[:1]
     if head in ("{", "["):

@@ -6,7 +6,7 @@ from importlib import import_module
 
 from kinlint.file_format import Format
 
-FOLDERS = ("jsonld", "turtle", "nquads", "urdf", "xacro", "srdf", "sdf")
+FOLDERS = ("jsonld", "turtle", "nquads", "urdf", "xacro", "srdf", "sdf", "yaml")
 """The packages of formats that have records, in the order in which formats are listed."""
 
 

@@ -19,7 +19,8 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.packages import CATKIN, IGNORED
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
-from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED
+from kinlint.formats.joint_words import may_name_joints
+from kinlint.formats.records import BY_NAME, FORMATS, GLOBBED, JSON, SEARCHED
 from kinlint.light_dataclasses import dataclass, field
 
 SKIPPED = (
@@ -31,6 +32,8 @@ MARKERS = frozenset({"pyvenv.cfg", CATKIN, *IGNORED})
 """Files that mark a directory as no part of a project: a virtual environment of Python, a space
 that catkin builds in, or what build tools of ROS ignore."""
 HEAD = 1 << 16
+CONTENT_TELLS = tuple(s for each in FORMATS if each.fence == "yaml" for s in each.suffixes)
+"""The ends of the names of files that others have, too: only some of them are about robots."""
 TURTLE = BY_NAME["turtle"].suffixes[0]
 KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
 """Keys by which JSON is JSON-LD."""
@@ -178,7 +181,10 @@ class Search:
     def _candidate(self, path: Path, errors: list[SourceError]) -> Iterator[Input]:
         name = shown(path)
         try:
-            if path.suffix.lower() != JSON or may_be_jsonld(path):
+            suffix = path.suffix.lower()
+            if (suffix != JSON or may_be_jsonld(path)) and (
+                suffix not in CONTENT_TELLS or may_name_joints(path)
+            ):
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))

@@ -32,7 +32,7 @@ from kinlint.vocabulary import SH
 MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
 UNQUOTED = re.compile(r"(?<!')\{[?$]this\}|\{[?$]this\}(?!')")
 STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
-FORMATS = {each.name: each for each in records.FORMATS if each.editor is not None}
+FORMATS = {each.name: each for each in records.FORMATS if each.fence != "text"}
 """The formats in which examples are written, by name."""
 
 

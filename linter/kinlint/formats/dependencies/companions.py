@@ -21,6 +21,7 @@ from kinlint.formats.dependencies.robot_collection import Robots, shared_directo
 from kinlint.formats.dependencies.robot_descriptions import Description, describe, may_be_srdf
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
+from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import replace
 from kinlint.text import Pairing, SourceText
 
@@ -46,11 +47,18 @@ def pair(
     *overlay* has texts that files are taken to hold, by their real paths. Raises `ConfigError`
     where a configuration names a URDF that cannot be read.
     """
-    if not any(map(may_be_srdf, sources)):
-        return list(sources)
-    shelf = _Shelf(sources, overlay)
-    paired = [shelf.paired(each, settings.partner) for each in sources]
-    return [*paired, *shelf.borrowed.values()]
+    paired = list(sources)
+    if any(map(may_be_srdf, sources)):
+        shelf = _Shelf(sources, overlay)
+        paired = [shelf.paired(each, settings.partner) for each in sources]
+        paired += shelf.borrowed.values()
+    if any(each.format == YAML for each in sources):
+        from kinlint.formats.dependencies.configured_robots import pair_configurations  # noqa: PLC0415
+        from kinlint.formats.options import ReadOptions  # noqa: PLC0415  few runs have any
+
+        packages_of = ReadOptions.from_settings(settings).packages_of
+        return pair_configurations(paired, settings, packages_of, overlay)
+    return paired
 
 
 def paired_among(
@@ -60,7 +68,9 @@ def paired_among(
     if not any(map(may_be_srdf, sources)):
         return {}
     shelf = _Shelf(sources, None)
-    found = {each.name: shelf.paired(each, configured).pairing for each in sources}
+    found = {
+        each.name: shelf.paired(each, configured).pairing for each in sources if may_be_srdf(each)
+    }
     return {name: pairing for name, pairing in found.items() if pairing is not None}
 
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kinlint.file_format import Format
 from kinlint.formats.dependencies.mentions import Mentions, is_pattern
 from kinlint.formats.recognition import with_format
+from kinlint.formats.yaml.format import YAML
 from kinlint.text import SourceText
 
 
@@ -41,8 +42,11 @@ def group_sources(
     elements belong together if they describe robots of one name, or if one may include the other,
     or both the same file. An SRDF, which need not name its robot correctly, joins all; so does a
     robot whose name is computed, where robots in another format may be the same. *known* returns
-    the keys of a source.
+    the keys of a source. A YAML file belongs to the robots that it was paired with.
     """
+    if any(each.format == YAML for each in sources):
+        yield from _with_configurations(sources, known)
+        return
     tied = [known(source) for source in sources]
     forms = {each.format for each in tied}
     if not all(form and form.describes_robots for form in forms):
@@ -51,7 +55,29 @@ def group_sources(
     if len(forms) > 1 and any("$" in name for each in tied for name in each.robots):
         yield list(sources)
         return
-    groups = _joined(sources, tied)
+    yield from _listed(sources, _joined(sources, tied))
+
+
+def _with_configurations(
+    sources: Sequence[SourceText], known: Callable[[SourceText], JoinKeys]
+) -> Iterator[list[SourceText]]:
+    """Yield the groups of *sources* with YAML files in those of their robots."""
+    others = [each for each in sources if each.format != YAML]
+    groups = _Groups(len(sources))
+    place = {id(each): index for index, each in enumerate(sources)}
+    names = {each.name: index for index, each in enumerate(sources)}
+    for group in group_sources(others, known) if others else ():
+        for each in group:
+            groups.join(place[id(group[0])], place[id(each)])
+    for index, each in enumerate(sources):
+        pairing = each.pairing if each.format == YAML else None
+        for name in () if pairing is None else (pairing.partner, *pairing.others):
+            if name in names:
+                groups.join(index, names[name])
+    yield from _listed(sources, groups)
+
+
+def _listed(sources: Sequence[SourceText], groups: _Groups) -> Iterator[list[SourceText]]:
     found: dict[int, list[SourceText]] = {}
     for index, source in enumerate(sources):
         found.setdefault(groups.first(index), []).append(source)

@@ -12,6 +12,7 @@ from kinlint.formats.source_layer import src
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.xml.references import names_in, resolve_references
 from kinlint.formats.xml.schema import schema
+from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import replace
 from kinlint.terms import RDF_TYPE, Triple, iri, literal, literal_value
 from kinlint.text import Pairing
@@ -38,6 +39,8 @@ def join_companions(
     parts stay alone: what is missing there may be in the unread part.
     """
     texts = [document.source for document in documents]
+    if any(document.format == YAML for document in documents):
+        documents = _configured(documents)
     if not any(map(may_be_srdf, texts)):
         return list(documents)
     pairings = paired_among(texts, configured)
@@ -55,6 +58,19 @@ def join_companions(
         else each
         for each in documents
     ]
+
+
+def _configured(documents: Sequence[Document]) -> Sequence[Document]:
+    """Return *documents*, in which YAML files are joined to their robots."""
+    from kinlint.formats.dependencies.joined_configurations import join_configurations  # noqa: PLC0415  few runs have any
+
+    whole = {each.source.name for each in documents if _is_whole(each)}
+    meant = {
+        each.source.name: (pairing.partner, *pairing.others)
+        for each in documents
+        if (pairing := each.source.pairing) is not None
+    }
+    return join_configurations(documents, whole, meant)
 
 
 def _is_whole(document: Document) -> bool:
