@@ -37,7 +37,7 @@ class Number(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """What a file says of a joint."""
+    """Mention of a joint, with the numbers that a file gives for it."""
 
     tag: str
     """`joint`, `joint_limit` or `initial_position`."""
