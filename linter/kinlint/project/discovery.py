@@ -19,7 +19,6 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.packages import CATKIN, IGNORED
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, shown
-from kinlint.formats.joint_words import may_name_joints
 from kinlint.formats.records import BY_NAME, FORMATS, GLOBBED, JSON, SEARCHED
 from kinlint.light_dataclasses import dataclass, field
 
@@ -183,11 +182,17 @@ class Search:
         try:
             suffix = path.suffix.lower()
             if (suffix != JSON or may_be_jsonld(path)) and (
-                suffix not in CONTENT_TELLS or may_name_joints(path)
+                suffix not in CONTENT_TELLS or _names_joints(path)
             ):
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))
+
+
+def _names_joints(path: Path) -> bool:
+    from kinlint.formats.joint_words import may_name_joints  # noqa: PLC0415  most files are others
+
+    return may_name_joints(path)
 
 
 def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:
