@@ -24,12 +24,15 @@ class ReadableDocuments:
 
     def __init__(self) -> None:
         self._known: dict[str, Sequence[Document]] = {}
+        self._newest: dict[str, Document] = {}
 
     def remember(self, examination: Examination | None) -> None:
         """Take over the documents of *examination* that could be read."""
         documents = () if examination is None else examination.documents
         for each in documents:
-            if is_readable(each):
+            name = each.source.name
+            if self._newest.get(name) is each or is_readable(each):
+                self._newest[name] = each
                 self._known.update(dict.fromkeys(_names(each), documents))
 
     def forget(self, names: Iterable[str]) -> None:
@@ -38,6 +41,7 @@ class ReadableDocuments:
         for name, documents in list(self._known.items()):
             if any(each.source.name in closed for each in documents):
                 del self._known[name]
+                self._newest.pop(name, None)
 
     def of(self, name: str, examination: Examination) -> Sequence[Document]:
         """Return the documents of the model of the file *name*, which is now in *examination*."""
