@@ -24,6 +24,7 @@ bench: $(BIN)/kinlint  ## run the benchmarks
 	$(BIN)/python tests/benchmarks
 
 docs: $(BIN)/kinlint  ## regenerate the generated pages
+	$(BIN)/python tests/documents/pictures.py
 	$(BIN)/kinlint config --schema > linter/kinlint.schema.json.new
 	mv linter/kinlint.schema.json.new linter/kinlint.schema.json
 	if [ -d "$${KINLINT_DATA:-../shared/data}" ]; then \

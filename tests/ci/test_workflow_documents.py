@@ -19,23 +19,27 @@ def shown(name):
 
 def test_hooks_that_are_shown_are_there():
     """In a list of repositories, whole or to be pasted into one."""
-    listed = [one if isinstance(one, list) else one.get("repos", []) for name in
-              ("README.md", "linter/README.md") for one in shown(name)]  # fmt: skip
+    pages = ("README.md", "linter/kinlint/reporters/README.md")
+    listed = [
+        one if isinstance(one, list) else one.get("repos", [])
+        for name in pages
+        for one in shown(name)
+    ]
     used = [
         hook["id"] for repositories in listed for each in repositories for hook in each["hooks"]
     ]
     assert used == ["kinlint", "kinlint"]
-    table = (ROOT / "linter/README.md").read_text("utf-8")
+    table = (ROOT / "linter/kinlint/reporters/README.md").read_text("utf-8")
     for hook in HOOKS:
         assert f"| `{hook['id']}` |" in table
 
 
 def test_inputs_that_are_shown_are_there():
     """In the workflow and in the table."""
-    workflows = [one for one in shown("linter/README.md") if "steps" in one]
+    workflows = [one for one in shown("linter/kinlint/reporters/README.md") if "steps" in one]
     (used,) = (step["with"] for one in workflows for step in one["steps"] if "src" in step["with"])
     assert used.keys() <= ACTION["inputs"].keys()
-    text = (ROOT / "linter/README.md").read_text("utf-8")
+    text = (ROOT / "linter/kinlint/reporters/README.md").read_text("utf-8")
     section = text.partition("## GitHub Actions\n")[2].partition("\n## ")[0]
     rows = re.findall(r"^\| (`.*?) \|", section, re.MULTILINE)
     assert {name for row in rows for name in re.findall(r"`([\w-]+)`", row)} == set(

@@ -47,6 +47,7 @@ def pages() -> Iterator[str]:
     places = (
         "*.md",
         "linter/*.md",
+        "linter/kinlint/**/*.md",
         "rules/*.md",
         "samples/**/*.md",
         "shapes/**/*.md",

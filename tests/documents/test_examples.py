@@ -5,10 +5,12 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
-from data import locate_data
 from fenced import ROOT, blocks
+from pictures import HOME, PICTURES, ROBOT
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
@@ -16,19 +18,24 @@ from kinlint.rule_testing import rule_conformance
 
 pytestmark = pytest.mark.slow
 
+USING, CONFIGURING, REPORTING, SERVING = (
+    f"linter/kinlint/{name}/README.md" for name in ("cli", "configuration", "reporters", "server")
+)
 ELSEWHERE = {
     ("README.md", "yaml"): "tests/ci",
-    ("linter/README.md", "yaml"): "tests/ci",
-    ("linter/README.md", "lua"): "tests/server",
-    ("linter/README.md", "elisp"): "tests/server",
-    ("linter/README.md", "[language-server.kinlint]"): "tests/server",
-    ("linter/README.md", '"files.associations"'): "tests/server",
+    (REPORTING, "yaml"): "tests/ci",
+    (SERVING, "lua"): "tests/server",
+    (SERVING, "elisp"): "tests/server",
+    (SERVING, "toml"): "tests/server",
+    (SERVING, "json"): "tests/server",
 }
 """Where other examples are tried: by their page, and their language or what they contain."""
 HERE = {
     *(("CONTRIBUTING.md", language) for language in ("turtle", "json", "toml")),
-    *(("linter/README.md", language) for language in ("toml", "json", "xml", "text", "")),
-    ("README.md", ""),
+    *((USING, language) for language in ("toml", "json", "xml", "text", "")),
+    *((CONFIGURING, language) for language in ("toml", "json", "xml", "text", "")),
+    *((REPORTING, language) for language in ("toml", "json", "xml", "text", "")),
+    *(("README.md", language) for language in ("xml", "")),
     ("linter/README.md", "mermaid"),
 }
 
@@ -68,18 +75,42 @@ def test_the_picture_of_the_layers_is_that_of_the_contract():
             assert all(rank[upper.strip()] < rank[lower] for upper in above.split(" & ")), lower
 
 
-def test_the_readme_opens_with_what_is_found_in_the_tutorial(capsys, monkeypatch):
-    """Each finding that it shows is one of today's, and the count is right."""
-    monkeypatch.chdir(locate_data("comp-rob2b", "modelling-tutorial", "models"))
-    shown = blocks("README.md", language="")[0].text.splitlines()
+def test_the_readme_opens_with_a_robot_and_what_is_found_in_it(capsys, monkeypatch):
+    """The robot of `kinlint demo`, with all that is said of it."""
+    monkeypatch.chdir(HOME)
+    (robot,) = blocks("README.md", language="xml")
+    shown = blocks("README.md", language="")[0].text
 
-    code = main([".", "--output-format", "concise", "--isolated"])
-    lines = capsys.readouterr().out.splitlines()
+    code = main([ROBOT, "--output-format", "concise", "--isolated"])
 
-    assert code == 1
-    (found,) = (line for line in lines if line.startswith("Found "))
-    assert found.startswith(shown[-1].removesuffix("."))
-    assert [line for line in shown[:-2] if line not in lines] == []
+    assert robot.text == (HOME / ROBOT).read_text("utf-8")
+    assert (code, capsys.readouterr().out) == (1, shown)
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_pictures_are_fresh(name):
+    """`python tests/documents/pictures.py` makes them."""
+    assert (HOME / name).read_text("utf-8") == PICTURES[name]()
+
+
+def test_what_the_readme_says_of_check_urdf():
+    """It names the missing link and nothing else; then all is well."""
+    program = shutil.which("check_urdf", path=str(Path(sys.executable).parent))
+    if program is None:
+        pytest.skip("check_urdf (cmeel-urdfdom) is not installed")
+    robot = (HOME / ROBOT).read_text("utf-8")
+
+    def said(text, path):
+        path.write_text(text, "utf-8")
+        done = subprocess.run([program, path], capture_output=True, text=True, check=False)
+        return done.stdout + done.stderr
+
+    with TemporaryDirectory() as home:
+        first = said(robot, Path(home, "arm.urdf"))
+        second = said(robot.replace("fore_arm", "forearm"), Path(home, "arm.urdf"))
+
+    assert "child link [fore_arm] of joint [elbow] not found" in first
+    assert "Successfully Parsed XML" in second
 
 
 def test_the_readme_installs_and_runs_with_one_command(tmp_path):
@@ -131,7 +162,9 @@ def test_the_extension_that_contributing_shows_is_that_of_the_sample(language, n
 
 
 CONFIGURATIONS = [
-    block for block in blocks("linter/README.md", language="toml") if "tool.kinlint" in block.text
+    block
+    for block in blocks(USING, CONFIGURING, REPORTING, language="toml")
+    if "tool.kinlint" in block.text
 ]
 
 
@@ -156,7 +189,7 @@ def test_the_configuration_that_the_program_shows_is_accepted(shown, tmp_path, m
 
 def test_an_excuse_is_a_statement_on_the_node(tmp_path, monkeypatch, capsys):
     """Both that the program shows silence the finding."""
-    shown = next(one for one in blocks("linter/README.md", language="json") if "ignore" in one.text)
+    shown = next(one for one in blocks(USING, language="json") if "ignore" in one.text)
     model = (ROOT / "samples/broken/missing-unit.jsonld").read_text("utf-8")
     monkeypatch.chdir(tmp_path)
     excuses = re.findall(r'"kl:ignore": ("\w+"|\{[^}]*\})', shown.text)
@@ -176,7 +209,7 @@ def test_an_excuse_is_a_statement_on_the_node(tmp_path, monkeypatch, capsys):
 
 def test_an_excuse_is_a_comment_in_xml(tmp_path, monkeypatch, capsys):
     """As the program shows it, above a root link that has an inertia."""
-    (shown,) = blocks("linter/README.md", language="xml")
+    (shown,) = blocks(USING, language="xml")
     (code,) = re.findall(r"ignore\[(\w+)\]", shown.text)
     inertia = '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>'
     link = f'<link name="base"><inertial><mass value="1"/>{inertia}</inertial></link>'
@@ -192,7 +225,7 @@ def test_an_excuse_is_a_comment_in_xml(tmp_path, monkeypatch, capsys):
 
 def test_the_fix_that_the_program_shows_is_what_is_shown(monkeypatch, capsys):
     """Below its finding, in a sample."""
-    (shown,) = (one for one in blocks("linter/README.md", language="text") if "help: " in one.text)
+    (shown,) = (one for one in blocks(USING, language="text") if "help: " in one.text)
     monkeypatch.chdir(ROOT / "samples" / "broken")
 
     main(["--isolated", "inverted-limit.jsonld"])

@@ -1,4 +1,4 @@
-"""The settings in linter/README.md, tried in the editors that they are for.
+"""The settings in the README of the server, tried in the editors that they are for.
 
 Each editor opens a robot with its limits swapped, asks about the finding, and takes the quick fix.
 What is set is taken out of the documentation.
@@ -22,7 +22,7 @@ from kinlint.formats.records import FORMATS
 pytestmark = pytest.mark.external
 
 HERE = Path(__file__).parent
-README = HERE.parents[1] / "linter" / "README.md"
+README = HERE.parents[1] / "linter/kinlint/server/README.md"
 SCRIPTS = sysconfig.get_path("scripts")
 SUFFIXES = {suffix[1:] for each in FORMATS if each.searched for suffix in each.suffixes}
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)

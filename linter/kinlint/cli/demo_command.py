@@ -23,7 +23,7 @@ AFTER = """
 How to read it:
 
   error[LIM001]      the severity and the code of the rule; `kinlint rule LIM001` explains it
-  --> arm.urdf:22:19 file, line and column, which editors and CI systems link to
+  --> arm.urdf:18:19 file, line and column, which editors and CI systems link to
   ^^^^               the value that is wrong, with related places below it
   because:           the arithmetic or the statements that the finding follows from
   help: ... [*!]     a fix, tried on a copy of the file; [*] is safe, [*!] takes a decision
