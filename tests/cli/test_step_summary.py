@@ -129,7 +129,7 @@ def test_it_stays_below_what_github_takes(write, summary, monkeypatch, workflow)
     write("arm.urdf", robot("arm", faults=60))
     monkeypatch.setattr(github_step_summary, "LIMIT", 2_000)
     text = summary()
-    assert "There is no room for the rest" in text
+    assert "The rest is too long for this summary" in text
     assert workflow.stat().st_size < 2_000
     assert text.count("**error**") > 0
     monkeypatch.setattr(github_step_summary, "LIMIT", 100)
