@@ -6,7 +6,7 @@ from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.documentation import documentation
 from kinlint.formats.xml.schema import schema
 
-FORMATS = [each.name for each in LIFTED]
+FORMATS = [each.name for each in LIFTED if each.fence == "xml"]
 
 
 @pytest.mark.parametrize("form", FORMATS)

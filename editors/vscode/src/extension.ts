@@ -7,7 +7,7 @@ import { robotPage } from "./robotPage";
 import { rulePages } from "./rulePages";
 import { SECTION, serverCommand, serverSettings } from "./settings";
 
-const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq}";
+const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml}";
 const CONFIGURATION = "**/{kinlint.toml,.kinlint.toml,pyproject.toml,package.xml}";
 
 let client: LanguageClient | undefined;

@@ -161,7 +161,7 @@ class Navigator:
     def _meaning(self, name: str, offset: int) -> Iterator[str]:
         """Yield what the format means by the element and the attribute at *offset*."""
         for document in self._documents:
-            for source in document.sources if document.format.is_tree else ():
+            for source in document.sources if document.format.fence == "xml" else ():
                 if self._index.paths[source.name] == self._index.paths[name]:
                     if told := meaning(source, document.format, offset):
                         yield told

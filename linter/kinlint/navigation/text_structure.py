@@ -32,7 +32,7 @@ def parts(source: SourceText) -> Sequence[Part]:
     form = with_format(source).format
     if form is None:
         return ()
-    found = _elements if form.is_tree else _nodes if form.fence == "json" else _statements
+    found = _elements if form.fence == "xml" else _nodes if form.fence == "json" else _statements
     return sorted(found(source.text), key=lambda each: (each.span.start, -each.span.end))
 
 

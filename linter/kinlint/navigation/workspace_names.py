@@ -63,11 +63,11 @@ def workspace_names(source: SourceText) -> Iterator[WorkspaceName]:
     form = source.format
     if form is None:
         return
-    if form.is_tree:
+    if form.fence == "xml":
         yield from _elements(source, form)
     elif form.fence == "json":
         yield from _nodes(source)
-    else:
+    elif form.fence == "turtle":
         for match in _SUBJECT.finditer(source.text):
             kind = match[2].rpartition(":")[2]
             yield WorkspaceName(match[1], kind, "", Location(source, Span(*match.span(1))))

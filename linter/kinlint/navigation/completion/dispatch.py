@@ -12,7 +12,7 @@ TRIGGERS = ("<", '"', "'", " ", "/", ":", "$", "{", "(", "[", ",", "@")
 
 def complete(situation: Situation) -> Completions:
     """Return what can be written at the place of *situation*."""
-    if situation.format.is_tree:
+    if situation.format.fence == "xml":
         return xml_completion.complete(situation)
     if situation.format.fence == "json":
         return json_completion.complete(situation)
