@@ -131,10 +131,34 @@ def test_the_readme_installs_and_runs_with_one_command(tmp_path):
     assert (done.returncode, done.stdout) == (0, "All checks passed!\n"), done.stderr
 
 
+def test_the_shape_that_contributing_begins_with_finds_names(tmp_path, capsys):
+    """Of joints that end in something else, at the name."""
+    (tmp_path / "suffix.ttl").write_text(blocks("CONTRIBUTING.md", language="turtle")[0].text)
+    shapes = str(tmp_path / "suffix.ttl")
+
+    arguments = ["--shapes", shapes, "--select", "SHACL", "--output-format", "concise"]
+    assert main([str(HOME / ROBOT), "--isolated", *arguments]) == 1
+
+    shown = capsys.readouterr().out.splitlines()
+    assert [line.rpartition("arm.urdf:")[2].partition(": ")[0] for line in shown[:2]] == [
+        "15:16",
+        "20:16",
+    ]
+
+
+def test_the_urdf_rule_of_contributing_is_a_rule(tmp_path):
+    """It keeps all the promises that a rule has to keep, with no remark."""
+    file = tmp_path / "joint-without-suffix.ttl"
+    file.write_text(blocks("CONTRIBUTING.md", language="turtle")[1].text, "utf-8")
+    book = rulebook.load([tmp_path])
+
+    assert list(rule_conformance.failures(book.by_name["joint-without-suffix"], book)) == []
+
+
 def test_the_rule_that_contributing_walks_through_is_a_rule(tmp_path):
     """It keeps all the promises that a rule has to keep."""
     file = tmp_path / "space-in-identifier.ttl"
-    file.write_text(blocks("CONTRIBUTING.md", language="turtle")[0].text, "utf-8")
+    file.write_text(blocks("CONTRIBUTING.md", language="turtle")[2].text, "utf-8")
     book = rulebook.load([tmp_path])
 
     assert list(rule_conformance.failures(book.by_name["space-in-identifier"], book)) == []
@@ -142,7 +166,7 @@ def test_the_rule_that_contributing_walks_through_is_a_rule(tmp_path):
 
 def test_the_repair_that_contributing_shows_is_one_of_a_rule():
     """To the word."""
-    repair = blocks("CONTRIBUTING.md", language="turtle")[1].text
+    repair = blocks("CONTRIBUTING.md", language="turtle")[3].text
     rule = (ROOT / "rules/limits/inverted-limit.ttl").read_text("utf-8")
 
     assert " ".join(repair.split()).removesuffix(" ;") in " ".join(rule.split())
