@@ -129,6 +129,13 @@ def test_a_joint_and_a_group(leg):
     assert found == {"leg.srdf": SRDF.replace('"all"', '"every part"')}
 
 
+def test_a_joint_in_yaml(tmp_path):
+    limits = "joint_limits:\n  shin:\n    has_velocity_limits: true\n    max_velocity: 1.0\n"
+    model = Renamed(tmp_path, {"leg.urdf": URDF, "joint_limits.yaml": limits})
+    found = model.rename('leg.urdf: <joint name="sh|in"', "knee")
+    assert found["joint_limits.yaml"] == limits.replace("shin", "knee")
+
+
 def test_refused_names(leg):
     where = 'leg.urdf: <link name="sh|in">'
     assert leg.refused(where, "hip") == "link 'hip' exists already"

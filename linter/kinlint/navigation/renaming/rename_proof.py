@@ -15,7 +15,6 @@ from kinlint.files.pathname import real
 from kinlint.finding import TextEdit
 from kinlint.fixes.texts import Texts
 from kinlint.formats.registry import read
-from kinlint.formats.xml.schema import schema
 from kinlint.light_dataclasses import replace
 from kinlint.navigation.renaming.renaming_error import NotRenamable
 from kinlint.pipeline.analyzer import Examination
@@ -24,8 +23,9 @@ from kinlint.terms import Term, Triple, iri, is_literal, literal, literal_value
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import ATTRIBUTE, SRC
 
-OWN, TEXT = f"<{SRC}", iri(f"{SRC}text")
-"""Beginning of properties that tell how a text is written; of these, that of an element counts."""
+AT, OWN, TEXT = f"<{ATTRIBUTE}", f"<{SRC}", iri(f"{SRC}text")
+"""Beginnings of the properties of attributes, and of those that tell how a text is written, of
+which that of the text of an element counts."""
 
 
 class _Changes(NamedTuple):
@@ -115,10 +115,11 @@ def _users(
     """Yield the elements that are called after what they refer to, with their new names."""
     if not document.format.is_tree:
         return
-    naming = iri(ATTRIBUTE + schema(document.format.lifted_as).names)
     for triple in document.statements:
         subject, predicate, value = triple
-        if predicate == naming and literal_value(value) in names and last_tag(subject):
+        if not predicate.startswith(AT) or not is_literal(value):
+            continue
+        if literal_value(value) in names and last_tag(subject):
             new = _literal(document, triple, edits)
             if new != value and local_name(subject) == literal_value(value):
                 yield subject, sibling(subject, last_tag(subject), literal_value(new))
