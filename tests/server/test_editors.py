@@ -24,7 +24,13 @@ pytestmark = pytest.mark.external
 HERE = Path(__file__).parent
 README = HERE.parents[1] / "linter/kinlint/server/README.md"
 SCRIPTS = sysconfig.get_path("scripts")
-SUFFIXES = {suffix[1:] for each in FORMATS if each.searched for suffix in each.suffixes}
+SUFFIXES = {
+    suffix[1:]
+    for each in FORMATS
+    if each.searched and each.fence != "yaml"
+    for suffix in each.suffixes
+}
+"""Suffixes for which editors start the server; YAML is checked from the command line."""
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
