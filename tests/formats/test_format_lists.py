@@ -18,7 +18,7 @@ UNKNOWN_TO_EDITORS = {
 }
 """Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`."""
 
-README = (ROOT / "linter" / "README.md").read_text("utf-8")
+README = (ROOT / "linter" / "kinlint" / "server" / "README.md").read_text("utf-8")
 EDITORS = README.split("\n## Editors\n")[1].split("\n## ")[0]
 BLOCKS = re.findall(r"^```\w+\n(.*?)^```$", EDITORS, re.MULTILINE | re.DOTALL)
 MEGALINTER = ".github/mega-linter-plugin-kinlint/kinlint.megalinter-descriptor.yml"
