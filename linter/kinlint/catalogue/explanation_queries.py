@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kinlint.catalogue.repair_file import prefixes
 from kinlint.engine.compiler.oxigraph_probe import refused_query
+from kinlint.engine.compiler.query_rewrite import rewritten_for_oxigraph
 from kinlint.engine.compiler.shacl_terms import sh
 from kinlint.engine.compiler.shapes_graph import ShapesGraph
 from kinlint.engine.compiler.user_query import located
@@ -42,4 +43,4 @@ def _query(graph: ShapesGraph, node: Term) -> str:
     names = {f"?{name.lstrip('?$')}" for name in projection(select)}
     if not names >= REQUIRED:
         raise graph.invalid(node, "kl:explains projects $this and ?suspect")
-    return render(select)
+    return render(rewritten_for_oxigraph(select, frozenset()))

@@ -262,7 +262,7 @@ KINDS = (
         {"missing-context": ()},
         ("context", "count", "word", *NODES),
     ),
-    _alone("prefix_disagreement", disagreements, {"is-elsewhere": ()}),
+    _alone("prefix_disagreement", disagreements, {"is-elsewhere": ()}, ("meant-elsewhere",)),
     _alone(
         "undescribed_names",
         undescribed_names,

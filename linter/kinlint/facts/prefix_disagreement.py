@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.identifier_slips import split
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.formats.source_layer import src
-from kinlint.terms import Term, Triple, is_iri, literal
+from kinlint.terms import Term, Triple, iri, iri_value, is_iri, literal, literal_value
 
 NONE = literal("")
 """The empty prefix."""
@@ -19,7 +19,8 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
     """Yield for each definition of a prefix the namespace that more files define it as.
 
     Of two as common, it is the one in which more nodes are described, else the first by name. The
-    empty prefix is each file's own.
+    empty prefix is each file's own. It comes with the names that would meet if all files defined it
+    alike.
     """
     terms, documents = scan.table(src("term")), scan.table(src("document"))
     prefixes: dict[Term, dict[Term, list[Term]]] = {}
@@ -30,7 +31,9 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
     differing = [
         each for prefix, each in sorted(prefixes.items()) if prefix != NONE and len(each) > 1
     ]
-    described = _described(scan) if differing else {}
+    if not differing:
+        return
+    described, missed = _described(scan), MissedNames(scan)
     for meanings in differing:
         files = {
             meaning: len({each for one in found for each in documents.values(one)})
@@ -40,8 +43,38 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
         for meaning, found in sorted(meanings.items()):
             if meaning != common:
                 yield from ((one, fact("is-elsewhere"), common) for one in sorted(found))
+                yield from missed.names(sorted(found), meaning, common)
 
 
 def _described(scan: PredicateIndex) -> Mapping[Term, int]:
     """Return the number of nodes that files describe in each namespace, a literal."""
     return Counter(literal(split(node)[0]) for node in scan.described_nodes() if is_iri(node))
+
+
+class MissedNames:
+    """Names of files that would meet those of others if a prefix meant the same in all of them."""
+
+    def __init__(self, scan: PredicateIndex) -> None:
+        self._described = scan.described_nodes()
+        self._values = {value for each in scan.documents for _, _, value in each.statements}
+        self._documents = {each.graph: each for each in scan.documents}
+        self._homes = scan.table(src("document"))
+
+    def names(self, definitions: Iterable[Term], own: Term, common: Term) -> Iterator[Triple]:
+        """Yield what a file that defines a prefix as *own* describes or refers to in *common*."""
+        before, after = literal_value(own), literal_value(common)
+        for one in definitions:
+            found = set[Term]()
+            for home in self._homes.values(one):
+                for subject, _, value in self._documents[home].statements:
+                    for name in (subject, value):
+                        if is_iri(name) and iri_value(name).startswith(before):
+                            meant = iri(after + iri_value(name)[len(before) :])
+                            if self._meet(name, meant):
+                                found.add(meant)
+            yield from ((one, fact("meant-elsewhere"), name) for name in sorted(found))
+
+    def _meet(self, name: Term, meant: Term) -> bool:
+        if name in self._described:
+            return meant in self._values and meant not in self._described
+        return meant in self._described
