@@ -26,6 +26,8 @@ NAMESPACES = {"URDF", "SDF", "SRDF"}
 EXCEPTIONS = {
     "cache/cache_key.py": "the library called xacro, whose version is part of the key",
     "catalogue/scaffold.py": "the examples of a new rule, written out for two formats",
+    "catalogue/term_checks.py": "rule files, which are Turtle",
+    "cli/graph_command.py": "the output format `turtle` of a graph",
     "cli/rule_command.py": "the output format `turtle` of a rule",
     "cli/version_command.py": "the library called xacro, whose version is told",
     "configuration/config_file.py": "the key `srdf` of a configuration",
