@@ -24,6 +24,7 @@ How to read it:
 
   error[LIM001]      the severity and the code of the rule; `kinlint rule LIM001` explains it
   --> arm.urdf:18:19 file, line and column, which editors and CI systems link to
+  [AP3, AP5]         the anti-patterns of robot models that lead to such faults (rules/README.md)
   ^^^^               the value that is wrong, with related places below it
   because:           the arithmetic or the statements that the finding follows from
   help: ... [*!]     a fix, tried on a copy of the file; [*] is safe, [*!] takes a decision

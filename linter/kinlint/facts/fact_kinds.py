@@ -19,7 +19,7 @@ from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, pr
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias
 from kinlint.facts.missing_contexts import missing_contexts
-from kinlint.facts.misspelt_kinds import resemblances
+from kinlint.facts.misspelt_quantities import resemblances
 from kinlint.facts.namesakes import namesakes
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
@@ -255,7 +255,7 @@ KINDS = (
     _alone("dataflow", lambda scan: DataSources(scan).facts(), {"supplied-by": inputs.DATA}),
     _alone("entailed_types", entailed_types, {"entailed-type": ()}),
     _alone("contradiction", contradictions, {"excluded-type": (), "contradicted": ()}),
-    _alone("misspelt_kinds", resemblances, {"resembles": ()}),
+    _alone("misspelt_quantities", resemblances, {"resembles": ()}),
     _alone(
         "missing_contexts",
         missing_contexts,

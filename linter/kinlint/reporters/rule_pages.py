@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from kinlint import resources
+from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_fix_section import highest_applicability
 from kinlint.reporters.rule_page import section, section_title
 from kinlint.reporters.symptoms import symptom_table
@@ -39,10 +40,17 @@ JSON-LD drops find nothing there, since the graph no longer contains it.
 To ignore a rule
 
 - in one run: `--ignore CODE`
-- in a project: `ignore = ["CODE"]` under `[tool.kinlint]` in `pyproject.toml`
+- in a project: `ignore = ["CODE"]` in `kinlint.toml`, or under `[tool.kinlint]` in `pyproject.toml`
+- on one element of an XML file: `<!-- kinlint: ignore[CODE] -->` before it
 - on one node of a model: `"https://w3id.org/kinlint/ns#ignore": "CODE"`
 
 CODE may also be a name, the beginning of codes (`UNI`) or an anti-pattern (`AP3`).
+"""
+ANTIPATTERN_INTRODUCTION = """
+## Anti-patterns
+
+| | name | what it means |
+|---|---|---|
 """
 SYMPTOM_INTRODUCTION = """
 ## Symptoms
@@ -51,7 +59,7 @@ The symptoms of the anti-patterns in a model, and the rules that find them in ea
 that are *inherent* in a format cannot be avoided by the author: `kinlint --profile` lists them.
 
 """
-_COLUMNS = ("Code", "Name", "Severity", "Anti-patterns", "Fix", "Title")
+_COLUMNS = ("Code", "Name", "Severity", "Formats", "Anti-patterns", "Fix", "Title")
 
 
 def catalogue(rules: Iterable[Rule]) -> Iterator[str]:
@@ -81,6 +89,8 @@ def _front(rules: Sequence[Rule], files: Mapping[str, str]) -> Iterator[str]:
     yield "\n## Index\n"
     for family, members in _families(rules).items():
         yield f"\n### {family or 'other'} ({_codes(members)})\n\n{_index(members, files[family])}"
+    yield ANTIPATTERN_INTRODUCTION
+    yield from (f"| {each.id} | {each.name} | {each.description} |\n" for each in ANTIPATTERNS)
     yield SYMPTOM_INTRODUCTION
     yield "\n".join(symptom_table(rules)) + "\n"
     robots = resources.data("rules") / "real-robots.md"
@@ -121,6 +131,7 @@ def _index(rules: Iterable[Rule], file: str = "") -> str:
             rule.code,
             f"[{rule.name}]({file}#{anchor})",
             rule.severity.label,
+            ", ".join(rule.formats),
             ", ".join(rule.antipatterns),
             highest_applicability(rule),
             rule.title.replace("|", "\\|"),
