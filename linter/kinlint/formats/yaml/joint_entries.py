@@ -8,14 +8,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import yaml
 
+from kinlint.errors import SourceError
 from kinlint.formats.joint_words import LARGEST, LIMITS, LISTS, NAMING, POSITIONS
 from kinlint.text import Span
 
+TEMPLATE = re.compile(r"\{[{%#]|<%|^\s*@\[", re.MULTILINE)
+"""Marks of Jinja, ERB and EmPy, whose templates need not be YAML."""
 BOUNDS = {
     "min_position": "has_position_limits",
     "max_position": "has_position_limits",
@@ -49,16 +53,30 @@ class Entry(NamedTuple):
     """Numbers that are given for it."""
 
 
-def entries(text: str) -> list[Entry]:
-    """Return what *text* says of joints, in its order; nothing if it is no YAML."""
+def entries(name: str, text: str) -> list[Entry]:
+    """Return what *text* of the file called *name* says of joints, in its order.
+
+    Raises `SourceError` for what is neither YAML nor a template of YAML.
+    """
     if len(text) > LARGEST or not NAMING.search(text.encode("utf-8", "replace")):
         return []
     try:
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
-    except (yaml.YAMLError, RecursionError, ValueError):
-        return []
-    found = [] if node is None else list(_entries(node))
+        tops = list(yaml.compose_all(text, Loader=yaml.SafeLoader))
+    except (yaml.YAMLError, RecursionError, ValueError) as error:
+        if TEMPLATE.search(text):
+            return []
+        raise _source_error(name, error) from error
+    found = (each for top in tops if top is not None for each in _entries(top))
     return sorted(found, key=lambda each: each.span.start)
+
+
+def _source_error(name: str, error: Exception) -> SourceError:
+    if isinstance(error, RecursionError):
+        return SourceError(name, "nested too deeply")
+    if isinstance(error, yaml.MarkedYAMLError) and error.problem_mark is not None:
+        mark = error.problem_mark
+        return SourceError(name, f"not YAML: {error.problem}", mark.line + 1, mark.column + 1)
+    return SourceError(name, f"not YAML: {' '.join(str(error).split())}")
 
 
 def _entries(top: yaml.Node) -> Iterator[Entry]:

@@ -20,7 +20,7 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
     root = root_of(graph)
     layer = SourceLayer(graph, BlankNodes(source.name))
     layer.state_file(YAML.name, source.name, Span(0, len(source.text)))
-    found = entries(source.text)
+    found = entries(source.name, source.text)
     stated: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     if found:
