@@ -54,7 +54,7 @@ def test_the_table_names_the_rules_of_each_symptom_by_format():
     """A row for each, with codes, and a word for what comes with the format."""
     head, _, *rows = symptom_table(RULES)
 
-    assert head == "| Symptom | Description | JSON-LD | URDF | SDF | SRDF |"
+    assert head == "| Symptom | Description | JSON-LD | URDF | SDF | SRDF | YAML |"
     assert len(rows) == len(SYMPTOMS)
     for row, symptom in zip(rows, SYMPTOMS, strict=True):
         cells = [cell.strip() for cell in row.strip("|").split("|")]

@@ -35,7 +35,7 @@ def model(tmp_path):
 
 def codes(folder, capsys, engine="oxigraph"):
     """The codes of the findings in *folder*, with its own configuration."""
-    main([str(folder), "--trust", "--engine", engine, "--output-format", "concise"])
+    main([str(folder), "--trust", "--engine", engine, "--output", "concise", "--show", "info"])
     return set(re.findall(r"\[([A-Z]+\d+)\]$", capsys.readouterr().out, re.MULTILINE))
 
 

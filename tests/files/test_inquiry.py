@@ -35,8 +35,12 @@ OWN_DATA = {
     "formats/xml/schema.py",
 }
 """Modules that read files of kinlint itself, or files whose content is part of a cache key."""
-INPUTS = {"formats/dependencies/companions.py"}
-"""Modules that read sources: their texts are part of a cache key."""
+INPUTS = {
+    "formats/dependencies/companions.py",
+    "formats/dependencies/configured_robots.py",
+    "formats/joint_words.py",
+}
+"""Modules that find and read sources: their texts are part of a cache key."""
 
 
 def _modules():

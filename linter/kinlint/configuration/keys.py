@@ -90,7 +90,10 @@ def check(values: Mapping[str, Any], origin: str) -> Mapping[str, Any]:
 def _hint(key: str, value: object) -> str:
     """Return a suggestion for the unknown *key*."""
     if isinstance(value, dict) and (key == "tool" or KEYS.keys() & value.keys()):
-        return "; in this file the keys of kinlint are at the top level"
+        return (
+            "; keys of kinlint are at the top level of kinlint.toml, or in [tool.kinlint] of "
+            "pyproject.toml"
+        )
     return did_you_mean(key, KEYS) or f"; there are {', '.join(KEYS)}"
 
 

@@ -51,7 +51,7 @@ def test_what_a_schema_refers_to_is_there(form: Format) -> None:
     """Attributes with references, files and choices are declared, and so is what they may name."""
     found = schema(form.name)
     known = {(each.namespace, tag) for each in LIFTED for tag in schema(each.name).types}
-    assert found.names
+    assert found.names or form.fence != "xml"
     for each in (type_ for types in found.types.values() for type_ in types):
         places = {slot.predicate for slot in (*each.attributes.values(), each.content) if slot}
         assert places >= {*each.references, *each.files}
