@@ -52,6 +52,7 @@ def test_a_kept_catalogue_equals_a_compiled_one(tmp_path):
     assert revived == compiled == rulebook.load()
 
 
+@pytest.mark.slow
 def test_a_kept_catalogue_has_the_lifting_queries(tmp_path, monkeypatch):
     """So that no query is parsed by who lints with it, and those are what files come to."""
     parsed = {form.name: lifting.queries(form.name) for form in LIFTED}
@@ -160,6 +161,7 @@ def test_axioms_are_compiled_where_a_file_has_some(tmp_path, monkeypatch):
     assert [files[-1] for files in asked] == [file]
 
 
+@pytest.mark.slow
 def test_what_another_version_kept_is_passed_over(tmp_path):
     """Whatever it has in it."""
     (tmp_path / "catalogue-0.jsonl").write_text('{"rules": []}')
@@ -218,6 +220,7 @@ def test_a_built_in_rule_given_again_is_the_same_rule(tmp_path):
     assert len(book.rules) == len(rulebook.load([RULE]).rules) == len(rulebook.load().rules)
 
 
+@pytest.mark.slow
 def test_shapes_without_a_rule_get_one(tmp_path):
     """A user's shape is reported under a code of its own, with the shape's severity."""
     file = tmp_path / "shapes.ttl"
@@ -321,6 +324,7 @@ def test_axioms_of_a_users_file_hold(tmp_path, engine):
     assert rulebook.load(shapes=[file], cache=tmp_path) == book
 
 
+@pytest.mark.slow
 def test_a_users_file_is_data_for_queries(tmp_path):
     """What it says of its terms can be asked, once."""
     file = tmp_path / "vendor.ttl"

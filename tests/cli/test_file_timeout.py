@@ -52,6 +52,7 @@ def said(capsys, *arguments):
     return code, [each for each in found if each[1]], [each for each in found if not each[1]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", ["1", "3"])
 def test_one_error_and_the_findings_of_the_others(here, capsys, jobs):
     """Whatever it is busy with, in one process or several; none of them is left."""

@@ -200,6 +200,7 @@ def test_no_script_is_loaded(listening: tuple[str, list[str]], refused: Callable
     assert received == []
 
 
+@pytest.mark.slow
 def test_nothing_is_imported(
     listening: tuple[str, list[str]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -212,6 +213,7 @@ def test_nothing_is_imported(
     assert received == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("call", "code"),
     [

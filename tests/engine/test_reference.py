@@ -241,6 +241,7 @@ def test_owlrl_is_asked_about_things_only(tmp_path):
     assert found == {(ex("a"), RDF_TYPE, ex("B")), (ex("u"), RDF_TYPE, ex("B"))}
 
 
+@pytest.mark.slow
 def test_a_rule_runs_in_plain_pyshacl(tmp_path):
     """What `kinlint rule --output-format turtle` prints is SHACL that needs nothing of kinlint."""
     printed = [sys.executable, "-m", "kinlint", "rule", "UNI001", "--output-format", "turtle"]

@@ -45,6 +45,7 @@ def unlisted(triples: set[str]) -> set[str]:
     return {each for each in triples if "_:" not in each}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["urdf", "sdf"])
 def test_records_need_not_be_stored(form):
     """Of every file, each shared query makes the same of records as in their place."""

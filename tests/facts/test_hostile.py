@@ -136,6 +136,7 @@ nodes = st.fixed_dictionaries(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(st.lists(nodes, max_size=5))
 def test_any_model_has_facts(model: list[Node]) -> None:

@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from typing import Any
 
+import pytest
 from editing_json_ld import OPTIONS, canonical, changed, check_edits, document, domain
 from hypothesis import event, given, settings
 from hypothesis import strategies as st
@@ -105,6 +106,7 @@ SCOPED = {f"<{G}coordinates#{key}>" for key in ("x", "y", "of-position", "as-see
 BLANK = re.compile(r"_:\w+")
 
 
+@pytest.mark.slow
 @settings(max_examples=300)
 @given(texts(), st.integers(0, 2**32).map(random.Random))
 def test_what_is_written_is_what_was_to_be_said(text: str, chance: random.Random) -> None:

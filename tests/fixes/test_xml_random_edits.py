@@ -107,6 +107,7 @@ def check(document: Document, delta: Delta, editor: Editor) -> bool:
     return True
 
 
+@pytest.mark.slow
 @settings(max_examples=200)
 @given(robots(), st.randoms(use_true_random=False))
 def test_any_change_of_any_robot(source: SourceText, random: Random) -> None:
@@ -114,6 +115,7 @@ def test_any_change_of_any_robot(source: SourceText, random: Random) -> None:
     check(document, Changer(document, random).delta(), Editor(document, ReadOptions()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", [ATTRIBUTE, EXTENSION])
 @given(robots(), st.randoms(use_true_random=False))
 def test_what_was_put_in_goes_without_a_trace(

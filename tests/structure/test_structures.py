@@ -227,6 +227,7 @@ def test_rules_that_are_not_asked_leave_the_picture_as_it_is() -> None:
     assert arm.joints[0].origin.xyz == (1.0, 2.0, 3.0)
 
 
+@pytest.mark.slow
 def test_a_long_chain_needs_no_recursion() -> None:
     names = [f"l{number}" for number in range(1500)]
     text = urdf(*(f"{one}>{two}" for one, two in itertools.pairwise(names)))

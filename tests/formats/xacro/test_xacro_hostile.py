@@ -91,6 +91,7 @@ ENDLESS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("expression", ENDLESS.values(), ids=ENDLESS.keys())
 def test_what_never_ends_ends(tmp_path: Path, expression: str) -> None:
     value = expression.replace("<", "&lt;")
@@ -113,6 +114,7 @@ def test_a_macro_that_calls_itself_twice(tmp_path: Path) -> None:
     assert "without end" in failure(document(project(tmp_path, main=main)))[0]
 
 
+@pytest.mark.slow
 def test_macros_that_double(tmp_path: Path) -> None:
     macros = [
         f'<xacro:macro name="m{n}"><xacro:m{n + 1}/><xacro:m{n + 1}/></xacro:macro>'
@@ -212,6 +214,7 @@ YAML = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cause", YAML)
 def test_hostile_yaml(tmp_path: Path, cause: str) -> None:
     """It is refused, and said why, at the place that asks for it."""
