@@ -54,7 +54,7 @@ def files(name):
     return sorted(
         path
         for path in (SAMPLES / name).rglob("*")
-        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf"}
+        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf", ".yaml"}
     )
 
 

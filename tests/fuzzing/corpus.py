@@ -14,6 +14,7 @@ SUFFIXES = {
     "xacro": (".xacro",),
     "srdf": (".srdf",),
     "sdf": (".sdf", ".world"),
+    "yaml": (".yaml", ".yml"),
 }
 """Suffixes of the files that each format is fuzzed with."""
 LARGEST = 30_000
