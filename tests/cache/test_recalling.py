@@ -97,7 +97,9 @@ def test_a_touched_file_is_an_unchanged_file(runs, write):
 
 
 CHANGES = {
-    "an included file changes": lambda: Path("part.xacro").write_text(PART.format("<lnik/>")),
+    "an included file changes": lambda: Path("part.xacro").write_text(
+        PART.format('<link name="l"/><lnik/>')
+    ),
     "an included file goes": lambda: Path("part.xacro").unlink(),
     "a file that was missing appears": lambda: Path("late.xacro").write_text(PART.format("")),
     "a mesh goes": lambda: Path("meshes/a.stl").unlink(),

@@ -87,7 +87,7 @@ Fix: Swap the limits in urdf and sdf (safe, so --fix makes it).
         "formats": ["urdf", "sdf"],
         "update": REPAIR.update,
     }
-    assert "| error | AP3 | safe | inertia is" in "".join(rule_pages.catalogue([MENDED]))
+    assert "| error | jsonld | AP3 | safe | inertia is" in "".join(rule_pages.catalogue([MENDED]))
 
 
 def test_the_page_is_drawn_where_there_are_colours() -> None:
@@ -121,15 +121,18 @@ def test_the_object_has_examples_without_marks_and_where_they_were() -> None:
 
 def test_the_catalogue_is_one_page_with_an_index_and_a_section_for_each_rule() -> None:
     page = "".join(rule_pages.catalogue(reversed(RULES)))
-    table = "| Code | Name | Severity | Anti-patterns | Fix | Title |\n|---|---|---|---|---|---|\n"
+    table = (
+        "| Code | Name | Severity | Formats | Anti-patterns | Fix | Title |\n"
+        "|---|---|---|---|---|---|---|\n"
+    )
     assert page.startswith("# The rules of kinlint\n")
     assert (
         f"\n### inertia (INE)\n\n{table}"
         "| INE007 | [inertia-seen-by-foreign-frame](#ine007-inertia-seen-by-foreign-frame) "
-        "| error | AP3 |  | inertia is seen by a frame of another body |\n"
+        "| error | jsonld | AP3 |  | inertia is seen by a frame of another body |\n"
         f"\n### other (UNI)\n\n{table}"
     ) in page
-    assert page.count("\n## ") == 3 + len(RULES)
+    assert page.count("\n## ") == 4 + len(RULES)
     section = page.partition("\n## INE007 inertia-seen-by-foreign-frame\n\n")[2]
     assert section.startswith("**inertia is seen by a frame of another body**\n\nSeverity: error")
     file = "inertia/inertia-seen-by-foreign-frame.ttl"
