@@ -200,7 +200,7 @@ def test_thousands_of_files_give_the_findings_of_one_run(hook, project, monkeypa
     assert told.count("Found ") + told.count("All checks passed!") > 1
     monkeypatch.chdir(project)
     capsys.readouterr()
-    assert check(["-q"]) == 1
-    lines = capsys.readouterr().out.splitlines()
+    assert check([]) == 1
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.endswith("]")]
     assert sorted(line for line in told.splitlines() if line.endswith("]")) == sorted(lines)
     assert len(lines) == 60
