@@ -21,6 +21,13 @@ KEPT = {
         b'{"@context": "https://w3id.org/kinlint/composable.json", "@id": "https://x.example/a",'
         b'"@type": "Joint' + b"t" * 30_000 + b'"}',
     ),
+    "a namespace of 60 000 letters": (
+        "jsonld",
+        b'{"@context": ["https://w3id.org/kinlint/composable.json", {"x": "https://x.example/'
+        + b"link" * 15_000
+        + b'/"}], "@graph": [{"@id": "x:a", "@type": "Frame", "origin": "x:b"},'
+        b'{"@id": "x:c", "@type": "Frame", "origin": "x:d"}]}',
+    ),
     "an infinite angle": ("sdf", POSE.format("0 0 0 inf 0 0").encode()),
     "a malformed address to include": (
         "sdf",

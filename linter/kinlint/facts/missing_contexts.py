@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sized
 from collections.abc import Set as AbstractSet
 
@@ -15,7 +14,6 @@ from kinlint.vocabulary import KINLINT, METAMODELS, RDFS
 FEWEST = 3
 """Number of lost words from which on it is the context that is missing, and not a word wrong."""
 BUNDLED = (f"<{METAMODELS}", f"<{KINLINT}")
-LOCAL = re.compile(r"[^#/]*$")
 LOST = (src("DroppedKey"), src("key")), (src("RelativeType"), src("written"))
 """The classes of losses of words, each with the property that has the word."""
 COMPOSABLE = literal(f"{KINLINT}composable.json")
@@ -101,7 +99,8 @@ def _contexts_by_word(homes: Table) -> dict[str, set[Term]]:
     """Return the bundled contexts that define each word."""
     found: dict[str, set[Term]] = {}
     for term, contexts in homes.items():
-        if word := LOCAL.search(iri_value(term)):
-            named = {each for each in contexts if each.startswith(BUNDLED)}
-            found.setdefault(word[0], set()).update(named)
+        whole = iri_value(term)
+        word = whole[max(whole.rfind("#"), whole.rfind("/")) + 1 :]
+        named = {each for each in contexts if each.startswith(BUNDLED)}
+        found.setdefault(word, set()).update(named)
     return found

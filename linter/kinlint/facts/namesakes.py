@@ -12,9 +12,9 @@ from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.suggestion import LOOKED_UP
 from kinlint.terms import Term, Triple, iri, iri_value, is_iri
 
-NAME = re.compile(r"[^#/:]+$")
-"""The part of an IRI after its namespace."""
-FRAME = re.compile(r"^https?://|[#/:]+$")
+ENDS = "#/:"
+"""The characters of which a namespace ends in one."""
+SCHEME = re.compile(r"^https?://")
 """The parts of a namespace that may differ between two spellings of it."""
 
 
@@ -57,9 +57,9 @@ def namesakes(scan: PredicateIndex) -> Iterator[Triple]:
 def _split(node: Term) -> tuple[str, str]:
     """Return the namespace and the name of an IRI, or no name."""
     text = iri_value(node) if is_iri(node) else ""
-    found = NAME.search(text)
-    return (text[: found.start()], found[0]) if found else (text, "")
+    end = max(text.rfind(each) for each in ENDS) + 1
+    return text[:end], text[end:]
 
 
 def _stem(space: str) -> str:
-    return FRAME.sub("", space).lower()
+    return SCHEME.sub("", space).rstrip(ENDS).lower()

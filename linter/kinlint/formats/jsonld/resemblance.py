@@ -15,7 +15,7 @@ SHORT = 4
 """Length of words in which one edit is as much as a slip can be."""
 KEYWORDS = frozenset({"@graph", "@id", "@included", "@reverse", "@type", "@value", "@list", "@set"})
 """Keywords of JSON-LD, which are often written without their @."""
-_CLASS = re.compile(r"[A-Z0-9][^#/:]*$")
+_CAPITAL = re.compile(r"[A-Z0-9]")
 
 Terms = Mapping[str, Any]
 """The terms of an active context, with their definitions."""
@@ -25,7 +25,9 @@ def is_class(term: str, meaning: Any) -> bool:
     """Tell whether *term* names a class, by its definition and its capital."""
     if not meaning or meaning.get("@type") or meaning.get("@container") or is_prefix(meaning):
         return False
-    return _CLASS.search(str(meaning.get("@id"))) is not None and term[:1] != "@"
+    whole = str(meaning.get("@id"))
+    end = max(map(whole.rfind, "#/:")) + 1
+    return _CAPITAL.search(whole, end) is not None and term[:1] != "@"
 
 
 def is_prefix(meaning: Any) -> bool:
