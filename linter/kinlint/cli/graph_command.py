@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 
-from kinlint.catalogue import rulebook
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, non_empty, one_of
+from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.cli.check_options import STDOUT
-from kinlint.cli.overrides import configs, overrides
+from kinlint.cli.model_inputs import add_input_options, find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError, UsageError
-from kinlint.files.pathglob import absolute
-from kinlint.files.pathname import shown
 from kinlint.light_dataclasses import replace
-from kinlint.project.discovery import Found, Search
-from kinlint.project.layers import Layers, cache_directory
+from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.reporters.picture.formats import FORMATS, SUFFIXES, pieces
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.rule import Severity
-
-PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")
-"""Options that mean what they mean to `kinlint check`."""
 
 TURTLE = "turtle"
 """The format of the graph itself, which is no picture."""
@@ -75,17 +67,7 @@ def parser() -> Parser:
     add("--extend-select", metavar="R", **linting.LISTS, help="mark findings of these rules too")
     add("--ignore", metavar="R", **linting.LISTS, help="do not mark findings of these rules")
     add("--target", metavar="NAME", **linting.LISTS, help="also check for this consumer")
-    add("--rules", metavar="DIR", **linting.TEXTS, help="add the rule files in DIR")
-    add(
-        "--config",
-        metavar="PATH|KEY=VALUE",
-        **linting.TEXTS,
-        help="use this configuration file, or set a key",
-    )
-    add("--isolated", **linting.FLAG, help="ignore configuration files")
-    linting.add_reading_options(add)
-    add("--stdin-filename", type=non_empty, metavar="F", help="file name to use for standard input")
-    add("--cache-dir", type=non_empty, metavar="DIR", help="cache directory")
+    add_input_options(add, "add the rule files in DIR")
     add(
         "--color",
         type=one_of(("auto", "always", "never")),
@@ -143,28 +125,6 @@ def _format_of(path: Path | None) -> str:
     return SUFFIXES[suffix]
 
 
-def find_inputs(options: Namespace) -> tuple[Found, Settings]:
-    """The files that *options* name, and how `kinlint check` would lint them."""
-    said = [
-        f"--{name.replace('_', '-')}={each}"
-        for name in PASSED
-        for each in getattr(options, name, None) or ()
-    ]
-    paths = options.paths or [STDOUT]
-    same = linting.parser().read([*said, *["--isolated"] * options.isolated, "--", *paths])
-    layers = Layers(configs(same), overrides(same))
-    name = options.stdin_filename
-    stdin = shown(absolute(name), name) if name else "<stdin>"
-    search = Search(layers.exclusions, stdin=stdin, gitignored=layers.respects_gitignore)
-    found = search.find(paths)
-    settings = layers.settings(
-        found.inputs,
-        found.directories,
-        rules=tuple(absolute(path) for path in options.rules or ()),
-    )
-    return found, replace(settings, drawn=True)
-
-
 def _check(output: Path | None, found: Found) -> None:
     """Raise `UsageError` where nothing is to be read, or where it would be written over."""
     if not found.inputs and not found.errors:
@@ -178,14 +138,8 @@ def _report(found: Found, settings: Settings, options: Namespace) -> Report:
     """Return the report to draw. Raises `SourceError` for what cannot be read or has no robot."""
     from kinlint import lint  # noqa: PLC0415  engines are slow to import
     from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
-    from kinlint.project.reading import read_models  # noqa: PLC0415
 
-    sources, errors = read_models(found.inputs, settings)
-    for error in (*found.errors, *errors):
-        raise error
-    book = rulebook.load(
-        settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
-    )
+    sources, book = read_inputs(found, settings, options)
     Policies(settings, book.rules).check_selectors()
     if options.no_findings:
         book = replace(book, rules=(), constraints=())

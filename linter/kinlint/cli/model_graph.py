@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import re
 from argparse import Namespace
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.catalogue import rulebook
 from kinlint.catalogue.repair_file import prefixes
+from kinlint.cli.model_inputs import read_inputs
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.store import Store
@@ -22,8 +21,6 @@ from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.project.discovery import Found
-from kinlint.project.layers import cache_directory
-from kinlint.project.reading import read_models
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri, literal_datatype
 
 LOCAL = re.compile(r"[A-Za-z_](?:[\w-]*\w)?")
@@ -60,12 +57,7 @@ class ModelGraph:
 
 def read_graph(found: Found, settings: Settings, options: Namespace) -> ModelGraph:
     """Return the graph of the models in *found*. Raises `SourceError` for what cannot be read."""
-    sources, errors = read_models(found.inputs, settings)
-    for error in (*found.errors, *errors):
-        raise error
-    book = rulebook.load(
-        settings.rules, settings.shapes, cache_directory(os.environ, options.cache_dir)
-    )
+    sources, book = read_inputs(found, settings, options)
     reading = ReadOptions.from_settings(settings)
     texts = pair(sources, settings)
     documents = join_companions([read(each, reading) for each in texts], settings.partner)

@@ -9,11 +9,11 @@ import sys
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, non_empty, one_of
-from kinlint.cli.graph_command import find_inputs
+from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.model_inputs import add_input_options, find_inputs
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.errors import UsageError
+from kinlint.reporters.display_width import printable
 from kinlint.reporters.reporter_registry import put
 from kinlint.terms import Term, is_blank, is_iri, literal_datatype, literal_value
 
@@ -47,12 +47,7 @@ def parser() -> Parser:
         default=FORMATS[0],
         help="the format of rows (default: table); CONSTRUCT gives Turtle",
     )
-    add("--rules", metavar="DIR", **linting.TEXTS, help="add the vocabulary of the rules in DIR")
-    add("--config", metavar="PATH|KEY=VALUE", **linting.TEXTS, help="configuration file or key")
-    add("--isolated", **linting.FLAG, help="ignore configuration files")
-    linting.add_reading_options(add)
-    add("--stdin-filename", type=non_empty, metavar="F", help="file name for standard input")
-    add("--cache-dir", type=non_empty, metavar="DIR", help="directory for compiled rules")
+    add_input_options(add, "add the vocabulary of the rules in DIR")
     return made
 
 
@@ -144,13 +139,7 @@ def _short(term: Term, writer: TermWriter, graph: ModelGraph) -> str:
     for document in graph.documents:
         if is_iri(term) and term[1:].startswith(document.graph[1:-1] + "#"):
             return term[len(document.graph) - 1 : -1]
-    return _visible(_plain(term) if term.startswith('"') else writer.term(term))
-
-
-def _visible(text: str) -> str:
-    """Return *text* with escapes for what would move the cursor or hide text."""
-    escaped = (each.encode("unicode_escape").decode() for each in text)
-    return "".join(a if a.isprintable() else b for a, b in zip(text, escaped, strict=True))
+    return printable(_plain(term) if term.startswith('"') else writer.term(term))
 
 
 def _plain(term: Term) -> str:
