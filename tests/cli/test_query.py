@@ -53,6 +53,19 @@ def test_rows_as_csv_and_json(kinlint):
     assert row["joint"]["place"] == "arm.urdf:4:16"
 
 
+def test_names_are_no_formulas_of_a_spreadsheet(kinlint, write):
+    """Texts that would be evaluated are quoted; negative numbers stay numbers."""
+    write("a.urdf", ROBOT.replace('"tip"', '"=cmd()"').replace('"elbow"', '"-elbow"'))
+    for query, expected in {
+        "SELECT ?name { ?r urdf:link ?l . ?l at:name ?name }": {"base", "'=cmd()"},
+        "SELECT ?name { ?r urdf:joint ?j . ?j at:name ?name }": {"'-elbow"},
+        "SELECT ?low { ?l at:lower ?low }": {"-1"},
+    }.items():
+        code, out, _ = kinlint("query", query, "a.urdf", "--output-format", "csv")
+        assert code == 0
+        assert {row[0] for row in list(csv.reader(io.StringIO(out)))[1:]} == expected
+
+
 def test_all_layers_are_asked(kinlint):
     """What a file states, what is lifted and inferred, and what is computed."""
     for query in ("ASK { ?r urdf:joint ?j }", "ASK { ?j a kc:Joint }", "ASK { ?a fact:root ?b }"):

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from kinlint.cli.model_graph import ModelGraph, TermWriter
 
 FORMATS = ("table", "csv", "json")
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""Beginnings of a cell that spreadsheets evaluate (https://owasp.org/www-community/attacks/CSV_Injection)."""
 DESCRIPTION = """\
 Ask the graph that rules see with a SPARQL query: SELECT, ASK or CONSTRUCT. The prefixes that rules
 have need no declaration. Rows come with the place of the first node in them that a file describes;
@@ -119,7 +121,7 @@ def _rows(
         table = csv.writer(stream, lineterminator="\r\n")
         table.writerow([*names, "place"])
         for row, place in zip(rows, places, strict=True):
-            table.writerow([*("" if each is None else _plain(each) for each in row), place])
+            table.writerow([*("" if each is None else _cell(each) for each in row), place])
         yield stream.getvalue()
         return
     cells = [
@@ -140,6 +142,18 @@ def _short(term: Term, writer: TermWriter, graph: ModelGraph) -> str:
         if is_iri(term) and term[1:].startswith(document.graph[1:-1] + "#"):
             return term[len(document.graph) - 1 : -1]
     return printable(_plain(term) if term.startswith('"') else writer.term(term))
+
+
+def _cell(term: Term) -> str:
+    """Return *term* as a cell of CSV: a text that spreadsheets take for a formula is quoted."""
+    text = _plain(term)
+    if not text.startswith(FORMULA):
+        return text
+    try:
+        float(text)
+    except ValueError:
+        return f"'{text}"
+    return text
 
 
 def _plain(term: Term) -> str:
