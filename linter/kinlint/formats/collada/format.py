@@ -1,0 +1,25 @@
+"""The record of COLLADA (https://www.khronos.org/collada)."""
+
+from __future__ import annotations
+
+from kinlint.file_format import Format, Shape
+from kinlint.vocabulary import COLLADA as NAMESPACE
+
+COLLADA = Format(
+    name="collada",
+    title="COLLADA",
+    suffixes=(".dae", ".zae"),
+    shape=Shape.TREE,
+    archive_suffixes=(".zae",),
+    decoder="kinlint.formats.collada.archive",
+    reader="kinlint.formats.collada.reader",
+    editor="kinlint.formats.xml.editing.editor",
+    fence="xml",
+    namespace=NAMESPACE,
+    roots=("COLLADA",),
+    schema="formats/collada.ttl",
+    block_comment=("<!--", "-->"),
+    searched=False,
+)
+FORMATS = (COLLADA,)
+"""Meshes are COLLADA, too, and there are many: directories are not searched for them."""
