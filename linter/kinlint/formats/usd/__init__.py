@@ -1,0 +1,1 @@
+"""USD: scenes of prims with properties, in text, crate or package files."""

@@ -1,0 +1,276 @@
+"""Parses text layers of USD into syntax trees with the places of all names and values.
+
+The grammar is that of usd-core 26.11; what types, schemas and paths mean is not looked at. Values
+keep their spelling.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection
+
+from kinlint.formats.usd.usda_scanner import MalformedLayer, Scanner, unquoted
+from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
+from kinlint.text import SourceText, Span
+
+HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
+LATEST = (1, 4)
+"""Version of the text format that is read."""
+
+SPECIFIERS = frozenset({"def", "over", "class"})
+OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
+VARIABILITIES = frozenset({"uniform", "config", "varying"})
+SUFFIXES = frozenset({"connect", "timeSamples", "spline"})
+
+
+def parse(source: SourceText) -> Prim:
+    """Return the layer that *source* is, as a prim without a name.
+
+    Raises MalformedLayer where it is not well-formed, and SourceError for what no scene is as
+    large or as deep as.
+    """
+    return _Parser(source).layer()
+
+
+class _Parser(Scanner):
+    def layer(self) -> Prim:
+        """Return the whole layer."""
+        text = self.text
+        if self.source.bom:
+            raise MalformedLayer(Span(0, 0), "a byte order mark stands before '#usda'")
+        header = HEADER.match(text)
+        if header is None or (int(header[1]), int(header[2])) > LATEST:
+            reason = (
+                f"the file is of a version after {LATEST[0]}.{LATEST[1]}"
+                if header is not None
+                else "a text layer begins with '#usda 1.0'"
+            )
+            raise MalformedLayer(Span(0, len(text.partition("\n")[0])), reason)
+        root = Prim("", "", Span(0, header.end()), Span(0, len(text)))
+        self.stop = header.end()
+        self.advance()
+        if self.word == "(":
+            self._metadata(root.metadata)
+        while self.kind:
+            if self.word == "reorder":
+                self._skip_reorder()
+            elif self.word in SPECIFIERS:
+                root.children.append(self._prim())
+            else:
+                self.fail("expected 'def', 'over' or 'class'")
+            self.separate("")
+        return root
+
+    def _prim(self) -> Prim:
+        self.enter()
+        start, specifier = self.at, self.word
+        self.advance()
+        type_name, type_span = "", None
+        if self.kind == "name":
+            type_name, type_span = self.word, Span(self.at, self.stop)
+            self.advance()
+        name, span = self.name("the name of a prim")
+        prim = Prim(specifier, name, span, span, type_name, type_span)
+        self._body(prim, start, f"the block of prim '{name}'")
+        return prim
+
+    def _body(self, prim: Prim, start: int, what: str) -> None:
+        """Read metadata and block of *prim*, of which the text began at *start*."""
+        if self.word == "(":
+            self._metadata(prim.metadata)
+        self.expect("{", f"'{{' of {what}")
+        while self.word != "}" or self.kind != "mark":
+            if not self.kind:
+                self.fail("expected '}'")
+            self._statement(prim)
+            self.separate("}")
+        prim.span = Span(start, self.stop)
+        self.advance()
+        self.depth -= 1
+
+    def _statement(self, prim: Prim) -> None:
+        if self.kind != "name":
+            self.fail("expected a prim or a property")
+        if self.word in SPECIFIERS:
+            prim.children.append(self._prim())
+        elif self.word == "variantSet":
+            prim.variant_sets.append(self._variant_set())
+        elif self.word == "reorder" and self.follows("nameChildren", "properties"):
+            self._skip_reorder()
+        else:
+            prim.properties.append(self._property())
+
+    def _skip_reorder(self) -> None:
+        self.advance()
+        if self.kind != "name":
+            self.fail("expected what to reorder")
+        self.advance()
+        self.expect("=")
+        self._value()
+
+    def _variant_set(self) -> Variant:
+        self.enter()
+        start = self.at
+        self.advance()
+        name, span = self.name("the name of a variant set")
+        found = Variant(name, span, span)
+        self.expect("=")
+        self.expect("{")
+        while self.word != "}":
+            self.enter()
+            first = self.at
+            own, place = self.name("the name of a variant")
+            variant = Prim("variant", own, place, place)
+            self._body(variant, first, f"variant '{own}'")
+            found.variants.append(variant)
+        found.span = Span(start, self.stop)
+        self.advance()
+        self.depth -= 1
+        return found
+
+    def _property(self) -> Property:
+        self.enter()
+        start = self.at
+        operation = self._taken(OPERATIONS)
+        custom = bool(self._taken({"custom"}))
+        variability = self._taken(VARIABILITIES)
+        if self.kind != "name":
+            self.fail("expected the type of a property")
+        type_name, type_start, type_end = self.word, self.at, self.stop
+        self.advance()
+        if self.word == "[":
+            self.advance()
+            type_end = self.stop
+            self.expect("]")
+            type_name += "[]"
+        if self.kind != "name":
+            self.fail("expected the name of a property")
+        name, _, suffix = self.word.partition(".")
+        if suffix and suffix not in SUFFIXES:
+            self.fail(f"expected one of {', '.join(sorted(SUFFIXES))} behind the '.'")
+        found = Property(
+            name, Span(self.at, self.at + len(name)), Span(start, self.stop),
+            type_name, Span(type_start, type_end), suffix, custom, variability, operation,
+        )  # fmt: skip
+        self.advance()
+        if self.word == "=":
+            self.advance()
+            found.value = self._value()
+        elif suffix or operation:
+            self.fail("expected '='")
+        if self.word == "(":
+            self._metadata(found.metadata)
+        found.span = Span(start, self.end)
+        self.depth -= 1
+        return found
+
+    def _taken(self, words: Collection[str]) -> str:
+        """Return the current token and go on, if it is one of *words*; else nothing."""
+        found = self.word if self.word in words else ""
+        if found:
+            self.advance()
+        return found
+
+    def _metadata(self, into: list[Field]) -> None:
+        """Read what stands in parentheses, and append it to *into*."""
+        self.enter()
+        self.expect("(")
+        while self.word != ")" or self.kind != "mark":
+            if not self.kind:
+                self.fail("expected ')'")
+            if self.kind == "string":
+                value = self._value()
+                into.append(Field("documentation", value.span, value))
+            else:
+                into.append(self._field())
+            self.separate(")")
+        self.advance()
+        self.depth -= 1
+
+    def _field(self) -> Field:
+        operation = "" if self.follows("=") else self._taken(OPERATIONS)
+        if self.kind != "name":
+            self.fail("expected the name of metadata")
+        name, span = self.word, Span(self.at, self.stop)
+        self.advance()
+        self.expect("=")
+        return Field(name, span, self._value(), operation)
+
+    def _value(self) -> Value:
+        start, kind = self.at, self.kind
+        if kind == "mark" and self.word in _BRACKETS:
+            self.enter()
+            reader: Callable[[_Parser], Value] = _BRACKETS[self.word]
+            found = reader(self)
+            found.span = Span(start, self.end)
+            self.depth -= 1
+            return found
+        if not kind or kind == "mark":
+            self.fail("expected a value")
+        text = unquoted(self.word) if kind in ("string", "asset", "path") else self.word
+        found = Value(kind, "" if kind == "bulk" else text, Span(start, self.stop))
+        self.advance()
+        if kind == "asset" or (kind == "path" and self.word == "("):
+            self._reference(found)
+        return found
+
+    def _reference(self, value: Value) -> None:
+        """Add the path and the layer offset that stand behind an asset or a path to *value*."""
+        if self.kind == "path" and value.kind == "asset" and not self.fresh:
+            value.items.append(Value("path", self.word[1:-1], Span(self.at, self.stop)))
+            self.advance()
+        if self.word == "(" and not self.fresh:
+            self._metadata(value.fields)
+
+    def _sequence(self, kind: str, closing: str) -> Value:
+        found = Value(kind, "", Span(self.at, self.at))
+        self.advance()
+        while self.word != closing or self.kind != "mark":
+            found.items.append(self._value())
+            if self.word == ",":
+                self.advance()
+            elif self.word != closing:
+                self.fail(f"expected ',' or '{closing}'")
+        self.advance()
+        return found
+
+    def _dictionary(self) -> Value:
+        """Return a dictionary, whose entries have types and names, or samples by their times."""
+        found = Value("dictionary", "", Span(self.at, self.at))
+        self.advance()
+        while self.word != "}" or self.kind != "mark":
+            if self.kind in ("number", "path") or (self.kind == "string" and self.follows(":")):
+                found.kind = "samples"
+                name, span = self.word, Span(self.at, self.stop)
+                self.advance()
+                self.expect(":")
+            else:
+                name, span = self._entry()
+            found.fields.append(Field(name, span, self._value()))
+            if self.kind == "mark" and self.word in ",;":
+                self.advance()
+        self.advance()
+        return found
+
+    def _entry(self) -> tuple[str, Span]:
+        """Read type and name of an entry of a dictionary and return the name with its place."""
+        if self.kind != "name":
+            self.fail("expected an entry of a dictionary")
+        self.advance()
+        if self.word == "[":
+            self.advance()
+            self.expect("]")
+        if self.kind not in ("name", "string"):
+            self.fail("expected the name of an entry")
+        name = unquoted(self.word) if self.kind == "string" else self.word
+        span = Span(self.at, self.stop)
+        self.advance()
+        self.expect("=")
+        return name, span
+
+
+_BRACKETS: dict[str, Callable[[_Parser], Value]] = {
+    "(": lambda parser: parser._sequence("tuple", ")"),  # noqa: SLF001  of its own class
+    "[": lambda parser: parser._sequence("list", "]"),  # noqa: SLF001
+    "{": lambda parser: parser._dictionary(),  # noqa: SLF001
+}

@@ -1,0 +1,104 @@
+"""Stages written to make a reader slow, large or indiscreet."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from reading_usd import values
+from usd_stages import layer, written
+
+from kinlint.document import Document
+from kinlint.errors import SourceError
+from kinlint.formats.options import ReadOptions
+from kinlint.formats.registry import decode, read
+
+
+def prim(name: str, *metadata: str, content: str = "") -> str:
+    """Return a prim."""
+    return "\n".join((f'def "{name}" (', *metadata, ")", "{", content, "}"))
+
+
+def answered(path: Path, seconds: float = 1.0) -> Document | SourceError:
+    """Return what reading the stage at *path* ends in, which takes less than *seconds* of CPU."""
+    start = time.process_time()
+    answer: Document | SourceError
+    try:
+        answer = read(decode(str(path), path.read_bytes()), ReadOptions())
+    except SourceError as error:
+        answer = error
+    assert time.process_time() - start < seconds
+    return answer
+
+
+CYCLES = {
+    "itself": {"a.usda": layer(prim("a", "references = @a.usda@</a>"))},
+    "within": {
+        "a.usda": layer(prim("a", "references = </b>") + "\n" + prim("b", "inherits = </a>"))
+    },
+    "below": {"a.usda": layer(prim("a", content=prim("b", "references = </a>")))},
+    "each other": {
+        "a.usda": layer(prim("a", "references = @b.usda@</b>")),
+        "b.usda": layer(prim("b", "payload = @a.usda@</a>")),
+    },
+}
+
+
+@pytest.mark.parametrize("layers", CYCLES.values(), ids=CYCLES)
+def test_cycles_are_stated_and_not_followed(layers: dict[str, str], tmp_path: Path) -> None:
+    answer = answered(written(tmp_path, layers))
+
+    assert isinstance(answer, Document)
+    assert set(values(answer, "reason").values()) == {"it leads back to where it stands"}
+
+
+def test_layers_that_are_sublayers_of_each_other_are_read_once(tmp_path: Path) -> None:
+    layers = {
+        f"{name}.usda": layer(prim(name), more="    subLayers = [@a.usda@, @b.usda@]")
+        for name in "ab"
+    }
+    answer = answered(written(tmp_path, layers))
+
+    assert isinstance(answer, Document)
+    assert len(values(answer, "defined")) == 2
+
+
+def laughs(levels: int) -> dict[str, str]:
+    """Return a layer in which each prim has ten that refer to the next."""
+    prims = [
+        prim(
+            f"l{n}",
+            content="\n".join(prim(f"c{k}", f"references = </l{n + 1}>") for k in range(10)),
+        )
+        for n in range(levels)
+    ]
+    return {"a.usda": layer("\n".join([*prims, prim(f"l{levels}")]))}
+
+
+def test_references_that_multiply_are_refused_where_they_stand(tmp_path: Path) -> None:
+    answer = answered(written(tmp_path, laughs(12)), 3.0)
+
+    assert isinstance(answer, SourceError)
+    assert answer.line is not None
+    assert answer.cause.startswith("references make more than")
+
+
+@pytest.mark.parametrize(
+    "asset",
+    ["/etc/passwd", "../../../../../../etc/passwd", "https://example.org/a.usda", "~/.ssh/id"],
+)
+def test_what_is_out_of_reach_is_not_read(asset: str, tmp_path: Path) -> None:
+    root = written(tmp_path, {"a.usda": layer(prim("a", f"references = @{asset}@"))})
+    answer = answered(root)
+
+    assert isinstance(answer, Document)
+    assert len(values(answer, "reason")) == 1
+
+
+def test_long_chains_of_references_end(tmp_path: Path) -> None:
+    prims = (prim(f"p{n}", f"references = </p{n + 1}>") for n in range(2_000))
+    answer = answered(written(tmp_path, {"a.usda": layer("\n".join(prims))}))
+
+    assert isinstance(answer, SourceError)
+    assert answer.cause == "more than 60 arcs lead from one to the next"

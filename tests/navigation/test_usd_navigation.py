@@ -1,0 +1,51 @@
+"""Editors find prims by the steps of paths."""
+
+from __future__ import annotations
+
+import pytest
+from support.linting import book, source
+
+from kinlint.configuration.settings import Settings
+from kinlint.navigation.navigator import Navigator
+from kinlint.pipeline.analyzer import Analyzer
+
+TEXT = """#usda 1.0
+def Xform "arm"
+{
+    def Xform "base" (
+        prepend apiSchemas = ["PhysicsRigidBodyAPI"]
+    )
+    {
+        def Cube "block"
+        {
+        }
+    }
+    def PhysicsFixedJoint "mount"
+    {
+        rel physics:body1 = </arm/base/block>
+    }
+}
+"""
+
+
+@pytest.fixture
+def navigator() -> Navigator:
+    """The navigator of the layer."""
+    sources = [source(TEXT, "arm.usda")]
+    return Navigator(Analyzer(Settings(), book(), repeated=True).examine(sources), book(), {})
+
+
+@pytest.mark.parametrize("name", ["arm", "base", "block"])
+def test_each_step_of_a_path_leads_to_its_prim(name: str, navigator: Navigator) -> None:
+    path = TEXT.index("</arm/base/block>")
+    offset = TEXT.index(name, path) + 1
+    (found,) = navigator.definitions("arm.usda", offset)
+
+    assert TEXT[found.span.start - 1 : found.span.end + 1] == f'"{name}"'
+    assert found.span.start == TEXT.index(f'"{name}"') + 1
+
+
+def test_a_prim_is_named_where_paths_lead_through_it(navigator: Navigator) -> None:
+    places = navigator.references("arm.usda", TEXT.index('"base"') + 2, described=False)
+
+    assert [TEXT[each.span.start : each.span.end] for each in places] == ["base"]
