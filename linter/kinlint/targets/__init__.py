@@ -1,0 +1,1 @@
+"""Consumers of robot descriptions: what each makes of features, as `shapes/targets` says."""

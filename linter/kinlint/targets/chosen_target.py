@@ -1,0 +1,68 @@
+"""Targets of a run: consumers, each with the version that is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from kinlint.errors import UsageError
+from kinlint.targets.consumer_files import consumer_table
+from kinlint.targets.version_range import Version, VersionRange, read_version
+
+
+class Target(NamedTuple):
+    """A consumer that a file is meant for."""
+
+    name: str
+    """Name of the consumer, such as `mujoco`."""
+    version: Version | None = None
+    """The version that is meant; None for the newest."""
+
+    @property
+    def text(self) -> str:
+        """Return the target as an option spells it: `mujoco@3.3`."""
+        return f"{self.name}@{'.'.join(map(str, self.version))}" if self.version else self.name
+
+
+def read_target(text: str) -> Target:
+    """Return the target that *text*, `NAME` or `NAME@VERSION`, spells.
+
+    Raises `UsageError` for what is no version.
+    """
+    name, at, version = text.partition("@")
+    if not at:
+        return Target(name)
+    try:
+        return Target(name, read_version(version))
+    except ValueError:
+        message = f"target '{text}': expected a version such as {name}@3.3, got '{version}'"
+        raise UsageError(message) from None
+
+
+def chosen_targets(texts: Iterable[str]) -> tuple[Target, ...]:
+    """Return the targets that *texts* spell; a name that stands for several consumers is each."""
+    table = consumer_table()
+    return tuple(
+        dict.fromkeys(
+            Target(member, target.version)
+            for target in map(read_target, texts)
+            for member in table.members(target.name)
+        )
+    )
+
+
+def names_of(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return the names of consumers that *texts* spell, with those of which they are a part."""
+    table = consumer_table()
+    every = (name for text in texts for name in table.names_with(read_target(text).name))
+    return tuple(sorted(set(every)))
+
+
+def means_one(chosen: Iterable[Target], names: Iterable[str], versions: VersionRange) -> bool:
+    """Tell whether one of *chosen* is one of the consumers *names*, in one of *versions*."""
+    table = consumer_table()
+    wanted = set(names)
+    return any(
+        not wanted.isdisjoint(table.names_with(each.name)) and versions.has(each.version)
+        for each in chosen
+    )

@@ -1,0 +1,83 @@
+"""The matrix has the features of a robot by consumers, as a table, as JSON and as a page."""
+
+import json
+from html.parser import HTMLParser
+
+import pytest
+
+from kinlint.cli.main import main
+
+HAND = """<robot name="hand" version="1.1">
+  <link name="palm"><inertial><mass value="1"/>
+    <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <link name="left"/><link name="right"/>
+  <joint name="a" type="fixed"><parent link="palm"/><child link="left"/>
+    <origin quat_xyzw="1 0 0 0"/></joint>
+  <joint name="b" type="fixed"><parent link="palm"/><child link="right"/></joint>
+</robot>
+"""
+
+
+@pytest.fixture
+def hand(tmp_path, monkeypatch):
+    """The name of a file in the working directory."""
+    (tmp_path / "hand.urdf").write_text(HAND, "utf-8")
+    monkeypatch.chdir(tmp_path)
+    return "hand.urdf"
+
+
+def test_rows_are_features_with_their_places(hand, capsys):
+    """What is read differently comes first; a version is a column of its own."""
+    command = ["targets", "mujoco@3.3", "pinocchio", "--matrix", hand, "--output-format", "json"]
+    assert main(command) == 0
+
+    said = json.loads(capsys.readouterr().out)
+
+    assert said["targets"] == ["mujoco@3.3", "pinocchio"]
+    rows = {each["feature"]: each for each in said["features"]}
+    assert rows["fixed-child"]["places"] == ["hand.urdf:5:25", "hand.urdf:7:25"]
+    assert rows["quaternion"]["advice"] == "Write the orientation as 'rpy'."
+    behaviours = {name: cell["behaviour"] for name, cell in rows["quaternion"]["targets"].items()}
+    assert behaviours == {"mujoco@3.3": "ignored-silently", "pinocchio": "honoured"}
+    alike = [each["alike"] for each in said["features"]]
+    assert alike == sorted(alike)
+
+
+def test_what_all_read_alike_is_told_too(hand, capsys):
+    """A feature that no target departs from has a row."""
+    assert main(["targets", "pinocchio", "--matrix", hand]) == 0
+    told = capsys.readouterr().out
+    assert "quat_xyzw (1)" in told
+    assert "quat_xyzw, at" not in told
+
+
+def test_a_table_is_divided_where_it_is_too_wide(hand, capsys, monkeypatch):
+    """Each part begins with the names of its columns."""
+    monkeypatch.setattr("kinlint.cli.target_matrix.WIDE", 60)
+    assert main(["targets", "--matrix", hand]) == 0
+    table, _, _ = capsys.readouterr().out.partition("adapted")
+    assert max(map(len, table.splitlines())) <= 60
+    assert table.count("link fixed to its parent (2)") > 1
+
+
+def test_a_page_is_well_formed(hand, capsys, tmp_path):
+    """It has a row for each feature and a cell for each consumer."""
+    assert main(["targets", "--matrix", hand, "-o", "page.html"]) == 0
+    assert main(["targets", "--matrix", hand, "--output-format", "json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    counted = dict.fromkeys(("tr", "td", "th"), 0)
+
+    class Counter(HTMLParser):
+        def handle_starttag(self, tag, attrs):
+            if tag in counted:
+                counted[tag] += 1
+
+    Counter().feed((tmp_path / "page.html").read_text("utf-8"))
+    rows, columns = len(said["features"]), len(said["targets"])
+    assert counted == {"tr": rows + 1, "td": rows * columns, "th": rows + 1 + columns}
+
+
+def test_a_file_that_is_no_robot_is_an_error(tmp_path, capsys):
+    """As for all commands."""
+    assert main(["targets", "--matrix", str(tmp_path / "nowhere.urdf")]) == 2
+    assert "nowhere.urdf" in capsys.readouterr().err
