@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 
 from described import closed, inertial, joint, link
@@ -33,7 +34,12 @@ def robot(*more: str, mass: float = 2.0, upper: float = 1.0, z: float = 0.5) -> 
 
 def drift(**texts: str) -> list[tuple[str, float, float]]:
     """What differs, with the value of the first file and that of the other."""
-    store = closed({f"a.{form}": text for form, text in texts.items()})
+    return drifts({f"a.{form}": text for form, text in texts.items()})
+
+
+def drifts(texts: dict[str, str]) -> list[tuple[str, float, float]]:
+    """What differs between *texts* by the names of their files."""
+    store = closed(texts)
     said: dict[str, dict[str, str]] = {}
     for subject, predicate, value in facts(store):
         if "urn:kinlint:fact:drift:" in subject:
@@ -92,3 +98,88 @@ def test_composable_models_are_compared_by_their_joints():
     model = json.dumps({"@context": context, "@graph": nodes})
 
     assert drift(jsonld=model, urdf=robot()) == [("upper limit", 2.0, 1.0)]
+
+
+LONG = ("base", "upper", "lower", "hand", "finger")
+
+
+def long_urdf(mass: float, *, step: float = 0.5, name: str = "robot") -> str:
+    """Return a chain of four joints with generic names, the bodies of *mass* in kg."""
+    links = (link(each, inertial(mass)) for each in LONG)
+    origin = f'<origin xyz="0 0 {step}"/><axis xyz="0 0 1"/>'
+    pairs = itertools.pairwise(LONG)
+    joints = (
+        joint(f"joint{at}", parent, child, "revolute", origin, LIMIT.format(1))
+        for at, (parent, child) in enumerate(pairs)
+    )
+    return f'<robot name="{name}">{"".join((*links, *joints))}</robot>'
+
+
+def long_sdf(mass: float, *, step: float = 0.5) -> str:
+    """Return the same chain as SDF, the last body half as heavy as it should be."""
+    masses = [mass] * 4 + [mass / 2]
+    links = (
+        f'<link name="{each}"><pose>0 0 {step * at} 0 0 0</pose>'
+        f"<inertial><mass>{masses[at]}</mass></inertial></link>"
+        for at, each in enumerate(LONG)
+    )
+    joints = (
+        f'<joint name="joint{at}" type="revolute"><parent>{parent}</parent><child>{child}</child>'
+        "<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis></joint>"
+        for at, (parent, child) in enumerate(itertools.pairwise(LONG))
+    )
+    return f'<sdf version="1.9"><model name="robot">{"".join((*links, *joints))}</model></sdf>'
+
+
+ONE = [("mass in kg", 2.0, 1.0)]
+"""What differs between the two chains."""
+
+
+def test_robots_that_share_only_names_are_not_compared():
+    """Names, structure, axes and ranges are alike; no mass and no origin is."""
+    assert drifts({"x/arm.urdf": long_urdf(2), "y/model.sdf": long_sdf(2)}) == ONE
+    other = long_sdf(31, step=0.21)
+    assert drifts({"x/arm.urdf": long_urdf(2), "y/model.sdf": other}) == []
+    assert len(drifts({"x/arm.urdf": long_urdf(2), "x/arm.sdf": other})) > len(LONG)
+
+
+def test_joints_of_one_name_that_join_other_bodies_are_of_another_robot():
+    """The names of joints are often the same in all robots of a maker; numbers decide."""
+    renamed, other = long_sdf(2), long_sdf(31, step=0.21)
+    for name in LONG:
+        changes = (f"{name}<", f"{name}_link<"), (f'"{name}"', f'"{name}_link"')
+        for old, new in changes:
+            renamed, other = renamed.replace(old, new), other.replace(old, new)
+    assert drifts({"x/arm.urdf": long_urdf(2), "y/model.sdf": renamed}) == ONE
+    assert drifts({"x/arm.urdf": long_urdf(2), "y/model.sdf": other}) == []
+
+
+def test_of_several_files_the_nearest_is_compared():
+    """One stem, then one folder, then one run; several of the same distance decide nothing."""
+    two = {"x/arm.urdf": long_urdf(2), "x/arm_with_tool.urdf": long_urdf(2)}
+    assert drifts({**two, "x/arm.sdf": long_sdf(2)}) == ONE * 2
+    assert drifts({**two, "y/model.sdf": long_sdf(2), "y/b.sdf": long_sdf(2)}) == []
+    far = {"x/a.urdf": long_urdf(2), "y/b.urdf": long_urdf(4)}
+    assert drifts({**far, "x/a1.sdf": long_sdf(2), "y/b1.sdf": long_sdf(4)}) == [
+        *ONE,
+        ("mass in kg", 4.0, 2.0),
+    ]
+
+
+def test_each_composable_mechanism_is_compared_by_itself():
+    """Two models of one run are not one robot, whatever names they share."""
+
+    def model(space: str, upper: float) -> str:
+        limit = {"@id": "ex:limit", "@type": "JointPositionLimit", "of-joint": "ex:wrist"}
+        nodes = [
+            {"@id": "ex:wrist", "@type": ["Joint", "RevoluteJoint"]},
+            limit | {"unit": "RAD", "lower": -1.0, "upper": upper},
+        ]
+        context = ["https://w3id.org/kinlint/composable.json", {"ex": f"https://{space}.example/#"}]
+        return json.dumps({"@context": context, "@graph": nodes})
+
+    two = {"a.jsonld": model("one", 2.0), "b.jsonld": model("two", 3.0)}
+    assert drifts({**two, "c.urdf": robot()}) == [
+        ("upper limit", 2.0, 1.0),
+        ("upper limit", 3.0, 1.0),
+    ]

@@ -84,7 +84,7 @@ def _made(root: Path, below: Path) -> Path | None:
 def _copied(path: Path, target: Path) -> bool:
     """Copy the file at *path* unless it is too large to be read, and tell whether it exists."""
     try:
-        if path.suffix.lower() in GLOBBED or path.stat().st_size <= SIZE:
+        if path.name.lower().endswith(GLOBBED) or path.stat().st_size <= SIZE:
             shutil.copyfile(path, target)
     except OSError:
         return False

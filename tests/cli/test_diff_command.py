@@ -1,0 +1,160 @@
+"""`kinlint diff`: what differs between two descriptions of a robot, and its exit codes."""
+
+import json
+
+import pytest
+from gitting import git, needs_git
+
+ARM = """\
+<robot name="arm">
+  <link name="base"/>
+  <link name="forearm">
+    <inertial>
+      <origin xyz="0 0 0.2"/>
+      <mass value="2.1"/>
+      <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.01"/>
+    </inertial>
+  </link>
+  <link name="tool"/>
+  <joint name="elbow" type="revolute">
+    <origin xyz="0 0 0.1"/>
+    <parent link="base"/>
+    <child link="forearm"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1.5" effort="2" velocity="3"/>
+  </joint>
+  <joint name="flange" type="fixed">
+    <origin xyz="0 0 0.85"/>
+    <parent link="forearm"/>
+    <child link="tool"/>
+  </joint>
+</robot>
+"""
+HEAVY = ARM.replace("2.1", "2.4").replace("0.85", "0.87").replace('upper="1.5"', 'upper="1.6"')
+
+
+@pytest.fixture(autouse=True)
+def robots(write):
+    """An arm, and the same with another mass, length and limit."""
+    write("old.urdf", ARM)
+    write("new.urdf", HEAVY)
+
+
+def test_differences_are_told_in_physical_terms(kinlint):
+    """Each once, with both places; the exit code is that of diff."""
+    code, out, err = kinlint("diff", "old.urdf", "new.urdf")
+    assert (code, err) == (1, "")
+    assert out.splitlines() == [
+        "old.urdf -> new.urdf (1 of 1 and 1 joints in common)",
+        "  robot",
+        "    mass 2.1 to 2.4 kg",
+        "    reach 0.85 to 0.87 m",
+        "  joint 'elbow'",
+        "    upper limit 1.5 to 1.6 rad (85.9437° to 91.6732°)  old.urdf:16, new.urdf:16",
+        "  link 'forearm'",
+        "    mass 2.1 to 2.4 kg  old.urdf:6, new.urdf:6",
+        "  joint 'flange'",
+        "    origin (0, 0, 0.85) to (0, 0, 0.87) m (0.02 m apart)  old.urdf:18, new.urdf:18",
+        "",
+        "3 differences.",
+    ]
+
+
+def test_the_same_robot_gives_zero(kinlint, write):
+    """Layout and the order of elements say nothing about the robot."""
+    write("same.urdf", ARM.replace("\n  ", " \n\n "))
+    assert kinlint("diff", "old.urdf", "same.urdf")[0] == 0
+    assert kinlint("diff", "old.urdf", "old.urdf")[1].endswith("No differences.\n")
+
+
+def test_trouble_gives_two(kinlint, write):
+    """Files that are not there, that describe no robot, or only one of them."""
+    write("empty.urdf", "<robot name='none'/>")
+    assert kinlint("diff", "old.urdf", "missing.urdf")[0] == 2
+    assert kinlint("diff", "old.urdf", "empty.urdf")[0] == 2
+    assert kinlint("diff", "old.urdf")[0] == 2
+    assert kinlint("diff", "old.urdf", ".")[0] == 2
+    assert kinlint("diff", "old.urdf", "new.urdf", "--tolerance", "loose")[0] == 2
+
+
+def test_tolerances_decide_what_counts(kinlint, write):
+    """Files of one format differ by any number, unless rounding is to be forgiven."""
+    write("rounded.urdf", ARM.replace("2.1", "2.101"))
+    assert kinlint("diff", "old.urdf", "rounded.urdf")[0] == 1
+    assert kinlint("diff", "old.urdf", "rounded.urdf", "--tolerance", "rounded")[0] == 0
+
+
+def test_numbers_have_the_digits_that_tell_them_apart(kinlint, write):
+    write("hair.urdf", ARM.replace("2.1", "2.10000001"))
+    assert "mass 2.1 to 2.10000001 kg" in kinlint("diff", "old.urdf", "hair.urdf")[1]
+
+
+def test_json_has_values_and_places(kinlint):
+    (found,) = json.loads(kinlint("diff", "old.urdf", "new.urdf", "--output-format=json")[1])
+    assert (found["old"], found["new"], found["differs"]) == ("old.urdf", "new.urdf", True)
+    assert found["joints"] == {"common": 1, "old": 1, "new": 1}
+    mass = next(each for each in found["changes"] if each["part"] == "forearm")
+    assert (mass["quantity"], mass["old"], mass["new"], mass["unit"]) == ("mass", 2.1, 2.4, "kg")
+    assert mass["newPlace"]["line"] == 6
+
+
+def test_markdown_and_html_show_the_same_changes(kinlint, write):
+    """Names are escaped; the page is well-formed as far as it is a table, and loads nothing."""
+    odd = ARM.replace("forearm", "fore|&lt;b&gt;arm")
+    write("odd.urdf", odd)
+    write("odder.urdf", odd.replace("2.1", "2.4"))
+    shown = kinlint("diff", "odd.urdf", "odder.urdf", "--output-format", "markdown")[1]
+    assert "fore\\|&lt;b\\>arm" in shown
+    assert "| mass 2.1 to 2.4 kg |" in shown
+    page = kinlint("diff", "odd.urdf", "odder.urdf", "--output-format", "html")[1]
+    assert "<b>arm" not in page
+    assert "mass 2.1 to 2.4 kg" in page
+    assert "default-src 'none'" in page
+
+
+def test_the_suffix_of_the_output_file_decides_the_format(kinlint, here):
+    """As for other commands; the exit code stays."""
+    assert kinlint("diff", "old.urdf", "new.urdf", "-o", "report.md")[0] == 1
+    assert (here / "report.md").read_text("utf-8").startswith("**3 differences")
+
+
+def test_directories_are_compared_pairwise(kinlint, write):
+    """By name, then by stem; a file that only one of them has is a difference."""
+    for name, text in (("a/x.urdf", ARM), ("a/y.urdf", ARM), ("b/x.urdf", ARM), ("b/z.urdf", ARM)):
+        write(name, text)
+    code, out, _ = kinlint("diff", "a", "b")
+    assert code == 1
+    assert out.splitlines() == [
+        "only in old: a/y.urdf",
+        "",
+        "only in new: b/z.urdf",
+        "",
+        "2 differences.",
+    ]
+
+
+def test_what_a_format_cannot_state_is_told_apart(kinlint, write):
+    """MJCF has no speed limits; another joint without effort was merely not given one."""
+    mjcf = """<mujoco model="arm"><compiler angle="radian"/><worldbody>
+        <body name="forearm" pos="0 0 0.1">
+        <joint name="elbow" axis="0 1 0" range="-1 1.5"/>
+        <inertial pos="0 0 0.2" mass="2.1" diaginertia="0.02 0.02 0.01"/>
+        <body name="tool" pos="0 0 0.85"/></body></worldbody></mujoco>"""
+    write("arm.xml", mjcf)
+    code, out, _ = kinlint("diff", "old.urdf", "arm.xml")
+    assert code == 0
+    assert "effort limit only in the old one, in the new one not given: 'elbow'" in out
+
+
+@needs_git
+def test_revisions_are_compared_with_files(kinlint, here, write):
+    """`REVISION:PATH` as git knows it, by that name."""
+    git(here, "init")
+    git(here, "add", "old.urdf")
+    git(here, "commit", "-m", "arm")
+    write("old.urdf", HEAVY)
+    code, out, _ = kinlint("diff", "HEAD:old.urdf", "old.urdf")
+    assert code == 1
+    assert "mass 2.1 to 2.4 kg  HEAD:old.urdf:6, old.urdf:6" in out
+    assert kinlint("diff", "HEAD:gone.urdf", "old.urdf")[0] == 2
+    assert kinlint("diff", "nowhere:old.urdf", "old.urdf")[0] == 2
