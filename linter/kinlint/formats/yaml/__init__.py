@@ -1,1 +1,1 @@
-"""YAML files of ros2_control and MoveIt, which name the joints of a robot."""
+"""YAML files of ROS, which name the parts of a robot."""

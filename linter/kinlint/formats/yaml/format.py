@@ -1,4 +1,4 @@
-"""The record of YAML files of ROS (https://control.ros.org, https://moveit.picknik.ai)."""
+"""The record of YAML files of ROS (ros2_control, MoveIt, Nav2, RViz)."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from kinlint.vocabulary import YAML as NAMESPACE
 YAML = Format(
     name="yaml",
     title="YAML",
-    suffixes=(".yaml", ".yml"),
+    suffixes=(".yaml", ".yml", ".rviz"),
     shape=Shape.TREE,
     reader="kinlint.formats.yaml.reader",
+    editor="kinlint.formats.yaml.editor",
     fence="yaml",
     namespace=NAMESPACE,
     schema="formats/yaml.ttl",
+    line_comments="kinlint.formats.line_comments",
     speaks_of="urdf",
 )
 FORMATS = (YAML,)

@@ -1,4 +1,4 @@
-"""Reads what a YAML file of ros2_control or MoveIt says of joints."""
+"""Reads which parts of a robot a YAML file of ROS names, and what it says of them."""
 
 from __future__ import annotations
 
@@ -7,20 +7,27 @@ from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.yaml.comments import state_comments
 from kinlint.formats.yaml.format import YAML
-from kinlint.formats.yaml.joint_entries import entries
+from kinlint.formats.yaml.named_entries import entries
+from kinlint.formats.yaml.ros_keys import FRAME, OUTSIDE
+from kinlint.formats.yaml.yaml_text import compose
 from kinlint.terms import XSD, Term, Triple, iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import ATTRIBUTE
 
 
 def read(source: SourceText, _options: ReadOptions) -> Document:
-    """Read the entries about joints; a file without any has no statements but about itself."""
+    """Read the names of parts; a file without any has no statements but about itself."""
     graph = document_iri(source.name)
     root = root_of(graph)
     layer = SourceLayer(graph, BlankNodes(source.name))
     layer.state_file(YAML.name, source.name, Span(0, len(source.text)))
-    found = entries(source.name, source.text)
+    tops = compose(source.name, source.text)
+    found = sorted(
+        (each for top in tops for each in entries(top) if _may_be_of_robot(each.tag, each.name)),
+        key=lambda each: (each.span.start, each.tag),
+    )
     stated: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     if found:
@@ -28,20 +35,29 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
         stated[graph, _term("configuration"), root] = begin
         layer.triples[root, src("describedIn"), graph] = begin
         nodes[root] = NodeSpans(Span(0, len(source.text)))
+    orders: dict[Term, int] = {}
     for each in found:
-        element, order = child(root, each.tag, each.name), 1
-        while element in nodes:
-            order += 1
-            element = iri(repeated_address(child(root, each.tag, each.name)[1:-1], order))
+        first = child(root, each.tag, each.name)
+        order = orders[first] = orders.get(first, 0) + 1
+        element = iri(repeated_address(first[1:-1], order)) if order > 1 else first
         nodes[element] = NodeSpans(each.span, each.span)
         stated[root, _term(each.tag), element] = each.span
         stated[element, iri(f"{ATTRIBUTE}name"), literal(each.name)] = each.span
+        if each.group >= 0:
+            group = literal(str(each.group), f"{XSD}integer")
+            layer.triples[element, src("memberOf"), group] = each.span
         for number in each.numbers:
             value = literal(repr(number.value), f"{XSD}double")
             stated[element, iri(f"{ATTRIBUTE}{number.name}"), value] = number.span
+    state_comments(source.text, tops, layer)
     statements = (*stated, *layer.triples)
     places = SourceMap({**stated, **layer.triples}, {**nodes, **layer.nodes})
     return Document(source, graph, statements, places, format=YAML)
+
+
+def _may_be_of_robot(tag: str, name: str) -> bool:
+    """Tell whether *name* is none of a frame that usually others publish."""
+    return tag != FRAME or ("/" not in name and name not in OUTSIDE)
 
 
 def _term(name: str) -> Term:

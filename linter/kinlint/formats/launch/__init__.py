@@ -1,0 +1,1 @@
+"""Launch files of ROS, which pass arguments to the xacro of a robot."""

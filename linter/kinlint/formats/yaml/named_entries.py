@@ -1,0 +1,218 @@
+"""Entries of YAML files that name parts of a robot, with their places, whatever node reads them.
+
+- names under the keys of `ros_keys`, one by one or in lists;
+- `joint_limits: {joint: {max_velocity: ...}}` of MoveIt;
+- `initial_positions: {joint: value}` of ros2_control;
+- tables with an entry for each joint, such as `gains`;
+- settings of planning groups, known by the keys in them, and the links that RViz shows.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import yaml
+
+from kinlint.formats.yaml.ros_keys import (
+    CONFIGURATIONS,
+    DISPLAYED,
+    FRAME,
+    GROUP,
+    IN_RVIZ,
+    JOINT,
+    KINDS,
+    LIMITS,
+    LINK,
+    PER_JOINT,
+    POSITIONS,
+    PROJECTION,
+    SOLVER,
+)
+from kinlint.text import Span
+
+BOUNDS = {
+    "min_position": "has_position_limits",
+    "max_position": "has_position_limits",
+    "max_velocity": "has_velocity_limits",
+    "max_acceleration": "has_acceleration_limits",
+    "max_effort": "has_effort_limits",
+}
+"""Limits of a joint, with the key that says whether each counts."""
+_TRUE = frozenset({"true", "True", "TRUE", "yes", "on"})
+_PROJECTED = re.compile(r"(joints|link)\(([^()]*)\)")
+_WORD = re.compile(r"[^\s,]+")
+
+
+class Number(NamedTuple):
+    """A number that a file gives."""
+
+    name: str
+    """Its key."""
+    value: float
+    """The number."""
+    span: Span
+    """Its place."""
+
+
+class Entry(NamedTuple):
+    """Mention of a part of a robot, with the numbers that a file gives for it."""
+
+    tag: str
+    """`joint`, `joint_limit`, `initial_position`, `link`, `frame` or `group`."""
+    name: str
+    """The name of the part."""
+    span: Span
+    """The place of the name, without quotes."""
+    numbers: tuple[Number, ...] = ()
+    """Numbers that are given for it."""
+    group: int = -1
+    """Offset of the list or table that it is a member of; -1 if it is none."""
+
+
+def entries(top: yaml.Node) -> Iterator[Entry]:
+    """Yield what *top* and all below it name; what aliases repeat, once."""
+    waiting, seen = [top], {id(top)}
+    while waiting:
+        node = waiting.pop()
+        inner: list[yaml.Node] = []
+        if isinstance(node, yaml.MappingNode):
+            yield from _of_mapping(node)
+            inner = [value for _, value in node.value]
+        elif isinstance(node, yaml.SequenceNode):
+            inner = node.value
+        for each in inner:
+            if id(each) not in seen:
+                seen.add(id(each))
+                waiting.append(each)
+
+
+def _of_mapping(node: yaml.MappingNode) -> Iterator[Entry]:
+    said = _said(node)
+    lists_joints = isinstance(said.get("joints"), yaml.SequenceNode)
+    for key, value in node.value:
+        if not isinstance(key, yaml.ScalarNode):
+            continue
+        word = key.value if key.value in IN_RVIZ else key.value.rpartition(".")[2]
+        kind = KINDS.get(word) or IN_RVIZ.get(word)
+        if kind is not None:
+            yield from _listed(kind, value)
+        elif word == PROJECTION:
+            yield from _projected(value)
+        elif word == "group" and "pose" in said:
+            yield from _listed(GROUP, value)
+        elif isinstance(value, yaml.MappingNode):
+            yield from _of_table(key, word, value, lists_joints=lists_joints)
+
+
+def _of_table(
+    key: yaml.ScalarNode, word: str, table: yaml.MappingNode, *, lists_joints: bool
+) -> Iterator[Entry]:
+    """Yield what the *table* under *key* names, and the *key* itself where it is a group."""
+    if word in (LIMITS, POSITIONS):
+        yield from _valued(word, table)
+    elif word in PER_JOINT and (lists_joints or word not in ("gains", "constraints")):
+        yield from _keys(JOINT, table, scalars=word == "zeros")
+    elif word == DISPLAYED:
+        yield from _keys(FRAME, table)
+    elif word == "frame":
+        said = _said(table)
+        if "id" in said and getattr(said.get("external"), "value", "") not in _TRUE:
+            yield from _listed(FRAME, said["id"])
+    elif _is_group(table) and (group := _name(key)):
+        yield Entry(GROUP, *group)
+
+
+def _keys(kind: str, table: yaml.MappingNode, *, scalars: bool = False) -> Iterator[Entry]:
+    """Yield the keys of *table* that have a table, or any value if these are *scalars*."""
+    for name, given in _named(table):
+        if scalars or isinstance(given, yaml.MappingNode):
+            yield Entry(kind, *name, (), table.start_mark.index)
+
+
+def _valued(word: str, table: yaml.MappingNode) -> Iterator[Entry]:
+    """Yield the joints in a *table* of limits or positions, with their numbers."""
+    at = table.start_mark.index
+    for name, given in _named(table):
+        if word == POSITIONS:
+            if numbers := tuple(_numbers({"value": given})):
+                yield Entry("initial_position", *name, numbers, at)
+        elif isinstance(given, yaml.MappingNode):
+            yield Entry("joint_limit", *name, tuple(_bounds(given)), at)
+
+
+def _said(table: yaml.MappingNode) -> dict[str, yaml.Node]:
+    """Return the values of *table* by their keys."""
+    return {str(getattr(key, "value", "")): value for key, value in table.value}
+
+
+def _is_group(table: yaml.MappingNode) -> bool:
+    """Tell whether *table* has what kinematics.yaml or ompl_planning.yaml says of a group."""
+    said = _said(table)
+    chosen = isinstance(said.get(CONFIGURATIONS), yaml.SequenceNode)
+    return chosen or PROJECTION in said or isinstance(said.get(SOLVER), yaml.ScalarNode)
+
+
+def _listed(kind: str, value: yaml.Node) -> Iterator[Entry]:
+    several = isinstance(value, yaml.SequenceNode)
+    group = value.start_mark.index if several else -1
+    listed = value.value if several else [value]
+    yield from (Entry(kind, *name, (), group) for each in listed if (name := _name(each)))
+
+
+def _projected(value: yaml.Node) -> Iterator[Entry]:
+    """Yield the joints or the link of `joints(shoulder, elbow)` or `link(tool0)`."""
+    if not isinstance(value, yaml.ScalarNode) or (found := _name(value)) is None:
+        return
+    text, span = found
+    match = _PROJECTED.fullmatch(text)
+    if match is None or span.end - span.start != len(text):
+        return
+    for word in _WORD.finditer(match[2]):
+        start = span.start + match.start(2) + word.start()
+        kind = JOINT if match[1] == "joints" else LINK
+        yield Entry(kind, word[0], Span(start, start + len(word[0])), (), span.start)
+
+
+def _named(mapping: yaml.MappingNode) -> Iterator[tuple[tuple[str, Span], yaml.Node]]:
+    for key, value in mapping.value:
+        if name := _name(key):
+            yield name, value
+
+
+def _bounds(given: yaml.MappingNode) -> Iterator[Number]:
+    """Yield the limits of a joint that count."""
+    said = {key.value: value for key, value in given.value if isinstance(key, yaml.ScalarNode)}
+    counting = {
+        name: said[name]
+        for name, flag in BOUNDS.items()
+        if name in said and (flag not in said or getattr(said[flag], "value", "") in _TRUE)
+    }
+    yield from _numbers(counting)
+
+
+def _numbers(values: dict[str, yaml.Node]) -> Iterator[Number]:
+    for name, node in values.items():
+        if isinstance(node, yaml.ScalarNode) and node.tag.endswith((":int", ":float")):
+            try:
+                yield Number(name, float(node.value), span_of(node))
+            except ValueError:
+                continue
+
+
+def _name(node: yaml.Node) -> tuple[str, Span] | None:
+    """Return a name and its place; None for what is none, or is made by a launch file."""
+    if not isinstance(node, yaml.ScalarNode) or not node.tag.endswith(":str"):
+        return None
+    name = node.value
+    if not name or name.isspace() or any(each in name for each in "$<>{}*\n"):
+        return None
+    return name, span_of(node)
+
+
+def span_of(node: yaml.ScalarNode) -> Span:
+    """Return the place of the text of *node*, without quotes."""
+    start, end = node.start_mark.index, node.end_mark.index
+    quoted = node.style in ("'", '"')
+    return Span(start + quoted, end - quoted)
