@@ -13,6 +13,7 @@ from support.linting import lint
 from kinlint.engine.literal_spelling import Spelling
 from kinlint.engine.store import Store
 from kinlint.facts import dangling_references
+from kinlint.findings import consequences
 from kinlint.formats.sdf import name_references
 from kinlint.suggestion import LOOKED_UP
 
@@ -66,6 +67,25 @@ def test_findings_that_rest_on_what_is_written_need_no_query_each(calls, title):
     linted(INPUTS[title], 40)
 
     assert calls["rows"] - few <= few + 30
+
+
+def test_suspicions_do_not_grow_with_the_pairs_of_values(monkeypatch):
+    """Many values of one property of one node give as many at most, not one for each two."""
+    kept = []
+    suspects = consequences._suspects
+
+    def counted(*arguments):
+        found = suspects(*arguments)
+        kept.append(sum(map(len, (*found.terms.values(), *found.namespaces.values()))))
+        return found
+
+    monkeypatch.setattr(consequences, "_suspects", counted)
+    title = "JSON-LD: values of one functional property"
+    for count in (10, 40):
+        assert linted(INPUTS[title], count).findings
+
+    few, many = kept
+    assert 0 < many <= 4 * few
 
 
 def test_a_pair_of_links_that_is_disabled_often_is_one_finding():

@@ -129,6 +129,22 @@ def test_what_is_too_slow_is_not_fixed(here, capsys):
 
 
 @pytest.mark.slow
+def test_what_is_too_slow_is_not_silenced(here, capsys, monkeypatch):
+    """Comments are written into the others, by rounds that are limited themselves."""
+    from kinlint.parallel import runner  # noqa: PLC0415
+
+    monkeypatch.setattr(runner.ParallelRunner, "report", None)
+    (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
+    before = (here / "evil.urdf").read_bytes()
+
+    code, found, errors = said(capsys, "--file-timeout", LIMIT, "--add-ignore=known")
+
+    assert (code, found, [name for name, *_ in errors]) == (2, [], ["evil.urdf"])
+    assert (here / "evil.urdf").read_bytes() == before
+    assert all("ignore[SRC003]" in (here / f"r{number}.urdf").read_text() for number in range(3))
+
+
+@pytest.mark.slow
 def test_a_file_that_was_too_slow_is_tried_again(here, capsys, monkeypatch):
     """It is not among the reports that are kept."""
     evil = here / "evil.urdf"
@@ -161,3 +177,40 @@ def test_a_limit_is_a_number_of_seconds(value):
     """From 0 up, and one that a clock can hold."""
     assert KEYS["file-timeout"].kind.problem(value)
     assert not KEYS["file-timeout"].kind.problem(0.5)
+
+
+@pytest.mark.slow
+def test_fixing_is_limited_and_lints_once(here, capsys, monkeypatch):
+    """The rounds themselves run in time, and what they find is what a run without limit finds."""
+    from kinlint.parallel import runner  # noqa: PLC0415
+
+    monkeypatch.setattr(runner.ParallelRunner, "report", None)
+    (here / "a").mkdir()
+    for name in ("r0.urdf", "r1.urdf", "a/r2.urdf"):
+        (here / name).write_text(GOOD)
+    limited = said(capsys, "--file-timeout", "300", "--fix", "--unsafe-fixes")
+    texts = {path: path.read_text() for path in here.rglob("*.urdf")}
+    for path in texts:
+        path.write_text(GOOD)
+    free = said(capsys, "--fix", "--unsafe-fixes")
+    assert (limited, texts) == (free, {path: path.read_text() for path in texts})
+    assert all("<lnk" not in text for text in texts.values())
+
+
+def test_recognising_a_file_is_limited(here, capsys, monkeypatch):
+    """Before any process reads it."""
+    from kinlint.project import reading  # noqa: PLC0415
+
+    known = reading.is_model
+
+    def stubborn(source, own=()):
+        while "FOREVER" in source.text:
+            pass
+        return known(source, own)
+
+    monkeypatch.setattr(reading, "is_model", stubborn)
+    (here / "evil.urdf").write_text(GOOD.replace("r", "FOREVER"))
+    code, found, errors = said(capsys, "--file-timeout", LIMIT)
+    assert (code, bool(found)) == (2, True)
+    assert [name for name, *_ in errors] == ["evil.urdf"]
+    assert "not read within" in errors[0][2]

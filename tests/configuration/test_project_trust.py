@@ -37,7 +37,7 @@ def user(tmp_path, monkeypatch):
 
 
 def nearest(directory, trust):
-    return Configs(restrict=trust.restricted).nearest(directory)
+    return Configs(restrict=trust.restricted, may_extend=trust.may_extend).nearest(directory)
 
 
 def test_a_project_brings_no_rules_by_itself(project, user):
@@ -83,3 +83,60 @@ def test_a_wrong_user_configuration_is_an_error(user, text):
     environment = user(text)
     with pytest.raises(ConfigError, match=r"config\.toml"):
         ProjectTrust.from_user(environment)
+
+
+def test_paths_lead_out_of_trusted_projects_only(project, user):
+    """Those to ROS packages always may."""
+    for name in ("secret", "arm", "project/.git", "project/own"):
+        (project.parent / name).mkdir()
+    (project.parent / "arm/package.xml").write_text("<package><name>arm</name></package>")
+    (project / "link").symlink_to(project.parent / "secret")
+    (project / "kinlint.toml").write_text(
+        """
+        baseline = "../secret/b.json"
+        [packages]
+        a = "../secret"
+        b = "link"
+        c = "~"
+        arm = "../arm"
+        own = "own"
+        [extra-contexts]
+        "https://example.org/a" = "../secret/a.json"
+        "https://example.org/b" = "own/b.json"
+        [srdf]
+        "*.srdf" = "../secret/a.urdf"
+        """
+    )
+    config = nearest(project, ProjectTrust.from_user(user("")))
+    assert [name for name, _ in config.packages] == ["arm", "own"]
+    assert list(config.extra_contexts) == ["https://example.org/b"]
+    assert (config.srdf, config.baseline) == ((), None)
+    said = untrusted_message(config)
+    assert "packages outside of it and extra-contexts outside of it and srdf" in said
+    trusted = nearest(project, ProjectTrust(everything=True))
+    assert (len(trusted.packages), len(trusted.srdf)) == (5, 1)
+    assert trusted.baseline
+
+
+def test_what_lies_elsewhere_is_not_extended(project, user, tmp_path):
+    """Not even read: a message would tell its keys. In a trusted project it counts."""
+    (tmp_path / "secret.toml").write_text('password = "hunter2"\n', "utf-8")
+    (project / "kinlint.toml").write_text('extend = "../secret.toml"\nignore = ["UNI"]\n', "utf-8")
+    config = nearest(project, ProjectTrust.from_user(user("")))
+    assert config.choices[0].ignore == ("UNI",)
+    assert "extend outside of it left out" in untrusted_message(config)
+    with pytest.raises(ConfigError, match="password"):
+        nearest(project, ProjectTrust(everything=True))
+    (tmp_path / "secret.toml").write_text('select = ["ALL"]\n', "utf-8")
+    assert nearest(project, ProjectTrust(directories=(tmp_path,))).choices[0].select == ("ALL",)
+
+
+def test_links_lead_elsewhere_too(project, user, tmp_path):
+    """A link in the project to a file outside of it, and a file of the project that extends one."""
+    (tmp_path / "secret.toml").write_text('password = "hunter2"\n', "utf-8")
+    (project / "base.toml").symlink_to(tmp_path / "secret.toml")
+    (project / "middle.toml").write_text('extend = "base.toml"\nignore = ["LD"]\n', "utf-8")
+    (project / "kinlint.toml").write_text('extend = "middle.toml"\n', "utf-8")
+    config = nearest(project, ProjectTrust.from_user(user("")))
+    assert config.choices[0].ignore == ("LD",)
+    assert config.untrusted == ("extend",)

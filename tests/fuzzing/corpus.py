@@ -15,8 +15,13 @@ SUFFIXES = {
     "srdf": (".srdf",),
     "sdf": (".sdf", ".world"),
     "yaml": (".yaml", ".yml"),
+    "mjcf": (".mjcf", ".xml"),
+    "collada": (".dae",),
+    "usd": (".usda",),
 }
 """Suffixes of the files that each format is fuzzed with."""
+MARKS = {"mjcf": b"<mujoco"}
+"""What files have of a format that shares its suffixes with others."""
 LARGEST = 30_000
 """Maximum size of a file, in bytes."""
 SMALL = 5_000
@@ -30,8 +35,9 @@ def corpus(form: str) -> tuple[tuple[str, bytes], ...]:
     folders = [ROOT / "samples", data / "robots", data / "defects", data / "comp-rob2b"]
     paths = (path for folder in folders for path in folder.rglob("*") if path.is_file())
     wanted = (path for path in paths if path.name.lower().endswith(SUFFIXES[form]))
-    found = ((path, path.read_bytes()) for path in wanted)
-    return tuple(sorted((path.name, data) for path, data in found if 0 < len(data) < LARGEST))
+    read = ((path.name, path.read_bytes()) for path in wanted)
+    mark = MARKS.get(form, b"")
+    return tuple(sorted(each for each in read if mark in each[1] and 0 < len(each[1]) < LARGEST))
 
 
 @cache

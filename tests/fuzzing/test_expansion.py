@@ -45,6 +45,10 @@ TEXTS = {
         "@context": {"ex": EX, **OF},
         "@graph": [{"@id": "ex:a", "of": {"size": 1, "of": {"size": 2}}}],
     },
+    "a truth value as a list among other values": {
+        "@context": {"ex": EX},
+        "@graph": [{"@id": "ex:a", "ex:bag": [1, {"@list": True}, "x"]}],
+    },
 }
 
 

@@ -9,8 +9,11 @@ from fuzzing.corpus import SUFFIXES, corpus
 from fuzzing.trial import Input, fault, made, reduced
 
 SHARE = 40
-PARTS = 4
+"""Inputs of a run: each alone, or all as one model."""
+PARTS = 12
+"""Tests of a format; together they take about a minute of CPU."""
 MODELS = 25
+"""Models of a test."""
 
 
 @pytest.mark.slow
@@ -22,9 +25,10 @@ def test_mutated_files_are_answered(form, part):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("part", range(PARTS))
 @pytest.mark.parametrize("form", SUFFIXES)
-def test_mutated_files_are_answered_as_one_model(form):
-    for start in range(0, MODELS * SHARE, SHARE):
+def test_mutated_files_are_answered_as_one_model(form, part):
+    for start in range(part * MODELS * SHARE, (part + 1) * MODELS * SHARE, SHARE):
         given = [made(form, seed) for seed in range(start, start + SHARE)]
         assert fault(*given) is None, start
 

@@ -19,6 +19,7 @@ from kinlint.errors import SourceError
 from kinlint.finding import Finding, Premise, Related, TextEdit
 from kinlint.report import Report
 from kinlint.reporters import reporter_registry
+from kinlint.reporters.log_commands import UNICODE, without_controls
 from kinlint.text import Location, SourceText, Span
 
 COMMANDS = (
@@ -147,3 +148,9 @@ def test_html_has_no_script_of_a_file(made: Report) -> None:
     assert "<script>alert" not in text
     assert "<img src=x" not in text
     assert 'href="javascript:' not in text
+
+
+@pytest.mark.parametrize("control", ["\u061c", "\u200f", "\u2028", "\u202e", "\u2066"])
+def test_a_log_is_read_in_the_order_of_its_text(control: str) -> None:
+    """Bidirectional controls and the line separators of Unicode are escaped as others are."""
+    assert without_controls(f"a{control}b", UNICODE) == f"a\\u{ord(control):04x}b"

@@ -1,7 +1,7 @@
 """Lints shares in processes that are killed when the time of a file is over.
 
-The limit holds for all that is done with a text once it is decoded, native code included. Where the
-system gives no processes, nothing limits the time.
+The limit holds for all that is done with a text once it is decoded, native code and fixes included.
+Where the system gives no processes, nothing limits the time.
 """
 
 from __future__ import annotations
@@ -217,8 +217,8 @@ class _Division:
         if isinstance(answer, str):
             self._give_up(answer)
             return
-        report, record = answer[0]
-        self.done(Outcome(replace(report, errors=(*failed, *report.errors)), record))
+        report = replace(answer[0].report, errors=(*failed, *answer[0].report.errors))
+        self.done(answer[0]._replace(report=report))
 
     def _give_up(self, why: str) -> None:
         self.done(_given_up({each.name: why for each in self.model}, self.model))

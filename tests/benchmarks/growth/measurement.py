@@ -26,6 +26,10 @@ growth of the rest.
 """
 LARGEST_COUNT = 16_000
 """Number from which on it is not made larger."""
+GROWTH_HEADING = """\
+| input | N | N: CPU s | 4 N: CPU s | exponent | findings | longest phase |
+|---|--:|--:|--:|--:|--:|---|"""
+"""Markdown of the head of a table of growth."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,16 @@ class Growth:
         """Tell whether the time grows as it may."""
         return self.exponent <= LARGEST_EXPONENT
 
+    @property
+    def line(self) -> str:
+        """Return its row in a table of growth, in Markdown."""
+        small, large = self.seconds
+        missed = "" if self.met else f" **above {LARGEST_EXPONENT}**"
+        return (
+            f"| {self.title} | {self.count} | {small:.2f} | {large:.2f}"
+            f" | {self.exponent:.2f}{missed} | {self.findings} | {self.phase} |"
+        )
+
 
 def measured(titles: str, catalogue: Rulebook, *, fixing: bool) -> Iterator[Growth]:
     """Yield the growth of every input whose title contains *titles*; with fixes if *fixing*."""
@@ -80,19 +94,10 @@ def lint_once(given: Growing, count: int, job: Job) -> tuple[float, int, str]:
     phases = Phases()
     gc.collect()
     started = time.process_time()
-    ((report, _),) = lint_shard([[source]], (), job, phases)
+    (outcome,) = lint_shard([[source]], (), job, phases)
     taken = time.process_time() - started
-    return taken, len(report.findings), max(phases.seconds, key=lambda name: phases.seconds[name])
-
-
-def growth_table(rows: list[Growth]) -> Iterator[str]:
-    """Yield the lines of a table of *rows*."""
-    yield "| input | N | N: CPU s | 4 N: CPU s | exponent | findings | longest phase |"
-    yield "|---|--:|--:|--:|--:|--:|---|"
-    for row in rows:
-        small, large = row.seconds
-        missed = "" if row.met else f" **above {LARGEST_EXPONENT}**"
-        yield (
-            f"| {row.title} | {row.count} | {small:.2f} | {large:.2f} | {row.exponent:.2f}{missed}"
-            f" | {row.findings} | {row.phase} |"
-        )
+    return (
+        taken,
+        len(outcome.report.findings),
+        max(phases.seconds, key=lambda name: phases.seconds[name]),
+    )
