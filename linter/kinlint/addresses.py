@@ -7,7 +7,8 @@
 
 The path of an element has, for each element on the way to it, its tag, its name if it has one, and
 its order if another one has the same path. Elements may stand in elements of the same kind, named
-or not: which steps of a path are names follows only from the kinds that always have one.
+or not: which steps of a path are names follows only from the kinds that always have one. In formats
+whose names hold at any depth, elements of these kinds without a name have an empty one.
 """
 
 from __future__ import annotations
@@ -174,11 +175,13 @@ def last_tag(element: Term) -> str:
 def steps(path: str, kinds: Collection[str]) -> Iterator[tuple[str, str]]:
     """Yield the tag and the name of each element on a quoted *path*; elements of *kinds* have one.
 
-    Others have none, or it comes as a step of its own.
+    Others have none, or it comes as a step of its own. A name may be empty, but for an order, which
+    then comes with the tag.
     """
     parts = iter(path.removeprefix("/").split("/"))
     for tag in parts:
-        yield tag, next(parts, "") if tag in kinds else ""
+        name = next(parts, "") if tag in kinds else ""
+        yield (f"{tag}{name}", "") if name.startswith(";") else (tag, name)
 
 
 def short_path(path: str, kinds: Collection[str]) -> str:
@@ -188,12 +191,15 @@ def short_path(path: str, kinds: Collection[str]) -> str:
 
 def owner_path(path: str, kinds: Collection[str]) -> str:
     """Return the part of *path* that leads to the last element of *kinds* on it."""
-    way: list[str] = []
-    end = 0
+    path = path.removeprefix("/")
+    at = end = 0
     for tag, name in steps(path, kinds):
-        way += (tag, name) if name else (tag,)
-        end = len(way) if name else end
-    return "/".join(way[:end])
+        at += len(tag) + 1
+        if name:
+            end = at = at + len(name) + 1
+        elif path[at : at + 1] == "/":  # behind an empty name
+            at += 1
+    return path[: max(end - 1, 0)]
 
 
 def _last(node: Term) -> int:

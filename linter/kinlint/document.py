@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
@@ -32,6 +33,17 @@ class NodeSpans(NamedTuple):
     def best(self) -> Span:
         """The smallest span that names the node."""
         return self.identifier or Span(self.whole.start, min(self.whole.start + 1, self.whole.end))
+
+
+class OrderedNodes(Mapping[Term, NodeSpans]):
+    """Places of the nodes of a text that can be compared with those of the text after an edit."""
+
+    @abstractmethod
+    def in_same_order(self, others: Mapping[Term, NodeSpans]) -> bool:
+        """Tell whether *others* are the same nodes, and described in the same order.
+
+        Blank nodes that only say what is lost of the text need not be compared.
+        """
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Triple
 from kinlint.text import Span
+
+ZERO = re.compile(r"[+-]?0*\.?0*([eE][+-]?\d+)?", re.ASCII)
 
 
 class Edit(NamedTuple):
@@ -34,6 +37,13 @@ class Delta:
 
 class NotExpressible(Exception):
     """A delta cannot be written into the text, for the reason given."""
+
+
+def negated(number: str) -> str:
+    """Return the spelling of the negative of *number*: only its sign changes, if it is not 0."""
+    if ZERO.fullmatch(number):
+        return number
+    return number[1:] if number.startswith("-") else f"-{number.lstrip('+')}"
 
 
 def applied(text: str, edits: Iterable[Edit]) -> str:

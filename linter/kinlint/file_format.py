@@ -35,6 +35,14 @@ class Format:
     """Content of its files: graphs of statements or trees of elements."""
     reader: str = field(compare=False, repr=False)
     """The dotted name of the module whose `read(source, options)` makes a document of a text."""
+    shared_suffixes: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """Ends of the names of its files that files of other kinds have, too: the root tells."""
+    signatures: tuple[bytes, ...] = field(default=(), compare=False, repr=False)
+    """The beginnings of those of its files that are no text."""
+    archive_suffixes: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """Ends of the names of those of its files that are archives, whatever they begin with."""
+    decoder: str | None = field(default=None, compare=False, repr=False)
+    """The dotted name of the module whose `decode(name, data)` makes a text of such a file."""
     editor: str | None = field(default=None, compare=False, repr=False)
     """The dotted name of the module whose `Editor(document, options)` writes changes into a text;
     None if the format is only read."""
@@ -49,7 +57,11 @@ class Format:
     schema: str | None = field(default=None, compare=False, repr=False)
     """The table of its elements and attributes, a file below `shapes/`."""
     block_comment: tuple[str, str] | None = field(default=None, compare=False, repr=False)
-    """Delimiters of comments, if comments carry suppressions; statements carry them otherwise."""
+    """Delimiters of comments, if these carry suppressions. A format with neither has
+    statements for them."""
+    line_comments: str | None = field(default=None, compare=False, repr=False)
+    """Dotted name of the module that writes suppressions as comments to the end of a line; None if
+    there are no such comments."""
     robot_path: tuple[str, ...] = field(default=(), compare=False, repr=False)
     """The tags of the elements from the root to one that is a robot; none if no file has robots."""
     fixed_root: bool = field(default=False, compare=False, repr=False)
@@ -59,6 +71,8 @@ class Format:
     hold for them."""
     speaks_of: str | None = field(default=None, compare=False, repr=False)
     """The name of the format of the robots that its files annotate without describing them."""
+    lifted: bool = field(default=True, compare=False, repr=False)
+    """False if its elements are looked at as they are, and nothing is lifted from them."""
     includes: bool = field(default=False, compare=False, repr=False)
     """True if the statements of a file depend on files that it names."""
     searched: bool = field(default=True, compare=False, repr=False)

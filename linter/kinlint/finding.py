@@ -7,9 +7,12 @@ from typing import TypeAlias
 
 from kinlint.addresses import is_address, readable
 from kinlint.light_dataclasses import dataclass, field, replace
-from kinlint.rule import Applicability, Rule, Severity, SeverityFor
+from kinlint.rule import Applicability, Rule, Severity, SeverityFor, SpeaksOf
 from kinlint.terms import Term, Triple
 from kinlint.text import Location, SourceText, Span
+
+DEPARTURES = "{?departures}"
+"""Placeholder at the end of templates for what consumers make of a feature."""
 
 FindingKey: TypeAlias = tuple[str, str, Span, str]
 """The rule, the file, the place and the message of a finding."""
@@ -106,6 +109,14 @@ class Finding:
     """Consumers that its constraint is about; it is dropped unless a run names one of them."""
     severity_for: tuple[SeverityFor, ...] = ()
     """Severities of its constraint for certain consumers or formats."""
+    versions: tuple[str, str] = ("", "")
+    """Versions of `targets` that it is about: the first, and the first after; empty for no end."""
+    feature: str = ""
+    """Name of the feature found, which consumers read differently; empty if it is none."""
+    speaks_of: SpeaksOf = ""
+    """Consumers that it is about: it is dropped unless one of them departs from what is written."""
+    departures: str = ""
+    """Sentences at the end of `message` about what consumers make of `feature`."""
     path: Term | None = None
     """The property, where the rule names one."""
     value: Term | None = None

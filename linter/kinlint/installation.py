@@ -37,24 +37,25 @@ class InstalledFile(NamedTuple):
 
     path: str
     """Absolute path."""
-    size: int
-    """Size in bytes."""
-    changed: tuple[int, int]
-    """Times of modification and of change in nanoseconds."""
-    inode: int
-    """Number of the inode."""
+    changed: int
+    """Time of modification or of change, the later, in nanoseconds."""
+    state: str
+    """Size in bytes, both times and number of the inode."""
 
 
-def _below(directory: str) -> Iterator[InstalledFile]:
-    with os.scandir(directory) as entries:
-        for each in entries:
-            if each.is_dir():
-                if each.name != "__pycache__":
-                    yield from _below(each.path)
-                continue
-            about = each.stat()
-            times = about.st_mtime_ns, about.st_ctime_ns
-            yield InstalledFile(each.path, about.st_size, times, about.st_ino)
+def _files_below(top: str) -> Iterator[InstalledFile]:
+    directories = [top]
+    while directories:
+        with os.scandir(directories.pop()) as entries:
+            for each in entries:
+                if each.is_dir():
+                    if each.name != "__pycache__":
+                        directories.append(each.path)
+                    continue
+                about = each.stat()
+                modified, changed = about.st_mtime_ns, about.st_ctime_ns
+                state = f"{about.st_size} {modified} {changed} {about.st_ino}"
+                yield InstalledFile(each.path, max(modified, changed), state)
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,7 @@ class Installation:
         package = Path(__file__).parent
         tops = {package, resources.data("rules"), resources.data("shapes")}
         outer = (top for top in tops if package not in top.parents)
-        return tuple(sorted(each for top in outer for each in _below(str(top))))
+        return tuple(sorted(each for top in outer for each in _files_below(str(top))))
 
     def paths_below(self, directory: Path, suffix: str) -> list[Path]:
         """Return the paths of files below *directory* that end in *suffix*, sorted."""
@@ -83,7 +84,7 @@ class Installation:
         digests: dict[str, str] = kept["digests"] if kept.get("stamp") == self._stamp else {}
         if not isinstance(found := digests.get(name), str):
             found = make()
-            newest = max(max(one.changed) for one in self.files)
+            newest = max(one.changed for one in self.files)
             if newest < (time.time() - SETTLED) * 1e9:
                 _write(cache / KEPT, {"stamp": self._stamp, "digests": {**digests, name: found}})
         return found
@@ -91,7 +92,8 @@ class Installation:
     @cached_property
     def _stamp(self) -> str:
         """A digest that changes whenever a file of the installation does."""
-        return sha256(repr(self.files).encode("utf-8", "surrogatepass")).hexdigest()
+        states = "\0".join(f"{path}\0{state}" for path, _, state in self.files)
+        return sha256(states.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def _read(path: Path) -> dict[str, Any]:

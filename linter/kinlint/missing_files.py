@@ -18,9 +18,14 @@ CLASSES = {
     UnknownPackage: iri(f"{SRC}UnresolvedPackage"),
     AbsentDirectory: iri(f"{SRC}AbsentDirectory"),
 }
+MESH = iri(f"{SRC}MeshDocument")
+"""Class of what is said of a COLLADA mesh (`kinlint.formats.collada.mesh_documents`)."""
 NODE, NAME, RESEMBLES = (iri(f"{SRC}{name}") for name in ("node", "name", "resembles"))
-STATED = frozenset({*CLASSES.values(), NODE, NAME, RESEMBLES})
-"""The properties and classes of what is said of a file that is not found."""
+OF_MESHES = ("metres", "up", "fault", "kind", "written", "line")
+STATED = frozenset(
+    {*CLASSES.values(), NODE, NAME, RESEMBLES, MESH, *(iri(f"{SRC}{name}") for name in OF_MESHES)}
+)
+"""The properties and classes of what is said of a file that is not found, and of a mesh."""
 
 
 def references(
@@ -35,16 +40,25 @@ def references(
     *packages_of* has the packages that the file of a name can name. With *wanted*, nothing is
     looked up unless one of these terms is such a reason.
     """
-    if wanted is not None and not set(wanted) & set(CLASSES.values()):
+    if wanted is not None and not set(wanted) & {*CLASSES.values(), MESH}:
         return
     lookups: dict[int, References] = {}
+    meshes: dict[Path, tuple[Term, Path]] = {}
     for document in documents:
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
         for triple in file_names(document):
-            fault = known.fault(literal_value(triple[2]), _home(document, triple))
+            written, near = literal_value(triple[2]), _home(document, triple)
+            fault = known.fault(written, near)
             if fault is not None:
                 yield from _stated(triple[0], fault)
+            elif written.lower().endswith(".dae") and (path := known.path(written, near)):
+                meshes.setdefault(path, (triple[0], near))
+    if meshes and (wanted is None or MESH in wanted):
+        # Few robots name any.
+        from kinlint.formats.collada.mesh_documents import mesh_statements  # noqa: PLC0415
+
+        yield from mesh_statements(meshes)
 
 
 def _home(document: Document, triple: Triple) -> Path:

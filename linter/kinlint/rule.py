@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from enum import IntEnum
+from typing import Literal, TypeAlias
 
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple
-from kinlint.vocabulary import SH
+from kinlint.vocabulary import KL, SH
 
 PLACEHOLDER = re.compile(r"\{[?$](\w+)\}")
 """Placeholder for the value of a variable in a message of a rule; group 1 is its name."""
+
+SpeaksOf: TypeAlias = Literal["", "chosen", "all"]
+"""Consumers that a finding may be about: none, the targets of a run, or all that are known."""
 
 KNOWN = "{ # known\n}"
 """Placeholder in the query of a repair for the values that a finding gives its variables."""
@@ -57,6 +61,10 @@ SEVERITY_BY_IRI = {
     f"{SH}Info": Severity.INFO,
 }
 """Severities by the IRIs that SHACL has for them."""
+
+
+SPEAKS_OF: Mapping[str, SpeaksOf] = {f"{KL}chosenTargets": "chosen", f"{KL}allConsumers": "all"}
+"""Values of `kl:speaksOf`: the consumers that a finding may be about, by IRI."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,6 +192,10 @@ class Rule:
     """Severities of single constraints that differ from `severity`."""
     also_for: tuple[SeverityFor, ...] = ()
     """Severities of single constraints for certain consumers or formats."""
+    features: tuple[str, ...] = ()
+    """Names of the features of descriptions that it finds, which consumers read differently."""
+    speaks_of: SpeaksOf = ""
+    """Consumers whose departures from what is written it reports: those of the run, or of all."""
     facts: tuple[tuple[str, str], ...] = ()
     """Names of the facts that it asks for, each with the module that computes it."""
 
@@ -195,6 +207,8 @@ class Rule:
         A severity for a target precedes one for a format alone, and of equals the worst counts.
         """
         if self.targets and set(self.targets).isdisjoint(targets):
+            return None
+        if self.speaks_of == "chosen" and not targets:
             return None
         meant = [each for each in self.severity_for if each.applies(targets, form)]
         special = [each.severity for each in meant if each.targets]

@@ -42,6 +42,10 @@ class Link:
     """Frames on it, in the order of the text."""
     absent: bool = False
     """True if joints name it, but nothing describes it."""
+    point: Vector | None = None
+    """Its origin in m as the root of its tree sees it, with all joints at zero."""
+    centre: Vector | None = None
+    """Its centre of mass, seen likewise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +84,14 @@ class Joint:
     """Lower position limit in rad or m."""
     upper: float | None = None
     """Upper position limit in rad or m."""
+    point: Vector | None = None
+    """Its place on the parent in m as the root of its tree sees it, with all joints at zero."""
+    end: Vector | None = None
+    """Its place on the child, seen likewise: another one if a loop does not close at zero."""
+    direction: Vector | None = None
+    """Unit vector of its axis, seen likewise."""
+    placed: bool = False
+    """True if the files state its place on both links."""
     location: Location | None = None
     """Place of its identifier."""
     whole: Location | None = None

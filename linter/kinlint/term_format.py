@@ -107,7 +107,11 @@ class TermFormatter:
         paths = (
             split(iri_value(node))[1].removeprefix("/") for node in self.nodes if is_address(node)
         )
-        named = (path for path in paths if path and owner_path(path, self.kinds) == path)
+        # A path to a named element ends in a tag and the name, which is told apart sooner.
+        likely = (
+            path for path in paths if path.rpartition("/")[0].rpartition("/")[2] in self.kinds
+        )
+        named = (path for path in likely if owner_path(path, self.kinds) == path)
         counts = Counter(short_path(unordered(path), self.kinds) for path in named)
         return frozenset(name for name, count in counts.items() if count > 1)
 

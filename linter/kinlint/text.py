@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Callable
 from functools import cached_property
@@ -10,6 +11,9 @@ from typing import Generic, NamedTuple, TypeVar
 
 from kinlint.file_format import Format
 from kinlint.light_dataclasses import dataclass, field
+
+XML_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+"""A comment in XML; one that does not end is the rest of the text."""
 
 T = TypeVar("T")
 
@@ -46,6 +50,10 @@ class Pairing:
     """Parts that the text names and only those others have."""
     certain: bool = True
     """False if each of the others may be meant as well."""
+    annotations: tuple[str, ...] = ()
+    """Names of the SRDF files with the planning groups of the robots."""
+    stated: bool = False
+    """True if a configuration or a launch file says that it is that robot."""
 
 
 @dataclass(frozen=True, slots=False)

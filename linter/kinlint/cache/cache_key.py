@@ -17,6 +17,7 @@ from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.formats.dependencies.mentions import includes_nothing
 from kinlint.installation import Installation
 from kinlint.light_dataclasses import dataclass, field, fields, is_dataclass, replace
+from kinlint.rule import Severity
 from kinlint.text import SourceText
 
 FOLLOWS = ("text", "format")
@@ -37,6 +38,8 @@ class CacheKeys:
     """Its rules."""
     fixing: bool
     """True if reports contain fixes."""
+    least: Severity
+    """Least severity of findings that have them."""
     _base: str = field(init=False, repr=False)
     _known: dict[int, str] = field(default_factory=dict, repr=False)
 
@@ -55,7 +58,7 @@ class CacheKeys:
             installed.digest("code", self.settings.cache, lambda: _code(installed)),
             os.getcwd(),  # noqa: PTH109  a text
             self.book.digest,
-            self.fixing,
+            (self.fixing, self.least.label),
             plain(wide),
             dict(Contexts.bundled(wide.contexts, extra).extra_documents) if extra else {},
         ]

@@ -15,6 +15,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.files.tracked_io import Asked, Record, answer
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.report import Report
+from kinlint.rule import Severity
 from kinlint.text import SourceText
 
 FOLDER = "reports"
@@ -37,12 +38,17 @@ class ReportCache:
 
     @classmethod
     def from_settings(
-        cls, settings: Settings, book: Rulebook, *, fixing: bool
+        cls, settings: Settings, book: Rulebook, *, fixing: bool, least: Severity
     ) -> ReportCache | None:
-        """Return the cache that *settings* allow, or None."""
+        """Return the cache that *settings* allow, or None.
+
+        If *fixing*, reports contain fixes of findings of the severity *least* or more.
+        """
         if settings.cache is None or not book.digest:
             return None
-        return cls(DirectoryStore(settings.cache / FOLDER), CacheKeys(settings, book, fixing))
+        return cls(
+            DirectoryStore(settings.cache / FOLDER), CacheKeys(settings, book, fixing, least)
+        )
 
     def recall(self, sources: Sequence[SourceText], *, complete: bool) -> Report | None:
         """The report that was kept of *sources*, if it would be the same today."""

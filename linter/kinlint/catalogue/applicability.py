@@ -18,7 +18,10 @@ from kinlint.file_format import Format
 from kinlint.formats.records import FORMATS
 from kinlint.rule import Repair, Rule
 from kinlint.terms import Term, is_iri
+from kinlint.vocabulary import KL
 
+CHOSEN_TARGETS = f"{KL}chosenTargets"
+"""Value of `kl:speaksOf` of constraints that only speak of the targets of a run."""
 COMPOSABLE = frozenset(each.name for each in FORMATS if not each.is_tree)
 """Formats in which models are written as they are meant; a rule for one is a rule for all."""
 
@@ -33,16 +36,25 @@ def applicability(
 
 
 def applicable(
-    constraints: Sequence[Constraint], owners: Mapping[str, frozenset[Format]]
+    constraints: Sequence[Constraint],
+    owners: Mapping[str, frozenset[Format]],
+    *,
+    targets: bool = True,
 ) -> list[Constraint]:
     """Return those of *constraints* that look at a format which their rule applies to.
 
-    *owners* are the rules, by IRI, with these formats.
+    *owners* are the rules, by IRI, with these formats. Without *targets*, none is returned that
+    speaks only to those who mean certain consumers.
     """
-    return [
+    found = (
         constraints[number]
         for number, each in enumerate(heads(constraints))
         if any(covers(each.formats, form) for form in owners.get(each.owner, ()))
+    )
+    return [
+        each
+        for each in found
+        if targets or not (each.consumers or each.speaks_of == CHOSEN_TARGETS)
     ]
 
 

@@ -38,7 +38,7 @@ class CompiledCatalogue:
 
     head: Mapping[str, Any]
     """The first line."""
-    lines: bytes
+    lines: bytes | memoryview
     """The other lines."""
 
     @classmethod
@@ -82,8 +82,9 @@ class CompiledCatalogue:
     def from_file(cls, stored: Path) -> CompiledCatalogue | None:
         """Return the compiled catalogue that the file *stored* has; None if it has none."""
         try:
-            first, _, lines = stored.read_bytes().partition(b"\n")
-            head = json.loads(first)
+            kept = stored.read_bytes()
+            end = kept.index(b"\n")
+            head, lines = json.loads(kept[:end]), memoryview(kept)[end + 1 :]
             return cls(head, lines) if head["check"] == crc32(lines) else None
         except (OSError, ValueError, KeyError, TypeError):
             return None
@@ -139,7 +140,7 @@ class CompiledCatalogue:
         return [*found, {"key": lifting, "queries": dict(self.queries)}]
 
     def _line(self, place: Place) -> str:
-        return self.lines[place[0] : place[1]].decode("ascii")
+        return str(self.lines[place[0] : place[1]], "ascii")
 
     def _value(self, place: Place) -> Any:
         return json.loads(self._line(place))
@@ -190,7 +191,7 @@ def _repair(values: Mapping[str, Any]) -> Repair:
 
 _PLURAL = ("antipatterns", "symptoms", "formats", "links", "messages", "targets")
 READERS: Mapping[str, Callable[[Any], Any]] = {
-    **dict.fromkeys((*_PLURAL, "group_by", "explains"), tuple),
+    **dict.fromkeys((*_PLURAL, "group_by", "explains", "features"), tuple),
     "severity": Severity,
     "severity_for": _severities,
     "also_for": _severities,

@@ -14,10 +14,11 @@ from kinlint.suggestion import did_you_mean
 from kinlint.vocabulary import ATTRIBUTE, FACT, KIN, KL, METAMODELS, REFERENCE, SH
 
 _RULE_TERMS = """
-    AP1 AP2 AP3 AP4 AP5 AP6 Rule antiPattern applicability bad because beside code column counts
-    displayOnly example explains file fixed format good groupBy ignore line optional passesOver
-    prefixes preview reason reportedBy rule safe severityFor since suppression symptom target
-    unfixable unparsable unsafe until wholeModel with worst
+    AP1 AP2 AP3 AP4 AP5 AP6 Rule allConsumers antiPattern applicability bad because beside
+    chosenTargets code column counts displayOnly example explains feature file fixed format good
+    groupBy ignore line optional passesOver prefixes preview reason reportedBy rule safe
+    severityFor since speaksOf suppression symptom target unfixable unparsable unsafe until
+    wholeModel with worst
 """
 RULE_TERMS = frozenset(_RULE_TERMS.split())
 """Names of `kl:`, the vocabulary of rules, suppressions and reports, besides those of formats."""
@@ -113,8 +114,11 @@ def _references() -> Iterator[str]:
     for form in LIFTED:
         for types in schema(form.name).types.values():
             for each in types:
-                for reference in each.references.values():
-                    yield reference.predicate[1:-1].removeprefix(REFERENCE)
+                for predicate in (
+                    *(one.predicate for one in each.references.values()),
+                    *(one.predicate for one in each.addresses.values()),
+                ):
+                    yield predicate[1:-1].removeprefix(REFERENCE)
 
 
 @cache

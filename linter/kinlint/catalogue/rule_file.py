@@ -14,9 +14,9 @@ from kinlint.engine.compiler.shacl_terms import RULE_CLASS, TYPE, sh
 from kinlint.engine.compiler.shapes_graph import ShapesFile, ShapesGraph, parse
 from kinlint.errors import RuleInvalid
 from kinlint.light_dataclasses import astuple
-from kinlint.rule import SEVERITY_BY_IRI, Example, Rule, Severity, SeverityFor
+from kinlint.rule import SEVERITY_BY_IRI, SPEAKS_OF, Example, Rule, Severity, SeverityFor
 from kinlint.terms import Term, iri, iri_value, is_iri, is_literal, literal_datatype, literal_value
-from kinlint.vocabulary import KL, RDFS, SH
+from kinlint.vocabulary import FEATURE, KL, RDFS, SH
 
 TRUE = {"true", "1"}
 
@@ -95,6 +95,8 @@ class _RuleReader:
             also=tuple(sorted(self.also(), reverse=True)),
             also_for=tuple(sorted(set(self.also_for()), key=astuple)),
             repairs=read_repairs(self.graph, self.subject),
+            features=tuple(sorted(self.features())),
+            speaks_of=SPEAKS_OF.get(self.value(kl("speaksOf")), ""),
             facts=modules(self.graph.files[0], prefixes()),
         )
 
@@ -109,6 +111,15 @@ class _RuleReader:
             self.severity(said)
             for each in self.graph.values(self.subject, sh("sparql"))
             for said in self.values(sh("severity"), each)
+        }
+
+    def features(self) -> set[str]:
+        """Return the names of the features that the rule and its constraints find."""
+        nodes = (self.subject, *self.graph.values(self.subject, sh("sparql")))
+        return {
+            found.removeprefix(FEATURE)
+            for each in nodes
+            for found in self.values(kl("feature"), each)
         }
 
     def also_for(self) -> Iterator[SeverityFor]:

@@ -43,14 +43,16 @@ class RuleSelection:
     ) -> RuleSelection:
         """Return the selection by *settings* for *documents*, and if *repairing*, for repairs."""
         policies = Policies(settings, rulebook.rules, formats(documents))
-        enabled = policies.enabled(document.source.name for document in documents)
+        names = [document.source.name for document in documents]
+        enabled = policies.enabled(names)
         asked = [
             rule
             for rule in rulebook.rules
             if rule.code in enabled and not (settings.partial and rule.whole_model)
         ]
         owners = applicability(asked, documents)
-        constraints = applicable(rulebook.constraints, owners)
+        targets = policies.has_targets(names)
+        constraints = applicable(rulebook.constraints, owners, targets=targets)
         applied = [rule for rule in asked if repairing and rule.iri in owners]
         repairs = [one for rule in applied for one in rule.repairs]
         return cls(rulebook, policies, asked, owners, constraints, repairs)

@@ -18,7 +18,7 @@ from kinlint.cli.lint_run import LintRun, profiled
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
-from kinlint.cli.xacro_arguments import take_arguments
+from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.project_trust import untrusted_message
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
@@ -34,6 +34,7 @@ from kinlint.rule import Severity
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
+    from kinlint.cli.early_output import EarlyOutput
     from kinlint.cli.new_findings import KnownFindings
 
 PACKAGED = ("package://", "$(find")
@@ -53,7 +54,10 @@ COMPARING = (
 def run(arguments: Sequence[str]) -> int:
     """Lint what *arguments* name; the exit code."""
     options = parser().read(arguments)
-    take_arguments(options)
+    if any(":=" in path for path in options.paths):
+        from kinlint.cli.xacro_arguments import take_arguments  # noqa: PLC0415  few runs give any
+
+        take_arguments(options)
     if options.version:
         sys.stdout.write(f"kinlint {__version__}\n")
         return CLEAN
@@ -99,7 +103,9 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_before(settings, book, map(layers.origin, found.inputs)))
     knowledge = _knowledge(options, layers, found, settings, book)
     wanted = None if knowledge is None else knowledge.new
-    run = LintRun(settings, found, book, phases, outputs.watched, options.color)
+    plain = wanted is None and settled is None
+    early = _early_output(options, outputs, settings, found) if plain else None
+    run = LintRun(settings, found, book, phases, outputs.watched, options.color, early=early)
     with phases.counting_parts(wanted=profiled(options)):
         report = run.report(options, outputs, wanted)
     report = report if knowledge is None else knowledge.apply_to(report)
@@ -110,20 +116,42 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
         _warn(found, report.passed_over, _unknown(options, run.read, settings))
-    if options.show_suppressed:
-        both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
-        report = replace(report, findings=tuple(both), suppressed=())
+    report = _with_suppressed(report) if options.show_suppressed else report
     report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
     told = report.with_consequences() if options.show_consequences else report
     with phases.phase("reporting"):
         streamed = any(one.path is None for one in found.inputs)
-        fixing = options.fix or options.fix_only or options.add_ignore is not None
-        outputs.emit(told, sys.stderr if options.diff or (fixing and streamed) else sys.stdout)
+        out = sys.stderr if options.diff or (_fixing(options) and streamed) else sys.stdout
+        outputs.emit(told, out, early.written if early is not None else ())
     if options.statistics and options.verbose:
         _tell_times(phases, book)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
     return exit_code(replace(report, findings=()) if outputs.only_fixes else report)
+
+
+def _early_output(
+    options: Namespace, outputs: Outputs, settings: Settings, found: Found
+) -> EarlyOutput | None:
+    """Return the output that begins before the end; None where findings are not told as found."""
+    more = options.show_suppressed or options.show_consequences or options.in_project
+    if more or _fixing(options) or not outputs.begins_early:
+        return None
+    from kinlint.cli.early_output import EarlyOutput  # noqa: PLC0415  not in every format
+
+    names = {one.name for one in found.inputs}
+    return EarlyOutput(outputs, names, unsafe=settings.unsafe_fixes)
+
+
+def _fixing(options: Namespace) -> bool:
+    """Tell whether *options* ask to change files."""
+    return options.fix or options.fix_only or options.add_ignore is not None
+
+
+def _with_suppressed(report: Report) -> Report:
+    """Return *report* with suppressed findings among the others."""
+    both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
+    return replace(report, findings=tuple(both), suppressed=())
 
 
 def threshold(fail_on: str) -> Severity | None:

@@ -11,7 +11,7 @@ from typing import Any
 
 from kinlint.cli.argument_parser import Parser
 from kinlint.cli.context_download import download, is_address
-from kinlint.configuration.config_file import Configs
+from kinlint.cli.project_rules import found_config
 from kinlint.configuration.context_entry import ContextEntry
 from kinlint.contexts.context_library import COMMUNITY, NEWEST, Contexts, Extra, bundled_source
 from kinlint.errors import SourceError, UsageError
@@ -56,7 +56,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _listed() -> list[str]:
-    config = Configs().nearest(Path.cwd())
+    config = found_config(trust=False)
     extra: list[Extra] = []
     if config is not None:
         extra += [*(config.context_directories or ()), *(config.extra_contexts or {}).items()]

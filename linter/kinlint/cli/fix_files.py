@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Protocol
 
 from kinlint.configuration.settings import Settings
 from kinlint.edits import NotExpressible
@@ -14,7 +15,7 @@ from kinlint.files.environment import WRITING
 from kinlint.files.pathglob import absolute
 from kinlint.finding import Finding
 from kinlint.fixes.offers import accept_all
-from kinlint.fixes.rounds import RoundsResult, fix_in_rounds
+from kinlint.fixes.rounds import fix_in_rounds
 from kinlint.formats.decoding import decode, encode
 from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Input
@@ -43,7 +44,26 @@ def least_applicability(settings: Settings) -> Applicability:
     return Applicability.UNSAFE if settings.unsafe_fixes else Applicability.SAFE
 
 
-def write_fixes(outcome: RoundsResult, inputs: Iterable[Input], done: str = "fixed") -> Report:
+class Changes(Protocol):
+    """Outcome of changing texts."""
+
+    @property
+    def report(self) -> Report:
+        """The report on the changed texts."""
+        ...
+
+    @property
+    def changed(self) -> Sequence[Change]:
+        """The texts that changed, before and after."""
+        ...
+
+    @property
+    def restless(self) -> Sequence[str]:
+        """The rules, by their codes, whose fixes undo or feed each other, and are not made."""
+        ...
+
+
+def write_fixes(outcome: Changes, inputs: Iterable[Input], done: str = "fixed") -> Report:
     """Write the texts of *outcome* to the files of *inputs*; the report of what is left.
 
     So it goes with those that they include. A file that changed meanwhile, or cannot be written,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinlint.cli import check_options as linting
@@ -24,14 +24,15 @@ from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.rule import Severity
 
-TURTLE = "turtle"
-"""The format of the graph itself, which is no picture."""
+TURTLE, HTML = "turtle", "html"
+"""The formats of the graph itself, and of the page with the pictures and the findings."""
 LAYERS = ("source", "lifted", "closure", "facts")
 """Layers of the graph: what files state, and what is lifted, inferred and computed from it."""
 
 DESCRIPTION = """\
 Draw the links and joints of robots as roboticists do: links are boxes, joints ellipses, and what
-closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about. With
+closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about. `svg`
+and `html` also show the robot in three dimensions, with all joints at zero. With
 `--output-format turtle`, write the graph that rules see, with the place of each node."""
 
 EPILOG = "Exit code: 0 drawn, whatever was found; 2 if a file cannot be read or has no robot."
@@ -49,8 +50,8 @@ def parser() -> Parser:
     add = made.add_argument
     add(
         "--output-format",
-        type=one_of((*FORMATS, TURTLE)),
-        metavar="|".join((*FORMATS, TURTLE)),
+        type=one_of((*FORMATS, HTML, TURTLE)),
+        metavar="|".join((*FORMATS, HTML, TURTLE)),
         help="format (default: by the suffix of the output file, or text)",
     )
     linting.add_output_file(made)
@@ -101,22 +102,29 @@ def run(arguments: Sequence[str]) -> int:
                 put(text, stream)
         return 0
     report = _report(found, settings, options)
-    frames = options.frames
     if path is None:
-        put(
-            pieces(report, form, detect_style(sys.stdout, options.color), frames=frames), sys.stdout
-        )
+        style = detect_style(sys.stdout, options.color)
+        put(_drawn(report, form, style, frames=options.frames), sys.stdout)
     else:
         with replacing(path) as stream:
-            put(pieces(report, form, Style(), frames=frames), stream)
+            put(_drawn(report, form, Style(), frames=options.frames), stream)
     return 0
+
+
+def _drawn(report: Report, form: str, style: Style, *, frames: bool) -> Iterator[str]:
+    """Return the robots of *report* in the format called *form*, piece by piece."""
+    if form != HTML:
+        return pieces(report, form, style, frames=frames)
+    from kinlint.reporters.html.page import render  # noqa: PLC0415  pictures need no page
+
+    return render(report, style, frames=frames)
 
 
 def _format_of(path: Path | None) -> str:
     """The format that the name of a file stands for; UsageError if nobody can tell."""
     suffix = "" if path is None else path.suffix.lower()
-    if suffix == ".ttl":
-        return TURTLE
+    if suffix in {".ttl", ".html"}:
+        return TURTLE if suffix == ".ttl" else HTML
     if suffix not in SUFFIXES:
         formats = "|".join(FORMATS)
         raise UsageError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ from kinlint import __version__
 from kinlint.cli.argument_parser import Parser, non_empty
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
+from kinlint.files.pathname import real
 
 PLACEHOLDER = "https://github.com/OWNER/kinlint"
 """The address of the repository where it is not known."""
@@ -87,9 +89,9 @@ def run(arguments: Sequence[str]) -> int:
         "revision": f"v{__version__}",
         "action": re.sub(r"^https?://[^/]+/|\.git$", "", repository),
     }
-    _offer(home / "kinlint.toml", CONFIGURATION, yes=options.yes)
-    _offer_hook(home / HOOKS, HOOK.format(**said), yes=options.yes)
-    _offer(home / ".github/workflows/kinlint.yml", WORKFLOW.format(**said), yes=options.yes)
+    _offer(home, "kinlint.toml", CONFIGURATION, yes=options.yes)
+    _offer_hook(home, HOOK.format(**said), yes=options.yes)
+    _offer(home, ".github/workflows/kinlint.yml", WORKFLOW.format(**said), yes=options.yes)
     if repository == PLACEHOLDER:
         _say(
             "OWNER stands for whoever keeps the repository of kinlint: --repository URL says who.\n"
@@ -108,19 +110,26 @@ def _origin() -> str | None:
     return str(url) if url else None
 
 
-def _offer(path: Path, text: str, *, yes: bool) -> None:
-    """Show *text*, and write it to *path* if that is new and the user agrees."""
-    if path.exists():
+def _offer(home: Path, name: str, text: str, *, yes: bool) -> None:
+    """Show *text*, and write it to the file *name* in *home* if it is new and the user agrees."""
+    path = home / name
+    if os.path.lexists(path):
         _say(f"{path} is there already, and stays as it is.\n\n")
+    elif not real(path.parent).is_relative_to(real(home)):
+        _say(f"{path} is not written: links lead out of the project.\n\n")
     else:
         _propose(path, text, text, "new file", yes=yes)
 
 
-def _offer_hook(path: Path, entry: str, *, yes: bool) -> None:
-    """Offer to add *entry* to the hooks in *path*."""
-    if not path.exists():
+def _offer_hook(home: Path, entry: str, *, yes: bool) -> None:
+    """Offer to add *entry* to the hooks of the project in *home*."""
+    path = home / HOOKS
+    if not os.path.lexists(path):
         text = f"repos:\n{entry}"
         _propose(path, text, text, "new file", yes=yes)
+        return
+    if not path.is_file() or not real(path).is_relative_to(real(home)):
+        _say(f"{path} is not a file of the project, and stays as it is.\n\n")
         return
     try:
         before = path.read_text("utf-8")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,11 +21,15 @@ from kinlint.phases import Phases
 from kinlint.project.discovery import Found
 from kinlint.report import Report
 from kinlint.reporters.terminal_style import When
+from kinlint.rule import Severity
 from kinlint.text import SourceText
 from kinlint.vocabulary import METAMODELS, SH
 
 if TYPE_CHECKING:
+    from kinlint.cli.early_output import EarlyOutput
+    from kinlint.cli.fix_files import Changes
     from kinlint.fixes.offers import Sieve
+    from kinlint.fixes.rounds import RoundsResult
     from kinlint.parallel.runner import ParallelRunner
 
 
@@ -62,6 +66,8 @@ class LintRun:
     """The texts that were read, once they are."""
     paired: list[SourceText] = field(default_factory=list)
     """The texts of SRDF, with the robots by which they are judged."""
+    early: EarlyOutput | None = None
+    """The output that begins before the end, if it does."""
     _passed: list[SourceError] = field(default_factory=list)
     """Files that were passed over, and why they may have been meant."""
 
@@ -84,8 +90,8 @@ class LintRun:
         elif options.fix or options.fix_only or options.diff:
             report = self._mended(options, wanted)
         else:
-            fixing = outputs.tells_fixes
-            report = self.linted(process_count(options), fixing=fixing, wanted=wanted)
+            fixing, least = outputs.tells_fixes, outputs.fixes_from
+            report = self.linted(process_count(options), fixing=fixing, wanted=wanted, least=least)
         if asides:
             report = project_mode.without_asides(report, asides, new)
         named = {one.name for one in self.found.inputs}
@@ -148,21 +154,15 @@ class LintRun:
     def _mended(self, options: Namespace, wanted: Sieve | None) -> Report:
         from kinlint.cli import fix_files  # noqa: PLC0415  most runs change nothing
 
-        sources, failed = self._read_in_time(options)
         inputs = self.found.inputs
-        least = fix_files.least_applicability(self.settings)
-        streamed = {one.name for one in inputs if one.path is None}
-        outcome = fix_files.fix_in_rounds(
-            sources,
-            failed,
-            self.settings,
-            self.book,
-            least,
-            self.phases,
-            streamed,
-            self.found.asides,
-            wanted or fix_files.accept_all,
+        rounds = partial(
+            fix_files.fix_in_rounds,
+            least=fix_files.least_applicability(self.settings),
+            streamed={one.name for one in inputs if one.path is None},
+            kept=self.found.asides,
+            wanted=wanted or fix_files.accept_all,
         )
+        outcome, sources = self._changed_in_time(options, rounds)
         if outcome.restless and not options.silent:
             from kinlint.fixes.fix_circles import circle_warning  # noqa: PLC0415  most runs rest
 
@@ -175,19 +175,47 @@ class LintRun:
         return report
 
     def _silenced(self, options: Namespace, wanted: Sieve | None) -> Report:
-        from kinlint.cli.add_ignore import add_ignores  # noqa: PLC0415  most runs write nothing
-        from kinlint.fixes.offers import accept_all  # noqa: PLC0415
+        from kinlint.cli import add_ignore, fix_files  # noqa: PLC0415  most runs write nothing
 
+        inputs = self.found.inputs
+        rounds = partial(
+            add_ignore.silence_in_rounds,
+            reason=options.add_ignore or None,
+            streamed={one.name for one in inputs if one.path is None},
+            kept=self.found.asides,
+            wanted=wanted or fix_files.accept_all,
+        )
+        outcome, sources = self._changed_in_time(options, rounds)
+        return add_ignore.write_ignores(outcome, inputs, sources, silent=options.silent)
+
+    def _changed_in_time(
+        self, options: Namespace, rounds: Callable[..., RoundsResult]
+    ) -> tuple[Changes, list[SourceText]]:
+        """Return the outcome of *rounds*, and the texts; files that take too long are reported."""
+        if self.settings.file_timeout is not None:
+            from kinlint.parallel.shard import Job  # noqa: PLC0415  few runs have a limit
+            from kinlint.parallel.timed_fixes import fix_in_time  # noqa: PLC0415
+
+            sources, failed = self._read()
+            job = Job(self.settings, self.book, fixing=True)
+            timed = fix_in_time(sources, failed, job, process_count(options), rounds)
+            if timed is not None:
+                return timed, sources
         sources, failed = self._read_in_time(options)
-        return add_ignores(
-            options, sources, failed, self.found, self.settings, self.book, wanted or accept_all,
-            self.phases,
-        )  # fmt: skip
+        return rounds(sources, failed, self.settings, self.book, phases=self.phases), sources
 
-    def linted(self, jobs: int, *, fixing: bool, wanted: Sieve | None = None) -> Report:
+    def linted(
+        self,
+        jobs: int,
+        *,
+        fixing: bool,
+        wanted: Sieve | None = None,
+        least: Severity = Severity.INFO,
+    ) -> Report:
         """The report of *jobs* processes; if *fixing*, with the fixes that are offered.
 
-        Where some findings are not *wanted*, fixes are proven of the others only, and afterwards.
+        Fixes are proven of findings of the severity *least* or more; where some are not *wanted*,
+        of the others only, and afterwards.
         """
         with self.phases.phase("imports"):
             from kinlint.cache.report_cache import ReportCache  # noqa: PLC0415
@@ -195,16 +223,19 @@ class LintRun:
             from kinlint.parallel.shard import Job  # noqa: PLC0415  loads the readers
 
         first = fixing and wanted is None
-        job = Job(self.settings, self.book, first)
+        job = Job(self.settings, self.book, first, least=least)
         kept = not any(one.path is None for one in self.found.inputs)
-        memory = ReportCache.from_settings(self.settings, self.book, fixing=first) if kept else None
+        memory = None
+        if kept:
+            memory = ReportCache.from_settings(self.settings, self.book, fixing=first, least=least)
         with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
             sources, failed = self._read(bar)
-            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance)
+            tell = partial(bar.step_aside, self.early.tell) if self.early is not None else None
+            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance, tell)
             report = survey.report(sources, failed)
         if fixing and wanted is not None:
             keys = frozenset(each.key for each in wanted(report.findings) if each.rule.repairs)
-            runner = ParallelRunner(Job(self.settings, self.book, True, keys), jobs)  # noqa: FBT003
+            runner = ParallelRunner(Job(self.settings, self.book, True, keys, least), jobs)  # noqa: FBT003
             report = _with_fixes(report, sources, runner)
         if report.files:
             return report

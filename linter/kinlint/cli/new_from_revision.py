@@ -16,10 +16,10 @@ from kinlint.configuration.settings import FileSettings, Settings
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real
 from kinlint.files.revision import Repository, Revision
-from kinlint.formats.records import JSON, SEARCHED
+from kinlint.formats.records import SEARCHED
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.phases import Phases
-from kinlint.project.discovery import Found, Input, may_be_jsonld
+from kinlint.project.discovery import Found, Input, may_be_model
 from kinlint.project.layers import Layers
 from kinlint.project.revision_checkout import checkout, checkout_path
 
@@ -86,11 +86,9 @@ class FindingsAtRevision:
         """The models that a search of the directories *given* would have found then."""
         tops = [path for each in given if (path := real(absolute(each))).is_dir()]
         for path in sorted(self.revision.deleted):
-            if path.suffix.lower() not in SEARCHED:
+            if not path.name.lower().endswith(SEARCHED):
                 continue
-            if path.suffix.lower() == JSON and not may_be_jsonld(
-                checkout_path(path, self.revision, root)
-            ):
+            if not may_be_model(checkout_path(path, self.revision, root)):
                 continue
             top = next((top for top in tops if path.is_relative_to(top)), None)
             if top is not None and not self._excluded(path, top):

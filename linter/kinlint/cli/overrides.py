@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from kinlint.cli.xacro_arguments import name_and_value
 from kinlint.configuration.config_file import (
     Config,
     Configs,
@@ -47,6 +46,7 @@ def overrides(options: Namespace) -> Config:
             per_file_ignores=_per_file(options.per_file_ignores),
             extend_per_file_ignores=_per_file(options.extend_per_file_ignores) or (),
             target=None if options.target is None else tuple(options.target),
+            per_file_target=None if options.target is None else (),
             unsafe_fixes=options.unsafe_fixes,
             fail_on=options.fail_on,
             show=options.show,
@@ -75,7 +75,8 @@ def configs(options: Namespace) -> Configs:
             raise UsageError(f"--config: '{paths[0]}' is neither a file nor KEY=VALUE{near}")
         return Configs(fixed=load_config(path))
     trust = ProjectTrust.from_user(os.environ, everything=options.trust)
-    return Configs(Config("defaults") if options.isolated else None, trust.restricted)
+    fixed = Config("defaults") if options.isolated else None
+    return Configs(fixed, trust.restricted, trust.may_extend)
 
 
 def _is_key(text: str) -> bool:
@@ -114,7 +115,7 @@ def _unquoted(key: str, value: str) -> str | list[str] | None:
 def _packages(pairs: Iterable[str]) -> Iterator[tuple[str, Path]]:
     """Packages `NAME=DIR` or `NAME:=DIR`."""
     for text in pairs:
-        name, directory = name_and_value(text) or ("", "")
+        name, directory = _name_and_value(text) or ("", "")
         if not directory:
             raise UsageError(f"--package: expected NAME=DIR, got '{text}'")
         path = absolute(os.path.expanduser(directory))  # noqa: PTH111  never fails
@@ -127,10 +128,16 @@ def _packages(pairs: Iterable[str]) -> Iterator[tuple[str, Path]]:
 def _xacro_args(pairs: Iterable[str]) -> Iterator[XacroArgument]:
     """Arguments `NAME:=VALUE` or `NAME=VALUE`."""
     for text in pairs:
-        found = name_and_value(text)
+        found = _name_and_value(text)
         if found is None:
             raise UsageError(f"--xacro-arg: expected NAME:=VALUE, got '{text}'")
         yield XacroArgument(*found)
+
+
+def _name_and_value(text: str) -> tuple[str, str] | None:
+    from kinlint.cli.xacro_arguments import name_and_value  # noqa: PLC0415  few runs give any
+
+    return name_and_value(text)
 
 
 def _choices(options: Namespace) -> tuple[Choice, ...]:

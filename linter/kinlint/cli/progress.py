@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING, Self, TypeVar
 
@@ -56,6 +56,15 @@ class ProgressBar:
             self._show()
         if self._shown is not None:
             self._shown.update(self._shown.task_ids[0], completed=self._done)
+
+    def step_aside(self, tell: Callable[[T], None], findings: T) -> None:
+        """Tell *findings* while nothing is shown."""
+        shown = self._shown
+        if shown is not None:
+            shown.stop()
+        tell(findings)
+        if shown is not None:
+            shown.start()
 
     def _show(self) -> None:
         from rich.console import Console  # noqa: PLC0415  slow to import, and most runs are short

@@ -13,8 +13,13 @@ from kinlint.errors import UsageError
 
 def project_config(*, trust: bool) -> Config:
     """Return the configuration that holds in the working directory, without what is not trusted."""
+    return found_config(trust=trust) or Config("defaults")
+
+
+def found_config(*, trust: bool) -> Config | None:
+    """Return that configuration, None if there is none; raises `ConfigError`."""
     trusted = ProjectTrust.from_user(os.environ, everything=trust)
-    return Configs(None, trusted.restricted).nearest(Path.cwd()) or Config("defaults")
+    return Configs(None, trusted.restricted, trusted.may_extend).nearest(Path.cwd())
 
 
 def project_rules(*, trust: bool, required: bool = False) -> list[Path]:

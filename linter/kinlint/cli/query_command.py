@@ -121,11 +121,13 @@ def _rows(
         table = csv.writer(stream, lineterminator="\r\n")
         table.writerow([*names, "place"])
         for row, place in zip(rows, places, strict=True):
-            table.writerow([*("" if each is None else _cell(each) for each in row), place])
+            table.writerow(
+                [*("" if each is None else _cell(_plain(each)) for each in row), _cell(place)]
+            )
         yield stream.getvalue()
         return
     cells = [
-        [*("" if each is None else _short(each, writer, graph) for each in row), place]
+        [*("" if each is None else _short(each, writer, graph) for each in row), printable(place)]
         for row, place in zip(rows, places, strict=True)
     ]
     heads = [*(f"?{name}" for name in names), "place"]
@@ -140,13 +142,12 @@ def _short(term: Term, writer: TermWriter, graph: ModelGraph) -> str:
     """Return *term* as short as a table can have it: nodes of files by what follows the `#`."""
     for document in graph.documents:
         if is_iri(term) and term[1:].startswith(document.graph[1:-1] + "#"):
-            return term[len(document.graph) - 1 : -1]
+            return printable(term[len(document.graph) - 1 : -1])
     return printable(_plain(term) if term.startswith('"') else writer.term(term))
 
 
-def _cell(term: Term) -> str:
-    """Return *term* as a cell of CSV: a text that spreadsheets take for a formula is quoted."""
-    text = _plain(term)
+def _cell(text: str) -> str:
+    """Return *text* as a cell of CSV: one that spreadsheets take for a formula is quoted."""
     if not text.startswith(FORMULA):
         return text
     try:

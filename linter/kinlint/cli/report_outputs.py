@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from io import TextIOWrapper
 from pathlib import Path
@@ -64,8 +64,18 @@ class Outputs:
         """Tell whether any output contains fixes."""
         formats = [FORMATS[name] for name in self._written]
         summed = not (self.quiet or self.silent) and any(not each.machine for each in formats)
-        counted = summed or (self.statistics and not self.silent)
-        return counted or any(each.fixes for each in formats)
+        return summed or self._tabulates or any(each.fixes for each in formats)
+
+    @property
+    def fixes_from(self) -> Severity:
+        """Least severity of findings whose fixes are told; what is not shown is only counted."""
+        machine = any(FORMATS[name].machine for name in self._written)
+        return Severity.INFO if machine or self._tabulates or self.verbose else self.show
+
+    @property
+    def _tabulates(self) -> bool:
+        """Tell whether a table counts what can be fixed, of all severities."""
+        return self.statistics and not self.silent
 
     @property
     def watched(self) -> bool:
@@ -77,11 +87,25 @@ class Outputs:
         """Tell whether any output shows the structure of robots."""
         return self._summarises or any(FORMATS[name].drawn for name in self._written)
 
-    def emit(self, report: Report, out: TextIO | None = None) -> None:
+    @property
+    def begins_early(self) -> bool:
+        """Tell whether findings can be written one by one, before all are known."""
+        apart = self.path is not None or self.silent or self.statistics or self.only_fixes
+        return FORMATS[self.main].early and not apart
+
+    def begin(self, report: Report, out: TextIO) -> None:
+        """Write the findings of *report*, a part, in the main format, and see that they arrive."""
+        self._write(report, self.main, out)
+        out.flush()
+
+    def emit(
+        self, report: Report, out: TextIO | None = None, written: Collection[str] = ()
+    ) -> None:
         """Write *report* everywhere; what a machine format leaves unsaid goes to stderr.
 
-        *out* is standard output, or what takes its place where it has something else. A file that
-        cannot be written raises `UsageError` when the others are.
+        *out* is standard output, or what takes its place where it has something else; findings in
+        the files *written* are there. A file that cannot be written raises `UsageError` when the
+        others are.
         """
         out = out or sys.stdout
         told = replace(report, findings=()) if self.only_fixes else report
@@ -98,7 +122,8 @@ class Outputs:
             with replacing(self.path) as stream:
                 self._main(report, told, stream)
         elif not self.silent:
-            self._main(report, told, out)
+            left = (one for one in told.findings if one.location.source.name not in written)
+            self._main(report, replace(told, findings=tuple(left)) if written else told, out)
         self._aside(report, told, out)
         if self._summarises:
             from kinlint.cli.github_step_summary import append  # noqa: PLC0415  only on GitHub

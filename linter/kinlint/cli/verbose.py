@@ -40,9 +40,31 @@ def lines_before(settings: Settings, book: Rulebook, origins: Iterable[str]) -> 
 def lines_of_files(
     read: Iterable[SourceText], paired: Iterable[SourceText], settings: Settings
 ) -> Iterator[str]:
-    """Lines that say which packages and robots the files of a run depend on."""
-    yield from package_lines(read, settings)
+    """Lines that say which packages and robots the files of a run depend on, and how it reads."""
+    sources = list(read)
+    yield from package_lines(sources, settings)
     yield from pairing_lines(paired)
+    yield from expansion_lines(sources, settings)
+
+
+def expansion_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator[str]:
+    """Lines that say what of JSON-LD files among *sources* PyLD expands, and why."""
+    from kinlint.formats.jsonld.format import JSONLD  # noqa: PLC0415
+    from kinlint.formats.recognition import with_format  # noqa: PLC0415
+
+    models = [each for each in sources if with_format(each).format == JSONLD]
+    if not models:
+        return
+    from kinlint.formats.jsonld.reader import expanded_by_pyld  # noqa: PLC0415  loads PyLD
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
+
+    options = ReadOptions.from_settings(settings)
+    for each in models:
+        found = expanded_by_pyld(each, options)
+        if found:
+            why = ", ".join(f"{reason} ({count:,})" for reason, count in sorted(found.items()))
+            parts = plural(sum(found.values()), "part")
+            yield f"expanded by PyLD: {parts} of {each.name}, because of {why}"
 
 
 def package_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator[str]:

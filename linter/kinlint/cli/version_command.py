@@ -60,12 +60,12 @@ def _facts() -> Iterator[tuple[str, str]]:
 
 def _configuration() -> str:
     """Return the name of the configuration that governs the working directory."""
-    from kinlint.configuration.config_file import Configs  # noqa: PLC0415
+    from kinlint.cli.project_rules import found_config  # noqa: PLC0415
     from kinlint.errors import ConfigError  # noqa: PLC0415
     from kinlint.files.pathglob import absolute  # noqa: PLC0415
 
     try:
-        config = Configs().nearest(Path.cwd())
+        config = found_config(trust=False)
     except ConfigError as error:
         return str(error)
     return "none here" if config is None else _shown(absolute(config.origin))

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 CLEAR = "\x1b[2J\x1b[3J\x1b[H"
 """Escape sequence that clears the terminal and its scrollback."""
-SUFFIXES = frozenset({"", ".config", ".toml", ".xml"}.union(GLOBBED, *KINDS))
+SUFFIXES = frozenset({"", ".config", ".toml", ".xml", ".py"}.union(GLOBBED, *KINDS))
 """Suffixes of files that may affect a run.
 
 Models, what they name, what governs them; "" for directories.

@@ -6,25 +6,14 @@ import os
 import re
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
-from kinlint.errors import SourceError
-from kinlint.files.bounded_read import Unreadable, contents
 from kinlint.files.packages import Packages
-from kinlint.files.pathglob import absolute
+from kinlint.formats.declared_arguments import declared_arguments
 from kinlint.suggestion import did_you_mean
 from kinlint.text import SourceText
 
 _ARGUMENT = re.compile(r"([A-Za-z_][\w.-]*):=.*", re.DOTALL)
 _PAIR = re.compile(r"([^:=\s]+):?=(.*)", re.DOTALL)
-_NAMES = re.compile(
-    r"""<xacro:arg\b[^>]*?\sname\s*=\s*["']([^"'$]+)["']|\$\(arg\s+([\w.-]+)\s*\)"""
-    r"""|xacro\.arg\(\s*["']([^"']+)["']"""
-)
-_INCLUDED = re.compile(r"""<xacro:include\b[^>]*?\sfilename\s*=\s*["']([^"']+)["']""")
-_FIND = re.compile(r"\$\(find\s+([\w.-]+)\s*\)")
-MOST = 200
-"""Most files that are included and looked into."""
 
 
 def name_and_value(text: str) -> tuple[str, str] | None:
@@ -51,37 +40,10 @@ def unknown_arguments(
     Nor any that these include; *packages_of* returns the packages that the file of a name can name.
     """
     files = [each for each in sources if each.format and each.format.expands_to]
-    known, complete = _known(files, packages_of)
+    declared = declared_arguments((each.name, each.text, packages_of(each.name)) for each in files)
+    known, complete = declared.names, declared.complete
     for text in pairs:
         name = (name_and_value(text) or ("", ""))[0]
         meant = did_you_mean(name, sorted(known))
         if files and name not in known and (complete or meant):
             yield f"no xacro file of this run has an argument '{name}'{meant}"
-
-
-def _known(
-    files: Iterable[SourceText], packages_of: Callable[[str], Packages]
-) -> tuple[set[str], bool]:
-    """Return the names of the arguments of *files*, and whether all that they include was seen."""
-    known, seen, complete = set[str](), set[Path](), True
-    waiting = [(absolute(each.name), each.text, packages_of(each.name)) for each in files]
-    while waiting:
-        path, text, packages = waiting.pop()
-        known |= {name for match in _NAMES.findall(text) for name in match if name}
-        for written in _INCLUDED.findall(text):
-            inner = written
-            for name in _FIND.findall(written):
-                found = packages.find(name, path.parent)
-                inner = inner if found is None else _FIND.sub(found.as_posix(), inner, count=1)
-            target = absolute(path.parent / inner)
-            if "$" in inner or len(seen) > MOST:
-                complete = False
-            elif target not in seen:
-                seen.add(target)
-                try:
-                    included = contents(target, path).decode("utf-8", "replace")
-                except (Unreadable, SourceError):
-                    complete = False
-                else:
-                    waiting.append((target, included, packages))
-    return known, complete

@@ -9,12 +9,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from kinlint.configuration.config_text import ConfigText, quoted_key_span, read
+from kinlint.configuration.config_text import ConfigText, read
 from kinlint.configuration.keys import check
-from kinlint.configuration.per_file_ignores import PerFile, per_file
+from kinlint.configuration.per_file_ignores import (
+    FileTargets,
+    PerFile,
+    per_file_ignores,
+    per_file_targets,
+)
 from kinlint.configuration.settings import Choice
 from kinlint.configuration.value_kinds import ALIASES
 from kinlint.errors import ConfigError
@@ -65,6 +71,8 @@ class Config:
     """True if suppressions have to give a reason."""
     target: tuple[str, ...] | None = None
     """Consumers that the robots are for."""
+    per_file_target: FileTargets | None = None
+    """Further consumers of files, by globs."""
     srdf: tuple[tuple[Glob, Path], ...] | None = None
     """The URDF that each SRDF matching a pattern belongs to."""
     unsafe_fixes: bool | None = None
@@ -132,7 +140,7 @@ def parse_config(
     said = check(values, origin)
     contexts = said.get("extra-contexts")
     ignores, more = (
-        _per_file(said.get(key), origin, root, source)
+        per_file_ignores(said.get(key), origin, root, source)
         for key in ("per-file-ignores", "extend-per-file-ignores")
     )
     return Config(
@@ -145,6 +153,7 @@ def parse_config(
         extend_per_file_ignores=more or (),
         require_reason=said.get("require-reason"),
         target=tuple(said["target"]) if "target" in said else None,
+        per_file_target=per_file_targets(said.get("per-file-target"), root),
         srdf=_partners(said.get("srdf"), root),
         unsafe_fixes=said.get("unsafe-fixes"),
         fail_on=ALIASES.get(said.get("fail-on", ""), said.get("fail-on")),
@@ -227,20 +236,6 @@ def _path(said: str, root: Path) -> Path:
     return absolute(root / os.path.expanduser(said))  # noqa: PTH111  never fails
 
 
-def _per_file(
-    said: Mapping[str, list[str]] | None, origin: str, root: Path, source: SourceText | None
-) -> tuple[PerFile, ...] | None:
-    if said is None:
-        return None
-    entries = (per_file(key, tuple(sels), origin, root) for key, sels in said.items())
-    return tuple(
-        replace(
-            entry, place=None if source is None else (source, quoted_key_span(source, entry.key))
-        )
-        for entry in entries
-    )
-
-
 @dataclass
 class Configs:
     """The configuration that governs a directory, each file read once."""
@@ -249,6 +244,8 @@ class Configs:
     """Configuration that governs every directory; None if each is governed by its own files."""
     restrict: Callable[[Config], Config] = lambda config: config
     """Returns what counts of the configuration of a project."""
+    may_extend: Callable[[Path, Path], bool] = lambda directory, path: True  # noqa: ARG005
+    """Tells whether the configuration of a project in a directory may extend the file at a path."""
     _nearest: dict[Path, Config | None] = field(default_factory=dict)
 
     def nearest(self, directory: Path) -> Config | None:
@@ -256,30 +253,31 @@ class Configs:
         if self.fixed is not None:
             return self.fixed
         if directory not in self._nearest:
-            found = _in(directory, self.restrict)
+            found = self._in(directory)
             if found is None and (above := directory.parent) != directory:
                 found = self.nearest(above)
             self._nearest[directory] = found
         return self._nearest[directory]
 
-
-def _in(directory: Path, restrict: Callable[[Config], Config]) -> Config | None:
-    for name in NAMES:
-        path = directory / name
-        if path.is_file() and (said := read(path)) is not None:
-            return restrict(_extended(path, said, ()))
-    return None
+    def _in(self, directory: Path) -> Config | None:
+        for path in (directory / name for name in NAMES):
+            if path.is_file() and (said := read(path)) is not None:
+                found = _extended(path, said, (), partial(self.may_extend, directory))
+                return self.restrict(found)
+        return None
 
 
 def load_config(path: Path) -> Config:
     """The configuration in the file at *path*, which must have one."""
     if (said := read(path)) is None:
         raise ConfigError(f"{shown(path)}: no [tool.kinlint] in it")
-    return _extended(path, said, ())
+    return _extended(path, said, (), lambda base: True)  # noqa: ARG005
 
 
-def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
-    """The configuration that *said* states on top of what it extends; *seen* came before."""
+def _extended(
+    path: Path, said: ConfigText, seen: tuple[Path, ...], may_extend: Callable[[Path], bool]
+) -> Config:
+    """The configuration that *said* states on top of what it may extend; *seen* came before."""
     config = parse_config(said.values, shown(path), path.parent, said.source)
     if "extend" not in said.values:
         return config
@@ -287,10 +285,12 @@ def _extended(path: Path, said: ConfigText, seen: tuple[Path, ...]) -> Config:
     origin = f"{shown(path)}: extend"
     if base in (*seen, path):
         raise ConfigError(f"{origin}: '{said.values['extend']}' extends itself")
+    if not may_extend(base):
+        return replace(config, untrusted=("extend",))
     if not base.is_file():
         cause = "not a file" if base.exists() else missing(base)
         raise ConfigError(f"{origin}: {shown(base)}: {cause}")
     if (more := read(base)) is None:
         raise ConfigError(f"{origin}: {shown(base)} has no [tool.kinlint]")
-    below = _extended(base, more, (*seen, path))
+    below = _extended(base, more, (*seen, path), may_extend)
     return replace(below.extended_by(config), origin=config.origin)

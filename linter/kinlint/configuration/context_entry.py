@@ -9,7 +9,9 @@ from pathlib import Path
 from kinlint.configuration.config_file import NAMES, parse_config
 from kinlint.configuration.config_text import PROJECT, read
 from kinlint.errors import ConfigError, UsageError
-from kinlint.files.pathname import shown
+from kinlint.files.packages import working_copies
+from kinlint.files.pathglob import absolute
+from kinlint.files.pathname import real, shown
 from kinlint.light_dataclasses import dataclass
 from kinlint.uri_references import split_uri
 
@@ -41,15 +43,26 @@ class ContextEntry:
         known = values.get(KEY)
         if isinstance(known, str | list):
             directory = file.parent / (known if isinstance(known, str) else known[0])
-            return cls(file, directory / _by_address(iri), None)
+            return cls(file, _inside(directory / _by_address(iri), file), None)
         if isinstance(known, dict) and iri in known:
-            return cls(file, file.parent / known[iri], None)
+            return cls(file, _inside(file.parent / known[iri], file), None)
         relative = f"{FOLDER}/{_by_address(iri)}"
         new = _with_entry(text, file, f"{json.dumps(iri)} = {json.dumps(relative)}\n")
         after = parse_config(_values(new, file), shown(file), file.parent)
         if iri not in (after.extra_contexts or {}):
             raise UsageError(f"{shown(file)}: write {KEY} as a table of its own, then add again")
-        return cls(file, file.parent / relative, new)
+        return cls(file, _inside(file.parent / relative, file), new)
+
+
+def _inside(path: Path, config: Path) -> Path:
+    """Return *path*, which lies in the project of the file *config*, links followed.
+
+    Raises `UsageError` if it does not: a project of others says where to write.
+    """
+    roots = (config.parent, *working_copies(absolute(config.parent)))
+    if not any(real(path).is_relative_to(real(root)) for root in roots):
+        raise UsageError(f"{shown(config)}: {KEY}: {shown(path)} is outside of the project")
+    return path
 
 
 def _by_address(iri: str) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from kinlint import resources
 from kinlint.configuration.value_kinds import (
     ONE_OR_MORE,
     SCALAR,
@@ -46,18 +47,8 @@ OUTPUT_FORMATS = (
 ENGINES = ("oxigraph", "pyshacl")
 THRESHOLDS = ("error", "warning", "info", "none")
 SEVERITIES = THRESHOLDS[:-1]
-TARGETS = (
-    "drake",
-    "gazebo",
-    "isaac",
-    "kdl",
-    "moveit",
-    "mujoco",
-    "pinocchio",
-    "pybullet",
-    "usd",
-)
-"""Consumers of robot descriptions that a model may be meant for."""
+TARGETS = tuple(sorted(each.stem for each in (resources.data("shapes") / "targets").glob("*.ttl")))
+"""Names of the consumers of robot descriptions that a model may be meant for."""
 
 
 @dataclass(frozen=True)
@@ -192,8 +183,14 @@ KEYS: Mapping[str, Key] = {
     "target": Key(
         STRINGS,
         "[]",
-        f"Consumers to check for: {', '.join(TARGETS)}.",
-        'target = ["gazebo"]',
+        f"Consumers to check for, as NAME or NAME@VERSION: {', '.join(TARGETS)}.",
+        'target = ["gazebo", "mujoco@3.3"]',
+    ),
+    "per-file-target": Key(
+        table(STRINGS, "of globs and consumers"),
+        "{}",
+        "Consumers to check files for (a glob), in addition to `target`.",
+        'per-file-target = { "sim/*.urdf" = ["gazebo-sim", "mujoco@3.3"] }',
     ),
     "srdf": Key(
         table(STRING, "of globs and files"),

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from kinlint.configuration.fix_trust import Trust, combine_trust
 from kinlint.configuration.selectors import Catalogue, select_codes
 from kinlint.configuration.settings import Choice, Settings
-from kinlint.finding import Finding
+from kinlint.finding import DEPARTURES, Finding
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.rule import Rule, Severity
+
+if TYPE_CHECKING:
+    from kinlint.targets.chosen_target import Target
+    from kinlint.targets.portability import Portability
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +29,9 @@ class Policy:
     configured: frozenset[str] = frozenset()
     """Codes whose severity the configuration set."""
     targets: Collection[str] = ()
-    """Consumers that the file is meant for."""
+    """Names of the consumers that the file is meant for, with those of which each is a part."""
+    chosen: Sequence[Target] = ()
+    """The consumers that the file is meant for, with their versions."""
     form: str = ""
     """Format of the file."""
 
@@ -40,16 +47,59 @@ class Policy:
         """
         rule = finding.rule
         severity = self.severity(rule)
-        missed = finding.targets and set(finding.targets).isdisjoint(self.targets)
+        missed = finding.targets and not self._means(finding)
         if severity is None or missed or rule.code in self.configured:
             return None if missed else severity
         special = [
             each.severity for each in finding.severity_for if each.applies(self.targets, self.form)
         ]
+        departing = self.portability(finding) if self.chosen else None
+        worst = None if departing is None else departing.severity
+        if worst is not None:
+            # A defect stays as severe as it is, whoever puts up with it.
+            special += [worst] if finding.speaks_of else [worst, severity, finding.severity]
         if special:
             return max(special)
         own = finding.severity is not rule.severity and rule.code not in self.imposed
         return finding.severity if own else severity
+
+    def _means(self, finding: Finding) -> bool:
+        """Tell whether *finding* is about a consumer, in a version, that the file is meant for."""
+        if set(finding.targets).isdisjoint(self.targets):
+            return False
+        if not any(finding.versions):
+            return True
+        from kinlint.targets.chosen_target import means_one  # noqa: PLC0415  few findings tell any
+        from kinlint.targets.version_range import VersionRange  # noqa: PLC0415
+
+        return means_one(self.chosen, finding.targets, VersionRange(*finding.versions))
+
+    def portability(self, finding: Finding) -> Portability | None:
+        """Return what the consumers that *finding* is about make of its feature; None without."""
+        if not finding.feature or not (self.chosen or finding.speaks_of == "all"):
+            return None
+        from kinlint.targets.portability import Portability  # noqa: PLC0415  few runs have targets
+
+        return Portability.of(finding.feature, self.chosen)
+
+    def judge(self, finding: Finding) -> Finding | None:
+        """Return *finding* as it counts here; None if its rule is off, or nobody departs."""
+        severity = self.severity_of(finding)
+        if severity is None:
+            return None
+        found = self.portability(finding)
+        if found is None:
+            return None if finding.speaks_of == "chosen" else replace(finding, severity=severity)
+        if not (told := found.sentences):
+            return None if finding.speaks_of else replace(finding, severity=severity)
+        return replace(
+            finding,
+            severity=severity,
+            message=f"{finding.message} {told}",
+            template=f"{finding.template} {DEPARTURES}",
+            arguments=(*finding.arguments, told),
+            departures=told,
+        )
 
 
 @dataclass(frozen=True)
@@ -100,12 +150,12 @@ class Policies:
 
     def apply_severities(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* whose rule is on where they lie, with the severity it has there."""
-        kept = []
-        for finding in findings:
-            severity = self.for_file(finding.location.source.name).severity_of(finding)
-            if severity is not None:
-                kept.append(replace(finding, severity=severity))
-        return kept
+        judged = (self.for_file(each.location.source.name).judge(each) for each in findings)
+        return [finding for finding in judged if finding is not None]
+
+    def has_targets(self, names: Iterable[str]) -> bool:
+        """Tell whether one of the sources called *names* is meant for certain consumers."""
+        return any(self.settings.for_file(name).targets for name in names)
 
     def check_selectors(self) -> None:
         """Resolve all that files name of the catalogue, so that mistakes show before work starts.
@@ -126,13 +176,16 @@ class Policies:
 def combine_policy(
     choices: Iterable[Choice], catalogue: Catalogue, targets: Collection[str] = (), form: str = ""
 ) -> Policy:
-    """Combine *choices*, the lowest layer first, for a file of format *form*.
+    """Combine *choices*, the lowest layer first, for a file of format *form*, meant for *targets*.
 
     At first, all rules are on but optional ones that name none of the *targets*. A rule for other
     targets is off all the same, and a preview rule unless previews are on or it is named.
     """
+    meant_for, targets = _resolved(targets)
     chosen = frozenset(
-        rule.code for rule in catalogue.rules if not rule.optional or rule.concerns(targets)
+        rule.code
+        for rule in catalogue.rules
+        if not rule.optional or rule.concerns(targets) or _departed(rule, meant_for)
     )
     meant = {rule.code: rule.severity_for_targets(targets, form) for rule in catalogue.rules}
     severities = {rule.code: meant[rule.code] or rule.severity for rule in catalogue.rules}
@@ -158,5 +211,28 @@ def combine_policy(
     speaking = {code for code, severity in meant.items() if severity is not None} & chosen
     spoken = {code: severities[code] if code in speaking else None for code in severities}
     return Policy(
-        spoken, frozenset(imposed | configured), frozenset(configured), tuple(targets), form
+        spoken,
+        frozenset(imposed | configured),
+        frozenset(configured),
+        tuple(targets),
+        meant_for,
+        form,
     )
+
+
+def _resolved(targets: Collection[str]) -> tuple[Sequence[Target], Collection[str]]:
+    """Return the consumers that *targets* spell with their versions, and all their names."""
+    if not targets:
+        return (), ()
+    from kinlint.targets.chosen_target import chosen_targets, names_of  # noqa: PLC0415  few have any
+
+    return chosen_targets(targets), names_of(targets)
+
+
+def _departed(rule: Rule, targets: Sequence[Target]) -> bool:
+    """Tell whether one of *targets* departs from a feature that *rule* finds."""
+    if not targets or not rule.features:
+        return False
+    from kinlint.targets.portability import Portability  # noqa: PLC0415  few runs have targets
+
+    return any(Portability.of(each, targets).departures for each in rule.features)

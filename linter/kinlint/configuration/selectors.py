@@ -85,11 +85,13 @@ class Catalogue:
 
     def check_target(self, target: str) -> None:
         """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""
+        from kinlint.targets.chosen_target import read_target  # noqa: PLC0415  few runs name any
+
         known = {*TARGETS, *(one for rule in self.rules for one in rule.targets)}
-        if target not in known:
+        if (name := read_target(target).name) not in known:
             listed = ", ".join(sorted(known))
-            meant = did_you_mean(target, known) or f"; there are {listed}"
-            raise UsageError(f"unknown target '{target}'{meant}")
+            meant = did_you_mean(name, known) or f"; there are {listed}"
+            raise UsageError(f"unknown target '{name}'{meant}")
 
     def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
         """Call `find`, and name *origin* in its error."""

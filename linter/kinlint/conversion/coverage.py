@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 from functools import cache
 
 from kinlint import resources
@@ -36,7 +37,7 @@ class Reason:
     path: tuple[str, ...]
     """The tag, after those of elements that it must stand below."""
     attribute: str
-    """The attribute, or "" for the element itself."""
+    """The attribute, or "" for the element itself; a pattern with * is for several."""
     lifted: str
     """"no", "part", or "yes" for what the queries take without naming it."""
     why: str
@@ -44,7 +45,10 @@ class Reason:
 
     def covers(self, path: tuple[str, ...], attribute: str) -> bool:
         """Tell whether this is about *attribute*, or with "" the element itself, at *path*."""
-        return self.attribute == attribute and path[-len(self.path) :] == self.path
+        return path[-len(self.path) :] == self.path and (
+            self.attribute == attribute
+            or ("*" in self.attribute and fnmatchcase(attribute, self.attribute))
+        )
 
 
 @cache
@@ -87,7 +91,10 @@ class Coverage:
         return (path[-1], f"@{attribute}") in self._reads
 
     def unlifted(self) -> Iterator[tuple[tuple[str, ...], str]]:
-        """The path of each element that is not lifted, but its parent is, and such attributes."""
+        """The path of each element that is not lifted, but its parent is, and such attributes.
+
+        Of an element that takes any attribute, those are told that have a reason.
+        """
         roots = schema(self.form).roots
         pending: list[tuple[tuple[str, ...], ElementType]] = [
             ((tag,), type_) for tag, type_ in reversed(roots.items())
@@ -104,7 +111,23 @@ class Coverage:
             yield from (
                 (path, name) for name in type_.attributes if not self.lifts_attribute(path, name)
             )
+            if type_.open:
+                yield from self._reasoned(path, type_)
             pending += [((*path, tag), each) for tag, each in reversed(type_.children.items())]
+
+    def _reasoned(
+        self, path: tuple[str, ...], type_: ElementType
+    ) -> Iterator[tuple[tuple[str, ...], str]]:
+        """Yield attributes of elements at *path* that have a reason and are not in *type_*."""
+        for one in self.reasons:
+            name = one.attribute
+            if (
+                one.lifted == "no"
+                and name
+                and name not in type_.attributes
+                and one.covers(path, name)
+            ):
+                yield path, name
 
 
 def _reads(query: Lifting) -> Iterator[tuple[str, str]]:

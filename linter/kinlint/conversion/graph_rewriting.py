@@ -14,7 +14,15 @@ from kinlint.terms import Triple
 from kinlint.vocabulary import INTERMEDIATE, LIFTED_GRAPH
 
 STEPS = (
-    *("free-bodies", "unlifted", "coordinates", "frames", "axes", "replacement"),
+    *(
+        "free-bodies",
+        "world-placements",
+        "unlifted",
+        "coordinates",
+        "frames",
+        "axes",
+        "replacement",
+    ),
     *("fixed-joints", "vectors", "limits", "scales"),
 )
 """Updates of `shapes/conversion`, in their order."""

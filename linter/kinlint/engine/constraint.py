@@ -73,6 +73,10 @@ class Constraint:
     """The consumers that it is about, by its `kl:target`; none for all."""
     severity_for: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = ()
     """Severities by its `kl:severityFor`: the IRI of each, its consumers and its formats."""
+    feature: str = ""
+    """The feature of descriptions that it finds, by its `kl:feature`: an IRI."""
+    speaks_of: str = ""
+    """Consumers whose departures it reports, by its `kl:speaksOf`: an IRI; empty if of none."""
     needs: tuple[Term, ...] | None = None
     """The properties and classes that the query looks at, None for any."""
     sweeps: str = ""

@@ -147,6 +147,16 @@ def lift(
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
 
 
+def makes(
+    formats: Iterable[Format],
+    wanted: Collection[Term] | None = None,
+    kept: Collection[Term] | None = None,
+) -> frozenset[Term]:
+    """Return the properties and classes that `lift` states; `rdf:type` if it may be any class."""
+    parts = (needed(each.made, kept) if kept else each.made for each in asked(formats, wanted))
+    return frozenset(each.term or each.predicate for part in parts for each in part)
+
+
 def asked(formats: Iterable[Format], wanted: Collection[Term] | None = None) -> Iterator[Lifting]:
     """Yield the queries for *formats* that make something *wanted*; all if that is None."""
     present = {each.lifted_as for each in formats}

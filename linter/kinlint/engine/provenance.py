@@ -35,7 +35,7 @@ from kinlint.engine.literal_spelling import normal
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import RDF, Term, Triple, iri, iri_value, is_blank, is_iri, is_literal
-from kinlint.vocabulary import ATTRIBUTE, KINLINT, SRC
+from kinlint.vocabulary import ATTRIBUTE, INHERITED, KINLINT, SRC
 
 FIRST, REST = iri(f"{RDF}first"), iri(f"{RDF}rest")
 TEXT = f"{SRC}text"
@@ -211,15 +211,19 @@ class Provenance:
     def _below(self, element: Term, path: str, attribute: str) -> Iterator[Written]:
         """Yield the numbers or the words of the *attribute* or else the text of an element.
 
+        Those that it inherits count where they are written.
+
         It is *element* itself, or what *path* leads to: by tags, and properties that readers state.
         """
-        start = f"<{ATTRIBUTE}{attribute}" if attribute else f"<{TEXT}"
+        starts = (
+            (f"<{ATTRIBUTE}{attribute}", f"<{INHERITED}{attribute}") if attribute else (f"<{TEXT}",)
+        )
         nodes = [element]
         for step in path.split("/") if path else ():
             nodes = [each for node in nodes for each in self._next(node, step)]
         for node in nodes:
             for property_, value in self.store.predicate_objects(node):
-                if property_.startswith(start) and property_[len(start)] in "->":
+                if any(_says(property_, start) for start in starts):
                     yield from (Written(*e) for e in self.store.written(node, property_, value))
 
     def _next(self, element: Term, step: str) -> list[Term]:
@@ -256,6 +260,11 @@ class Provenance:
                 for row in self._rows(derived, stated.made.subject, owner)
             ]
         )
+
+
+def _says(property_: Term, start: str) -> bool:
+    """Tell whether *property_* is that of *start*, or of one of several numbers of it."""
+    return property_.startswith(start) and property_[len(start)] in "->"
 
 
 def _members(stated: Stated, value: Term, row: Row) -> Sequence[Derivation]:

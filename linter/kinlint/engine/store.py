@@ -222,10 +222,12 @@ class Store:
         quads = self.oxigraph.quads_for_pattern(given.subject, given.predicate, None, None)
         yield from sorted((token(quad.object) for quad in quads), key=_address)
 
-    def leading_to(self, node: Term) -> Iterator[tuple[Term, Term]]:
-        """Yield the subjects and the properties of which *node* is a value, in any graph."""
+    def leading_to(
+        self, node: Term, graph: ox.NamedNode | None = None
+    ) -> Iterator[tuple[Term, Term]]:
+        """Yield the subjects and the properties of which *node* is a value, in *graph* or any."""
         given = statement(("<any:>", RDF_TYPE, node)).object
-        for quad in self.oxigraph.quads_for_pattern(None, None, given, None):
+        for quad in self.oxigraph.quads_for_pattern(None, None, given, graph):
             yield token(quad.subject), token(quad.predicate)
 
     def predicate_objects(self, subject: Term) -> Iterator[tuple[Term, Term]]:

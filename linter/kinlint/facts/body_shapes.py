@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from kinlint.facts.frame_placement import Placements
@@ -84,7 +84,7 @@ class BodyShapes:
         return self._known[body]
 
     def _extents(self, body: Term) -> Extents:
-        shapes = [self._shape(node) for node in self.references.get(body, ())]
+        shapes = [self.shape(node) for node in self.references.get(body, ())]
         known = [shape for shape in shapes if shape is not None]
         if not known or len(known) < len(shapes):
             return UNKNOWN
@@ -119,7 +119,7 @@ class BodyShapes:
         is no error where all sizes are known, and no distance without shapes that are all placed.
         """
         nodes = self.references.get(body, ())
-        shapes = {node: self._shape(node) for node in nodes}
+        shapes = {node: self.shape(node) for node in nodes}
         sizes = {node: shape.extent for node, shape in shapes.items() if shape is not None}
         gaps = [
             length(subtract(point, middle)) - sizes.get(node, 0.0) / 2.0
@@ -138,14 +138,14 @@ class BodyShapes:
         """
         nodes = self.references.get(body, ())
         chosen = [node for node in nodes if node in self._solid] or nodes
-        return self._shape(chosen[0]) if len(chosen) == 1 else None
+        return self.shape(chosen[0]) if len(chosen) == 1 else None
 
     def uniform(self, body: Term) -> Shape | None:
         """Return the primitive that all visual and collision shapes of *body* are.
 
         None if they differ.
         """
-        shapes = [self._shape(node) for node in self.references.get(body, ())]
+        shapes = [self.shape(node) for node in self.references.get(body, ())]
         forms = {(each.kind, each.sizes) if each is not None else None for each in shapes}
         return shapes[0] if len(forms) == 1 else None
 
@@ -156,12 +156,20 @@ class BodyShapes:
         """
         return frozenset(self._form(node) for node in self.references.get(body, ()))
 
+    def meshes(self, node: Term) -> Sequence[Term]:
+        """Return the files of the mesh *node*; none if it is no mesh."""
+        return self._meshes.values(node)
+
+    def collides(self, node: Term) -> bool:
+        """Tell whether *node* is a collision shape."""
+        return node in self._solid
+
     def _form(self, node: Term) -> tuple[object, ...]:
         meshes = tuple(sorted(self._meshes.values(node)))
-        shape = self._shape(node)
+        shape = self.shape(node)
         return meshes or ((shape.kind, *shape.sizes) if shape is not None else (node,))
 
-    def _shape(self, node: Term) -> Shape | None:
+    def shape(self, node: Term) -> Shape | None:
         """Return the shape of *node*, if it is one primitive of known, positive size."""
         kind = self._kinds.get(node)
         unit = self.units.measuring(node, LENGTH)

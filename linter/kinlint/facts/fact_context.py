@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Generic, TypeVar
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from kinlint.facts.assembly import Assemblies
 from kinlint.facts.basis import Bases
 from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.coordinate_agreement import CoordinateAgreements
-from kinlint.facts.drift import DescriptionDrifts
+from kinlint.facts.description_pairs import are_several
 from kinlint.facts.frame_placement import Placements
 from kinlint.facts.identifier_slips import IdentifierSlips
 from kinlint.facts.inertia import Inertias
@@ -25,6 +25,11 @@ from kinlint.facts.quantity import Quantities
 from kinlint.facts.rotation import Rotations
 from kinlint.facts.spatial_relations import SpatialRelations
 from kinlint.facts.units import Units
+from kinlint.terms import Triple
+
+if TYPE_CHECKING:
+    from kinlint.facts.comparison.extraction import RobotParts
+    from kinlint.facts.drift import DescriptionDrifts
 
 T = TypeVar("T")
 
@@ -114,11 +119,37 @@ class FactContext:
     twins = Part(lambda own, scan: MirrorTwins(scan, own.assemblies), ("assemblies",))
     """Parts that mirror each other."""
     drifts = Part(
-        lambda own, scan: DescriptionDrifts(scan, own.assemblies, own.placements, own.joints),
-        ("assemblies", "placements", "joints"),
+        lambda own, scan: own.description_drifts(scan),
+        ("assemblies", "placements", "joints", "geometries", "inertias", "relations", "mechanism"),
     )
     """Files that describe one robot differently."""
     planning = Part(lambda own, scan: PlanningGroups(scan, own.trees), ("trees",))
     """The groups of SRDF files."""
     identifiers = Part(lambda _, scan: IdentifierSlips(scan))
     """Names that files give to what they describe."""
+
+    def robot_parts(self, scan: PredicateIndex) -> RobotParts:
+        """Return the facts that robots are read from as a whole, besides what *scan* tells."""
+        from kinlint.facts.comparison.extraction import RobotParts  # noqa: PLC0415  of pairs alone
+
+        return RobotParts(
+            scan,
+            self.mechanism,
+            self.relations,
+            self.placements,
+            self.joints,
+            self.inertias,
+            self.assemblies,
+            self.geometries,
+        )
+
+    def description_drifts(self, scan: PredicateIndex) -> DescriptionDrifts:
+        """Return the comparison of files that describe one robot, by *scan* and other facts."""
+        from kinlint.facts.drift import DescriptionDrifts  # noqa: PLC0415  few runs have two formats
+
+        return DescriptionDrifts(self.robot_parts(scan))
+
+    def drift_facts(self) -> Iterator[Triple]:
+        """Yield how descriptions of one robot differ, if there can be several."""
+        if are_several(self.scan.part("drifts").documents):
+            yield from self.drifts.facts()

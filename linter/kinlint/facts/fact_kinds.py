@@ -14,6 +14,8 @@ from kinlint.facts.dataflow import DataSources
 from kinlint.facts.dependency_cycles import dependency_cycles
 from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
+from kinlint.facts.length_outliers import outlying_lengths
+from kinlint.facts.linkage_loops import stretched_loops
 from kinlint.facts.loop_closure import cycles
 from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, proportions
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
@@ -133,6 +135,16 @@ def _alone(
     return FactKind(module, named, lambda own: found(own.scan.part(part)), (part,), details)
 
 
+def _inertia_repair(
+    needs: Mapping[str, tuple[Term, ...]], found: Callable[[FactContext], Iterator[Triple]]
+) -> FactKind:
+    return FactKind("inertia_repair", needs, found, ("inertia_repairs",), CHANGES)
+
+
+def _identifier_slip(name: str, found: Callable[[FactContext], Iterator[Triple]]) -> FactKind:
+    return FactKind("identifier_slips", {name: ()}, found, ("identifiers",))
+
+
 KINDS = (
     FactKind(
         "quantity",
@@ -166,38 +178,29 @@ KINDS = (
         ("widest",),
     ),
     FactKind(
+        "length_outliers",
+        {"outlying-length": (*inputs.PLACED, *inputs.SHAPES)},
+        lambda own: outlying_lengths(own.placements, own.geometries),
+        ("geometries", "placements"),
+        ("typical-length",),
+    ),
+    FactKind(
         "parallel_axis",
         {"transfer": (*inputs.INERTIAS, *inputs.PLACED)},
         lambda own: parallel_axis_residuals(own.inertias, own.assemblies, own.placements),
         ("assemblies", "placements"),
     ),
-    FactKind(
-        "inertia_repair",
+    _inertia_repair(
         {"decimal-slip": (*inputs.TENSORS, *inputs.UNITS)},
         lambda own: own.inertia_repairs.decimal_slips(),
-        ("inertia_repairs",),
-        CHANGES,
     ),
-    FactKind(
-        "inertia_repair",
+    _inertia_repair(
         {"sign-slip": (*inputs.TENSORS, *inputs.UNITS)},
         lambda own: own.inertia_repairs.sign_slips(),
-        ("inertia_repairs",),
-        CHANGES,
     ),
-    FactKind(
-        "inertia_repair",
-        {"solid": inputs.SIZES},
-        lambda own: own.inertia_repairs.solids(),
-        ("inertia_repairs",),
-        CHANGES,
-    ),
-    FactKind(
-        "inertia_repair",
-        {"shift": (*inputs.INERTIAS, *inputs.PLACED)},
-        lambda own: own.inertia_repairs.shifts(),
-        ("inertia_repairs",),
-        CHANGES,
+    _inertia_repair({"solid": inputs.SIZES}, lambda own: own.inertia_repairs.solids()),
+    _inertia_repair(
+        {"shift": (*inputs.INERTIAS, *inputs.PLACED)}, lambda own: own.inertia_repairs.shifts()
     ),
     FactKind(
         "inertia_repair", WATER, lambda own: own.inertia_repairs.filled(), ("inertia_repairs",)
@@ -223,9 +226,9 @@ KINDS = (
     FactKind(
         "drift",
         {"drift": inputs.DESCRIPTIONS, "quantity": ()},
-        lambda own: own.drifts.facts(),
+        lambda own: own.drift_facts(),
         ("drifts",),
-        ("here", "there", "from"),
+        ("here", "there", "from", "evidence", "angle", "aspect"),
     ),
     FactKind("planning_groups", PLANNING, lambda own: own.planning.facts(), ("planning",)),
     _alone(
@@ -238,6 +241,13 @@ KINDS = (
         ("referred-to",),
     ),
     FactKind("coordinate_agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
+    FactKind(
+        "linkage_loops",
+        {"other-sides": (*inputs.RELATIONS, *inputs.WELDS, chain("Joint"))},
+        lambda own: stretched_loops(own.mechanism, own.relations),
+        ("mechanism", "relations"),
+        ("closing-joint", "side-length"),
+    ),
     _alone(
         "connected_components",
         components,
@@ -276,18 +286,8 @@ KINDS = (
 """All kinds of facts that rules may ask for."""
 
 HINTS = (
-    FactKind(
-        "identifier_slips",
-        {"slip-for": ()},
-        lambda own: own.identifiers.resemblances(),
-        ("identifiers",),
-    ),
-    FactKind(
-        "identifier_slips",
-        {"free-name": ()},
-        lambda own: own.identifiers.free_names(),
-        ("identifiers",),
-    ),
+    _identifier_slip("slip-for", lambda own: own.identifiers.resemblances()),
+    _identifier_slip("free-name", lambda own: own.identifiers.free_names()),
     _alone("schedule_order", reordered, {"reordered": inputs.DATA}, ("cell", "due")),
     FactKind(
         "coordinate_repair",

@@ -89,9 +89,12 @@ class Placements:
         return Placement(point, None) if point is not None else None
 
     def is_own(self, frame: Term, owner: Term) -> bool:
-        """Tell whether *frame* is the one that the lifted body *owner* is described in."""
-        sources = self.scan.table(FROM)
-        return bool(sources.values(frame)) and sources.values(frame) == sources.values(owner)
+        """Tell whether *frame* is the one that the lifted body *owner* is described in.
+
+        Its address is that of the body with `/frame`; of one body there may be further frames that
+        were lifted from the same element, such as that of an inertia that follows from shapes.
+        """
+        return frame == f"{owner[:-1]}/frame>" and frame in self.scan.table(FROM)
 
     def placement_on(self, frame: Term, owner: Term) -> Placement | None:
         """Return where *frame* is as the lifted body *owner* sees it; None if that is unstated."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kinlint.facts import frame_placement
-from kinlint.facts.mechanism import DIRECTED
+from kinlint.facts import frame_placement, joint_numbers
+from kinlint.facts.mechanism import DIRECTED, KINDS
 from kinlint.facts.metamodel_terms import (
     AS_SEEN_BY,
     COORDINATE_OF,
@@ -73,7 +73,16 @@ BASES = (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end"))
 DATA = (kin("reads"), kin("writes"))
 DRIVES = (chain("joints"), *map(kin, ("lower", "upper", "follower")), *BOUNDS)
 SIDES = (*INERTIAS, *RANGES, *BOUNDS)
-DESCRIPTIONS = (*MASSES, *ABOUT, *WELDS, *RANGES, *PLACED, *DIRECTED, chain("Joint"))
+AT_ZERO = (
+    *(chain("origin-offset"), chain("common-axis"), rel("lines")),
+    *(kin("coincidence-of"), kin("of-joint")),
+)
+"""Vocabulary of what meets while joints are at zero, besides that of placements and joints."""
+DESCRIPTIONS = (
+    *(*INERTIAS, *WELDS, *RANGES, *BOUNDS, *RELATIONS, *PLACED, *TREES, *SHAPES),
+    *(*AT_ZERO, *joint_numbers.NEEDED, kin("scale"), geom("simplices")),
+    *(kind for kind, _ in KINDS),
+)
 
 CONCLUDED: dict[Term, tuple[Term, ...]] = {
     kin("on-body"): (geom("simplices"),),

@@ -89,15 +89,43 @@ class JointNumbers:
         return None
 
     @cached_property
+    def ranges(self) -> Mapping[Term, Term]:
+        """The first node that limits the position of each joint."""
+        known = self.scan.instances(kin("JointPositionLimit"))
+        found: dict[Term, Term] = {}
+        for node, joint in self.scan.single(kin("of-joint")).items():
+            if node in known:
+                found.setdefault(joint, node)
+        return found
+
+    @cached_property
     def limits(self) -> Mapping[Term, tuple[float | None, float | None]]:
         """The least and the greatest position of each joint, in rad or m."""
-        ranges = self.scan.instances(kin("JointPositionLimit"))
         lower, upper = (self.scan.numbers(kin(name)) for name in ("lower", "upper"))
-        found: dict[Term, tuple[float | None, float | None]] = {}
-        for node, joint in self.scan.single(kin("of-joint")).items():
-            if node in ranges and joint not in found:
-                found[joint] = self._si(node, lower), self._si(node, upper)
-        return found
+        return {
+            joint: (self._si(node, lower), self._si(node, upper))
+            for joint, node in self.ranges.items()
+        }
+
+    @cached_property
+    def efforts(self) -> Mapping[Term, float]:
+        """The greatest force in N, or torque in N m, of the one actuator of each joint."""
+        return self._bounds("ActuatorForceLimit")
+
+    @cached_property
+    def speeds(self) -> Mapping[Term, float]:
+        """The greatest speed in m/s or rad/s of the one actuator of each joint."""
+        return self._bounds("ActuatorVelocityLimit")
+
+    def _bounds(self, kind: str) -> Mapping[Term, float]:
+        known, upper = self.scan.instances(kin(kind)), self.scan.numbers(kin("upper"))
+        actuated = self.scan.single(kin("actuates"))
+        found: dict[Term, list[float]] = {}
+        for node, actuator in self.scan.single(kin("of-actuator")).items():
+            bound = self._si(node, upper) if node in known else None
+            if bound is not None and actuator in actuated:
+                found.setdefault(actuated[actuator], []).append(bound)
+        return {joint: bounds[0] for joint, bounds in found.items() if len(bounds) == 1}
 
     @cached_property
     def gearings(self) -> Mapping[Term, Sequence[Gearing]]:

@@ -53,13 +53,13 @@ class Mechanism:
     @cached_property
     def described(self) -> Sequence[Term]:
         """Bodies that files describe."""
-        return sorted(self.scan.instances(BODY), key=self.place)
+        return sorted(sorted(self.scan.instances(BODY)), key=self.place)
 
     @cached_property
     def joints(self) -> Sequence[Term]:
         """All joints, and nodes that join attachments without being typed as joints."""
         joining = {joint for joint, _ in self.scan.table(ATTACHMENTS).items()}
-        return sorted(self.scan.instances(JOINT) | joining, key=self.place)
+        return sorted(sorted(self.scan.instances(JOINT) | joining), key=self.place)
 
     @cached_property
     def carrier(self) -> Mapping[Term, Term]:
@@ -76,7 +76,7 @@ class Mechanism:
     def frames(self) -> Mapping[Term, Sequence[Term]]:
         """Frames on each body."""
         found: dict[Term, list[Term]] = {}
-        for frame in sorted(self.scan.instances(FRAME), key=self.place):
+        for frame in sorted(sorted(self.scan.instances(FRAME)), key=self.place):
             if (body := self.carrier.get(frame)) is not None:
                 found.setdefault(body, []).append(frame)
         return found
@@ -153,6 +153,10 @@ class Mechanism:
         element = self.element(joint)
         for said in self.scan.table(TYPE).values(element) if element is not None else ():
             return literal_value(said)
+        return self.movement(joint)
+
+    def movement(self, joint: Term) -> str:
+        """Return what a joint is called by its class; empty if it is only a joint."""
         return next(self._kinds(joint), "")
 
     def _kinds(self, joint: Term) -> Iterator[str]:

@@ -18,9 +18,15 @@ from kinlint.facts.metamodel_terms import attribute, chain, geom, kin
 from kinlint.facts.part_names import PartNames, PartPlaces, element_name
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.robot_groups import RobotGroups
+from kinlint.facts.zero_configuration import ZeroConfiguration
 from kinlint.finding import Finding
 from kinlint.structure import Coupling, Frame, Joint, Link, Structure
-from kinlint.terms import Term, literal_value
+from kinlint.terms import Term, iri, literal_value
+from kinlint.text import Location
+from kinlint.vocabulary import SRC
+
+NAMES = (attribute("name"), iri(f"{SRC}name"))
+"""Properties of the element of a robot with its name."""
 
 ASKED = frozenset(
     {
@@ -30,6 +36,7 @@ ASKED = frozenset(
             *inputs.PLACED,
             *inputs.RANGES,
             *NEEDED,
+            *inputs.AT_ZERO,
             FRAME,
             ON_BODY,
         ),
@@ -41,29 +48,52 @@ ASKED = frozenset(
 
 
 def structures(
-    store: Store, places: PartPlaces, findings: Iterable[Finding] = ()
+    store: Store,
+    places: PartPlaces,
+    findings: Iterable[Finding] = (),
+    *,
+    placed: bool = False,
 ) -> tuple[Structure, ...]:
     """Return the robots that the documents of *store*, which is closed, describe, in text order.
 
-    Each knows which of its parts *findings* are about. Takes time linear in joints.
+    Each knows which of its parts *findings* are about and, if *placed*, where its parts are with
+    all joints at zero. Takes time linear in joints.
     """
-    return Extraction(store, places, findings).structures()
+    context = FactContext(PredicateIndex(store))
+    return Extraction(context, places, findings, placed=placed).structures()
 
 
 class Extraction:
-    """Parts of all robots in one store."""
+    """Parts of all robots of the store that *context* computes facts of.
 
-    def __init__(self, store: Store, places: PartPlaces, findings: Iterable[Finding]) -> None:
-        self.store = store
+    Unless *located*, they know neither frames nor where anything is described.
+    """
+
+    def __init__(
+        self,
+        context: FactContext,
+        places: PartPlaces,
+        findings: Iterable[Finding] = (),
+        *,
+        placed: bool = False,
+        located: bool = True,
+    ) -> None:
+        self.scan = context.scan
         self.findings = findings
-        self.scan = PredicateIndex(store)
-        context = FactContext(self.scan)
         self.mechanism = context.mechanism
         self.numbers = context.joints
         self.locator = places
+        self.located = located
         self.names = PartNames(places)
         self.trees = arrange_joints(self.mechanism.bodies, self.mechanism.edges)
         self.roots = frozenset(self.trees.roots)
+        self.zero = (
+            ZeroConfiguration(
+                self.mechanism, context.relations, context.placements, self.trees.edges
+            )
+            if placed
+            else None
+        )
 
     def structures(self) -> tuple[Structure, ...]:
         """Return all robots; each knows its parts that findings are about."""
@@ -97,8 +127,8 @@ class Extraction:
             couplings=tuple(each for joint in joints for each in self._couplings(joint)),
             roots=tuple(map(named, roots)),
             files=tuple(dict.fromkeys(place.source.name for place in places if place is not None)),
-            location=self.locator.node(whole),
-            whole=self.locator.whole(whole),
+            location=self._node(whole),
+            whole=self._all(whole),
             owners={
                 **{each: named(whole) for each in (whole, *own)},
                 **{focus: named(part) for part in parts for focus in self._owned.get(part, ())},
@@ -118,7 +148,9 @@ class Extraction:
 
     def _title(self, whole: Term, names: Mapping[Term, str]) -> str:
         if is_address(whole):
-            said = self.scan.table(attribute("name")).values(element_of(whole))
+            element = element_of(whole)
+            tables = (self.scan.table(each) for each in NAMES)
+            said = [name for table in tables for name in table.values(element)]
             return literal_value(said[0]) if said else element_name(whole, self.locator.kinds)
         return names.get(whole) or self.names.names((whole,))[whole]
 
@@ -126,7 +158,7 @@ class Extraction:
     def _owned(self) -> Mapping[Term, list[Term]]:
         """Entities that findings are about, by the part that each belongs to."""
         parts = {*self.mechanism.bodies, *self.mechanism.joints}
-        owners = FindingOwners(self.store, parts, frozenset(self.mechanism.joints)).owners(
+        owners = FindingOwners(self.scan.store, parts, frozenset(self.mechanism.joints)).owners(
             self.findings
         )
         found: dict[Term, list[Term]] = {}
@@ -134,28 +166,40 @@ class Extraction:
             found.setdefault(part, []).append(focus)
         return found
 
+    def _node(self, node: Term) -> Location | None:
+        """Return the place where *node* is described."""
+        return self.locator.node(node) if self.located else None
+
+    def _all(self, node: Term) -> Location | None:
+        """Return all of the description of *node*."""
+        return self.locator.whole(node) if self.located else None
+
     @cached_property
     def _described(self) -> frozenset[Term]:
         return frozenset(self.mechanism.described)
 
     def _link(self, body: Term, name: str) -> Link:
-        frames = self.mechanism.frames.get(body, ())
+        frames = self.mechanism.frames.get(body, ()) if self.located else ()
         titles = self.names.names(frames)
+        zero = self.zero
         return Link(
             iri=named(body),
             name=name,
-            location=self.locator.node(body),
-            whole=self.locator.whole(body),
+            location=self._node(body),
+            whole=self._all(body),
             frames=tuple(
-                Frame(named(each), titles[each], self.locator.node(each), self.locator.whole(each))
+                Frame(named(each), titles[each], self._node(each), self._all(each))
                 for each in frames
             ),
             absent=body not in self._described,
+            point=zero.origin(body) if zero else None,
+            centre=zero.centre(body) if zero else None,
         )
 
     def _joint(self, edge: Edge, name: str) -> Joint:
         joint = edge.joint
         lower, upper = self.numbers.limits.get(joint, (None, None))
+        zero = self.zero
         return Joint(
             iri=named(joint),
             name=name,
@@ -168,8 +212,12 @@ class Extraction:
             axis=self.numbers.axis(joint),
             lower=lower,
             upper=upper,
-            location=self.locator.node(joint),
-            whole=self.locator.whole(joint),
+            point=zero.joint_point(edge) if zero else None,
+            end=zero.child_point(edge) if zero else None,
+            direction=zero.direction(edge) if zero else None,
+            placed=zero is not None and zero.is_stated(joint),
+            location=self._node(joint),
+            whole=self._all(joint),
         )
 
     def _couplings(self, joint: Term) -> Iterator[Coupling]:

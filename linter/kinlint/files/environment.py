@@ -82,3 +82,13 @@ def writable(path: Path) -> bool:
     except OSError:
         return False
     return bool(mode & WRITING) and os.access(path, os.W_OK) and os.access(path.parent, os.W_OK)
+
+
+@question
+def modified(path: Path) -> tuple[int, int] | None:
+    """Return when the file at *path* was last written, in ns, and its size; None without one."""
+    try:
+        about = path.stat()
+    except (OSError, ValueError):
+        return None
+    return about.st_mtime_ns, about.st_size

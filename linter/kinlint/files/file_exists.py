@@ -71,6 +71,12 @@ class References:
             self._faults[key] = self._look(written, near)
         return self._faults[key]
 
+    def path(self, written: str, near: Path) -> Path | None:
+        """Return the path of the file that *written* means in *near*; None if it is not checked."""
+        if PACKAGED.match(written) is None:
+            return None if ELSEWHERE.match(written) else absolute(near / written)
+        return None if "$" in written else self.packages.resolve(written, near)
+
     def _look(self, written: str, near: Path) -> Fault | None:
         packaged = PACKAGED.match(written)
         if packaged is None:

@@ -24,6 +24,7 @@ from kinlint.files.environment import Environment, kind
 from kinlint.files.pathglob import absolute
 from kinlint.files.tracked_io import question
 from kinlint.light_dataclasses import dataclass, field
+from kinlint.text import XML_COMMENT
 
 MANIFEST = "package.xml"
 REPOSITORY = ".git"
@@ -36,7 +37,6 @@ DIRECTORIES = 10_000
 HEAD = 1 << 14
 MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH", "GAZEBO_MODEL_PATH")
 _NAME = re.compile(r"<name>\s*([^<>\s]+)\s*</name>")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _URI = re.compile(r"(package|model)://([^/]+)/?(.*)", re.DOTALL)
 AMENT = "AMENT_PREFIX_PATH"
 SOURCE = "src"
@@ -173,6 +173,11 @@ class Packages:
         roots = (root for variable in MODEL_PATHS for root in self._path(variable))
         return next((root / name for root in roots if kind(root / name) == "directory"), None)
 
+    def search_paths(self) -> Iterator[Path]:
+        """Yield the directories that the environment names for packages and models."""
+        for variable in (AMENT, "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", *MODEL_PATHS):
+            yield from self._path(variable)
+
     def _path(self, variable: str) -> Iterator[Path]:
         for part in self.environment.get(variable, "").split(os.pathsep):
             if part:
@@ -220,10 +225,23 @@ def repository(near: Path) -> Path | None:
     return next((each for each in (near, *near.parents) if _is_top(each)), None)
 
 
+def working_copies(directory: Path) -> Iterator[Path]:
+    """Yield the tops of the working copies around *directory*.
+
+    That is one, and where it is a submodule or a linked one, those that it lies in.
+    """
+    for each in (directory, *directory.parents):
+        mark = kind(each / REPOSITORY)
+        if mark is not None:
+            yield each
+        if mark == "directory":
+            return
+
+
 @question
 def package_name(directory: Path) -> str | None:
     """Return the name of the package that *directory* is, if it is one."""
-    match = _NAME.search(_COMMENT.sub("", head(directory / MANIFEST, HEAD) or ""))
+    match = _NAME.search(XML_COMMENT.sub("", head(directory / MANIFEST, HEAD) or ""))
     return match[1] if match else None
 
 

@@ -23,6 +23,8 @@ SUSPECT, THROUGH, THIS = "suspect", "through", "this"
 """Variables of the queries: what is uncertain, the property or class concerned, the cause."""
 SHOWN = 3
 """The number of consequences, the worst first, whose places a cause shows."""
+DECIDING = 2
+"""The number of causes that can decide for a rule: the next where the first is what is judged."""
 
 DESCRIBED = iri(f"{SRC}describedIn")
 ResultsOf = Callable[[Finding], Sequence[Result]]
@@ -168,7 +170,18 @@ def _suspects(findings: Sequence[Finding], results_of: ResultsOf, store: Store) 
     # Rows have no order: of several causes it is the one that is told first.
     for suspicions in (*found.terms.values(), *found.namespaces.values()):
         suspicions.sort(key=lambda each: findings[each.cause].sort_key)
+        suspicions[:] = _deciding(suspicions, found.rules)
     return found
+
+
+def _deciding(suspicions: Sequence[Suspicion], rules: Mapping[int, str]) -> Iterator[Suspicion]:
+    """Yield the first *suspicions* of each rule about the same statements."""
+    seen: Counter[tuple[str, Collection[Term]]] = Counter()
+    for each in suspicions:
+        about = rules[each.cause], each.through
+        seen[about] += 1
+        if seen[about] <= DECIDING:
+            yield each
 
 
 class _Explained:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kinlint.addresses import is_address
-from kinlint.finding import Finding
+from kinlint.finding import DEPARTURES, Finding
 
 
 def identity(finding: Finding) -> tuple[object, ...]:
@@ -11,5 +11,7 @@ def identity(finding: Finding) -> tuple[object, ...]:
     where = (finding.location.source.name, finding.location.span)
     # One line of text may make several nodes.
     about = None if is_address(finding.iri) else finding.focus
-    said = finding.template, finding.meant, finding.message
+    # What targets make of it was added when it was judged; it says the same of the place.
+    message = finding.message.removesuffix(finding.departures).rstrip()
+    said = finding.template.removesuffix(DEPARTURES).rstrip(), finding.meant, message
     return finding.rule.code, where, said, about

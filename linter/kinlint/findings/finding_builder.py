@@ -7,7 +7,6 @@ from functools import partial
 from itertools import takewhile
 from typing import TypeAlias
 
-from kinlint.addresses import is_address, without_file
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
 from kinlint.engine.computed_from import is_fact, items
@@ -17,27 +16,19 @@ from kinlint.engine.provenance import Provenance
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.finding import Finding, Premise, Related
+from kinlint.findings.brief_finding import brief_finding, placeholder_terms, reason_for
 from kinlint.findings.duplicates import identity
-from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
-from kinlint.findings.message_of_result import template_of
 from kinlint.findings.wording import Wording
 from kinlint.light_dataclasses import replace
-from kinlint.message_template import counted, filled
-from kinlint.rule import SEVERITY_BY_IRI, Rule, Severity, SeverityFor
-from kinlint.term_format import TermFormatter
+from kinlint.message_template import filled
 from kinlint.terms import (
     RDF_TYPE,
-    XSD,
-    Term,
     Triple,
     iri,
-    iri_value,
     is_blank,
     is_iri,
     is_literal,
-    literal,
-    literal_value,
 )
 from kinlint.text import Location
 from kinlint.vocabulary import SRC
@@ -83,7 +74,7 @@ class FindingBuilder:
         """The robots by which documents are judged that only speak of one, and why."""
         self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
         for result in results:
-            finding = _finding(result, self._locator, rulebook)
+            finding = brief_finding(result, self._locator, rulebook)
             self._told.setdefault(identity(finding), (finding, []))[1].append(result)
 
     @property
@@ -108,7 +99,7 @@ class FindingBuilder:
     def filled(self, template: str, finding: Finding) -> str:
         """Return *template* with the values of *finding* for its placeholders, in words."""
         told = (each for one in (finding, *finding.members) for each in self.results(one))
-        terms = dict(_terms(first)) if (first := next(told, None)) is not None else {}
+        terms = dict(placeholder_terms(first)) if (first := next(told, None)) is not None else {}
         wording = Wording(self._locator, finding.location, finding.focus)
         return filled(template, wording.words(template, terms))
 
@@ -118,10 +109,9 @@ class FindingBuilder:
             return finding
         result, location = told[1][0], finding.location
         wording = Wording(self._locator, location, finding.focus)
-        template = result.constraint.because
         return replace(
             finding,
-            reason=filled(template, wording.words(template, dict(_terms(result)))),
+            reason=reason_for(result, finding, self._locator),
             related=tuple(self._related(result, location, wording)),
             because=tuple(_because(result, self._locator, self._proofs, wording)),
         )
@@ -164,79 +154,6 @@ class FindingBuilder:
         if place is not None:
             reason = f", because {pairing.reason}" if pairing is not None else ""
             yield place, f"names are looked up in this robot{reason}"
-
-
-def _finding(result: Result, locator: Locator, rulebook: Rulebook) -> Finding:
-    rule = rulebook.by_iri[result.constraint.owner]
-    location = locator.result_location(result, rulebook.axioms)
-    wording = Wording(locator, location, result.focus)
-    display = wording.display
-    template = template_of(result, rule)
-    terms = dict(_terms(result))
-    if rule.group_by and COUNT not in terms:
-        terms[COUNT] = literal("1", f"{XSD}integer")
-    words = wording.words(template, terms)
-    count = 0 if COUNT in words else _number(terms.get(COUNT))
-    about = locator.described(result.focus)
-    return Finding(
-        rule=rule,
-        severity=_severity(result.constraint, rule),
-        message=counted(filled(template, words), count),
-        location=location,
-        iri=iri_value(about) if is_iri(about) else locator.anonymous(about, location),
-        focus=result.focus,
-        targets=result.constraint.consumers,
-        severity_for=tuple(
-            SeverityFor(SEVERITY_BY_IRI[severity], consumers, formats)
-            for severity, consumers, formats in result.constraint.severity_for
-            if severity in SEVERITY_BY_IRI
-        ),
-        path=result.path,
-        value=result.value,
-        template=template,
-        arguments=tuple(words.values()),
-        meant=tuple(_meant(terms.get(name), display) for name in words),
-        group=tuple(display.term(term) for name in rule.group_by if (term := terms.get(name))),
-        extent=_size(terms.get(rule.worst)),
-    )
-
-
-def _number(term: Term | None) -> int:
-    """Return the whole number that *term* is, else 0."""
-    value = literal_value(term) if term is not None and is_literal(term) else ""
-    return int(value) if value.isdecimal() else 0
-
-
-def _size(term: Term | None) -> float:
-    """Return the size of the number that *term* is, else 0."""
-    try:
-        return abs(float(literal_value(term))) if term is not None and is_literal(term) else 0.0
-    except ValueError:
-        return 0.0
-
-
-def _terms(result: Result) -> Iterator[tuple[str, Term | None]]:
-    """Yield the terms that placeholders of a message stand for, by name."""
-    yield from result.bindings.items()
-    yield from (("this", result.focus), ("path", result.path), ("value", result.value))
-
-
-def _meant(term: Term | None, display: TermFormatter) -> str:
-    """Return a spelling of *term* that does not depend on prefixes or on the name of its file."""
-    if term is None:
-        return ""
-    if not is_iri(term):
-        return display.term(term)
-    if not is_address(term):
-        return iri_value(term)
-    return without_file(iri_value(term)) if "#" in term else display.term(term)
-
-
-def _severity(constraint: Constraint, rule: Rule) -> Severity:
-    """Return the severity of a constraint that stands in the rule itself, or else of the rule."""
-    if constraint.shape != iri(rule.iri):
-        return rule.severity
-    return SEVERITY_BY_IRI.get(constraint.severity, rule.severity)
 
 
 def _because(

@@ -32,7 +32,9 @@ from kinlint.terms import (
 from kinlint.text import Location
 from kinlint.vocabulary import ATTRIBUTE, FACT, SRC
 
-KINDS = frozenset({"world", "model", "link", "joint", "frame", "group", "actor", "light", "macro"})
+KINDS = frozenset(
+    {"world", "model", "link", "joint", "frame", "group", "actor", "light", "macro", "prim"}
+)
 """Elements that are spoken of by kind and name: joint 'elbow'."""
 
 FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
@@ -49,7 +51,7 @@ NAMESPACE = iri(f"{SRC}namespace")
 TEXT = f"<{SRC}text"
 """Beginning of the property of the text of an element, and those of the words in it."""
 
-NUMERIC = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+NUMERIC = re.compile(r"[-+]?(?:\d++(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 """A number as attributes hold it."""
 
 SYNONYMS = {"body": "link", "root": "link", "shape": "collision", "part": "link"}

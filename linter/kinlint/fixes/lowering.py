@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from kinlint.document import Document
-from kinlint.edits import Delta, NotExpressible
+from kinlint.edits import Delta, NotExpressible, negated
 from kinlint.engine.provenance import Provenance
 from kinlint.terms import (
     NUMERIC,
@@ -17,6 +17,7 @@ from kinlint.terms import (
     literal_datatype,
     literal_value,
 )
+from kinlint.vocabulary import ATTRIBUTE, INHERITED
 
 
 class Replacement(NamedTuple):
@@ -49,10 +50,20 @@ def lower_delta(provenance: Provenance, lifted: Delta) -> Iterator[Replacement]:
                 "several places of the text have" if trace.written else "no place of the text has"
             )
             raise NotExpressible(f"{several} the value that changes")
-        ((document, old),) = trace.written
+        ((document, said),) = trace.written
+        old = _where_written(document, said)
         yield Replacement(document, old, (old[0], old[1], signed(new[0], trace.sign)))
     if added:
         raise NotExpressible("the format cannot express the new statement")
+
+
+def _where_written(document: Document, said: Triple) -> Triple:
+    """Return the statement of the attribute that *said* repeats, such as that of a class."""
+    if not said[1].startswith(f"<{INHERITED}"):
+        return said
+    attribute, place = f"<{ATTRIBUTE}{said[1][len(INHERITED) + 1 :]}", document.map.triples[said]
+    alike = (each for each in document.statements if each[1:] == (attribute, said[2]))
+    return next((each for each in alike if document.map.triples[each] == place), said)
 
 
 def signed(value: Term, sign: int) -> Term:
@@ -65,5 +76,4 @@ def signed(value: Term, sign: int) -> Term:
     datatype = literal_datatype(value)
     if not sign or datatype not in NUMERIC:
         raise NotExpressible("the value that changes is worked out from what the text says")
-    number = literal_value(value)
-    return literal(number[1:] if number.startswith("-") else f"-{number.lstrip('+')}", datatype)
+    return literal(negated(literal_value(value)), datatype)

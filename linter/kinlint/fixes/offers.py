@@ -116,13 +116,12 @@ def offer_fixes(  # noqa: PLR0913, PLR0917
     found = [each for each in found if each not in known]
     groups = _groups(found, generator) if found else []
     # What cannot be read decides which suppressions of other texts are told to be unused.
-    if alone and not generator.examination.report.errors:
-        generator.texts = generator.texts.only(each for group in groups for each in group.sources)
+    alone = alone and not generator.examination.report.errors
 
     def again(texts: Texts) -> Examination:
         return examine_with_fixes(texts, (), analyzer, phases, brief=True)
 
-    tried = try_candidates(groups, generator, again) if groups else {}
+    tried = try_candidates(groups, generator, again, alone=alone) if groups else {}
     verdicts = {**tried, **known}
     refused = [*generator.refused, *((each.finding, each.repair, BARRED) for each in barred)]
     refused += [

@@ -16,7 +16,7 @@ from kinlint.engine.literal_spelling import normal
 from kinlint.engine.provenance import FIRST, Provenance
 from kinlint.engine.store import Store
 from kinlint.fixes.element_insertion import insertion, is_new
-from kinlint.fixes.lowering import lower_delta
+from kinlint.fixes.lowering import lower_delta, signed
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import (
     NUMERIC,
@@ -57,8 +57,13 @@ class _Sheet:
     """Statements to add, in their order."""
 
     def delta(self) -> Delta:
-        """The change; numbers have the type that was there, and if they only move, the spelling."""
-        spelled = {normal(value): value for _, _, value in self.removed if is_literal(value)}
+        """The change; numbers have the type that was there.
+
+        Those that only move, or change their sign, have its spelling too.
+        """
+        said = [value for _, _, value in self.removed if is_literal(value)]
+        said += [signed(value, -1) for value in said if _is_number(value)]
+        spelled = {normal(value): value for value in reversed(said)}
         types = {(s, p): literal_datatype(o) for s, p, o in self.removed if _is_number(o)}
         added: dict[Triple, None] = {}
         for s, p, o in self.added:

@@ -51,6 +51,11 @@ class Texts:
         names = {each.name for each in sources}
         return replace(self, given=[each for each in self.given if each.name in names])
 
+    @property
+    def size(self) -> int:
+        """The number of characters of the given texts."""
+        return sum(len(each.text) for each in self.given)
+
     def path(self, source: SourceText) -> Path:
         """Return the file that holds *source*, with all links followed."""
         if source.name not in self._paths:

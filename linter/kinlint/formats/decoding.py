@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import codecs
+from importlib import import_module
 
 from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
+from kinlint.file_format import Format
 from kinlint.formats.recognition import with_format
-from kinlint.formats.records import FORMATS, JSON
+from kinlint.formats.records import FORMATS, JSON, by_suffix
 from kinlint.text import SourceText
 
 _MARKS = (
@@ -27,6 +29,10 @@ def decode(name: str, data: bytes) -> SourceText:
     Raises SourceError that says what was found, and where, if *data* is no text: XML in the
     encoding that it declares, anything else in UTF-8.
     """
+    form = by_suffix(name)
+    if form is not None and form.decoder is not None and _is_packed(form, name, data):
+        made: SourceText = import_module(form.decoder).decode(name, data)
+        return made
     if not name.lower().endswith(_NO_XML) and _looks_like_xml(data[:_HEAD]):
         from kinlint.formats.xml import encoding  # noqa: PLC0415  few files are XML
 
@@ -65,6 +71,11 @@ def encode(source: SourceText) -> bytes:
     except UnicodeEncodeError as error:
         strange = f"U+{ord(text[error.start]):04X}"
         raise NotExpressible(f"{source.encoding.upper()} has no {strange}") from None
+
+
+def _is_packed(form: Format, name: str, data: bytes) -> bool:
+    """Tell whether *data* of the file *name* is no text, by what files of *form* are like."""
+    return name.lower().endswith(form.archive_suffixes) or data.startswith(form.signatures)
 
 
 def _looks_like_xml(head: bytes) -> bool:

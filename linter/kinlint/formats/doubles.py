@@ -9,7 +9,7 @@ from kinlint.terms import XSD, Term, literal_value
 
 TOO_LARGE = "it is too large for a double"
 """Message about such a number."""
-_DECIMAL = re.compile(r"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
+_DECIMAL = re.compile(r"\s*[-+]?(?:\d++(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?\s*", re.ASCII)
 _DOUBLE = f"^^<{XSD}double>"
 
 

@@ -10,12 +10,15 @@ from kinlint.light_dataclasses import replace
 from kinlint.text import SourceText
 
 JSONLD, TURTLE, NQUADS = BY_NAME["jsonld"], BY_NAME["turtle"], BY_NAME["nquads"]
+YAML, USD = BY_NAME["yaml"], BY_NAME["usd"]
 HEAD = 1024
+LAYER = "#usda "
+"""Beginning of a text layer of USD."""
 KEYWORDS = frozenset({'"@context"', '"@graph"', '"@id"', '"@type"'})
 """Keys by which JSON is JSON-LD."""
 XML_SUFFIXES = tuple(suffix for each in TREES if each.fence == "xml" for suffix in each.suffixes)
 
-_TOKEN = re.compile(r'[ \t\r\n,:]*("(?:[^"\\]|\\.)*"|[\[\]{}]|[^\s",:\[\]{}]+)')
+_TOKEN = re.compile(r'("(?:[^"\\]|\\(?s:.))*+(?:"|\Z)|[\[\]{}]|[^\s",:\[\]{}]+)')
 _VALUE = re.compile(r'[ \t\r\n]*:[ \t\r\n]*["\[{]')
 _TURTLE = re.compile(r"(?im)^[ \t]*(?:@(?:prefix|base)[ \t]|(?:prefix|base)[ \t]+[\w.-]*:?[ \t]*<)")
 _STATEMENT = re.compile(r"(?m)^[ \t]*(?:<[^<>\s]*>|_:\S+)[ \t]+<[^<>\s]*>[ \t]+[<\"_].*\.[ \t]*$")
@@ -48,20 +51,29 @@ def recognise(name: str, text: str) -> Format | None:
         return JSONLD if _has_keyword(text) else None
     if name.lower().endswith(JSON):
         return None
-    if (found := _tree(name, text)) is not None:
-        return found
+    return _tree(name, text) or _by_lines(name, text)
+
+
+def _by_lines(name: str, text: str) -> Format | None:
+    """Return the format of *text*, which is neither JSON nor XML, by how its lines begin."""
+    if text.startswith(LAYER):
+        return USD
     if _TURTLE.search(text):
         return TURTLE
-    return NQUADS if _STATEMENT.search(text) else None
+    if _STATEMENT.search(text):
+        return NQUADS
+    return YAML if "." not in name.rpartition("/")[2] and _is_configuration(text) else None
 
 
-def objection(text: str) -> str:
-    """Say why *text*, which is in no known format, is not read."""
-    if _begins_with_tag(text):
-        from kinlint.formats.xml.xml_recognition import unsupported_kind  # noqa: PLC0415  few files are XML
+def _is_configuration(text: str) -> bool:
+    """Tell whether *text*, in a file whose name tells nothing, is YAML that names robots' parts."""
+    from kinlint.formats.yaml.ros_keys import NAMING  # noqa: PLC0415  few files have such names
 
-        if (kind := unsupported_kind(text)) is not None:
-            return f"{kind} is not read yet; kinlint reads {supported_formats()}"
+    return NAMING.search(text.encode("utf-8", "replace")) is not None
+
+
+def objection() -> str:
+    """Say why a text, which is in no known format, is not read."""
     return f"kinlint reads {supported_formats()}"
 
 

@@ -6,7 +6,20 @@ from importlib import import_module
 
 from kinlint.file_format import Format
 
-FOLDERS = ("jsonld", "turtle", "nquads", "urdf", "xacro", "srdf", "sdf", "yaml")
+FOLDERS = (
+    "jsonld",
+    "turtle",
+    "nquads",
+    "urdf",
+    "xacro",
+    "srdf",
+    "sdf",
+    "mjcf",
+    "collada",
+    "usd",
+    "yaml",
+    "launch",
+)
 """The packages of formats that have records, in the order in which formats are listed."""
 
 
@@ -23,13 +36,16 @@ BY_NAME = {each.name: each for each in FORMATS}
 
 BY_SUFFIX = {suffix: each for each in FORMATS for suffix in each.suffixes}
 
+LONG = tuple(suffix for suffix in BY_SUFFIX if suffix.count(".") > 1 or suffix[0] != ".")
+"""Ends of names that say more than the last part of a name."""
+
 TREES = tuple(each for each in FORMATS if each.is_tree)
 """The formats whose files are trees of elements."""
 
 GRAPHS = tuple(each for each in FORMATS if not each.is_tree)
 """The formats of composable models; rules that name the first of them hold for all."""
 
-LIFTED = tuple(each for each in TREES if each.expands_to is None)
+LIFTED = tuple(each for each in TREES if each.expands_to is None and each.lifted)
 """The formats that have a schema, lifting queries and a profile of their own."""
 
 ELEMENTS: tuple[str, ...] = tuple(each.namespace for each in FORMATS if each.namespace)
@@ -38,16 +54,23 @@ ELEMENTS: tuple[str, ...] = tuple(each.namespace for each in FORMATS if each.nam
 JSON = ".json"
 """The end of the names of files that may be JSON-LD: their content tells."""
 
+SHARED = tuple(suffix for each in FORMATS for suffix in each.shared_suffixes)
+"""The ends of the names of files that may be robots in XML: their root element tells."""
+
 SEARCHED = (
     *(suffix for each in FORMATS if each.searched for suffix in each.suffixes),
+    *SHARED,
     JSON,
 )
 """The ends of the names of files that directories are searched for."""
 
-GLOBBED = (*BY_SUFFIX, JSON)
+GLOBBED = (*BY_SUFFIX, *SHARED, JSON)
 """The ends of the names of files that a glob may stand for."""
 
 
 def by_suffix(name: str) -> Format | None:
     """Return the format that the end of the file *name* stands for, None if it tells nothing."""
-    return BY_SUFFIX.get(f".{name.lower().rpartition('.')[2]}")
+    lower = name.lower()
+    if lower.endswith(LONG):
+        return BY_SUFFIX[next(each for each in LONG if lower.endswith(each))]
+    return BY_SUFFIX.get(f".{lower.rpartition('.')[2]}")

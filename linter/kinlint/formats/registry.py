@@ -37,7 +37,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     source = with_format(source)
     if source.format is None:
-        raise SourceError(source.name, f"not a robot model: {objection(source.text)}")
+        raise SourceError(source.name, f"not a robot model: {objection()}")
     front_end: FrontEnd = import_module(source.format.reader).read
     return front_end(source, options)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from typing import ClassVar
 
@@ -104,7 +105,9 @@ class SuppressionGenerator(Generator):
                 nodes.setdefault(site.graph, {})[site.node] = sorted(own)
             else:
                 source, span = site.element.source, site.element.span
-                made = comment_edit(source, span, sorted(own), self.reason)
+                in_lines = self.documents[site.graph].format.line_comments
+                write_comment = import_module(in_lines).comment_edit if in_lines else comment_edit
+                made = write_comment(source, span, sorted(own), self.reason)
                 write(site.graph, source, Delta(), [made])
         for graph, codes_of in nodes.items():
             document = self.documents[graph]
@@ -146,6 +149,8 @@ class SuppressionGenerator(Generator):
         return Site(own[0].graph, node)
 
     def _element(self, home: Document, place: Location) -> Site:
+        if home.format.line_comments is not None:
+            return Site(home.graph, home.graph, place)
         if home.graph not in self._nests:
             found: dict[str, list[tuple[Span, Location]]] = {}
             for spans in home.map.nodes.values():

@@ -10,7 +10,8 @@ import pyoxigraph as ox
 
 from kinlint.engine.constraint import PLAIN
 from kinlint.incremental.change import Changes
-from kinlint.incremental.dependency_paths import Edge, Path, PatternPath
+from kinlint.incremental.dependency_paths import PatternPath
+from kinlint.incremental.solution_paths import Edge, Path
 from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF_TYPE, Triple, iri_value, is_iri
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import count
 
-from kinlint.engine.constraint import PLAIN
-from kinlint.light_dataclasses import dataclass
+from kinlint.incremental.solution_paths import Alias, Context, Edge, Path, Steps, first_bound
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.sparql.ast import (
     Bind,
     Clause,
@@ -22,40 +21,8 @@ from kinlint.sparql.parser import parse
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable, tokens
 from kinlint.sparql.variables import projection
-from kinlint.terms import Term
 
 REQUIRED = frozenset({"LATERAL", "GRAPH"})
-
-
-@dataclass(frozen=True, slots=True)
-class Path:
-    """The edges that a property path takes."""
-
-    terms: frozenset[Term] | None
-    """The properties of the edges; None for any."""
-    plain: bool
-    """True if the path takes one edge from subject to object; else any number in any direction."""
-
-    @classmethod
-    def from_words(cls, words: Sequence[str]) -> Path:
-        """Return the edges of the path that is spelled by *words*."""
-        named = frozenset(word for word in words if PLAIN.fullmatch(word))
-        if is_variable(words[0]):
-            return cls(None, plain=True)
-        plain = all(word == "|" or word in named for word in words)
-        return cls(None if "!" in words else named, plain=plain)
-
-
-@dataclass(frozen=True, slots=True)
-class Edge:
-    """A pattern of a query between two of its variables or terms."""
-
-    subject: str
-    """Variable or term."""
-    path: Path
-    """Path from subject to object."""
-    object: str
-    """Variable or term."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +33,7 @@ class PatternPath:
     """The pattern."""
     from_object: bool
     """True if the way begins at the object of the pattern; else at its subject."""
-    steps: tuple[tuple[Path, bool], ...] | None
+    steps: Steps | None
     """The paths taken, and whether each is taken from object to subject; None for no way."""
 
 
@@ -85,10 +52,10 @@ def paths_to(group: Group, root: str) -> tuple[PatternPath, ...] | None:
     """Return how each pattern of *group* leads to *root*; None where that does not matter."""
     reader = _Reader(root)
     try:
-        reader.read(group, (), _Scope())
+        reader.read(group, Context(), _Scope())
     except _Unseen:
         return None
-    return tuple(_sight(edge, context, root) for edge, context in reader.found)
+    return tuple(each for edge, context in reader.found for each in _sights(edge, context, root))
 
 
 class _Unseen(Exception):
@@ -129,45 +96,56 @@ class _Reader:
 
     def __init__(self, root: str) -> None:
         self.root = root
-        self.found: list[tuple[Edge, tuple[Edge, ...]]] = []
+        self.found: list[tuple[Edge, Context]] = []
         self._numbers = count(1000, 1000)
         self._scopes: list[_Scope] = []
 
-    def read(self, group: Group, outer: tuple[Edge, ...], scope: _Scope) -> None:
+    def read(self, group: Group, outer: Context, scope: _Scope) -> None:
         """Collect those of *group*, in which what *outer* has holds."""
         self._scopes.append(scope)
-        own, inner = list[Edge](), list[tuple[Group, _Scope]]()
-        self._require(group, scope, own, inner)
-        context = (*outer, *own)
-        self.found += [(edge, context) for edge in own]
+        inner: list[tuple[Group, _Scope]] = []
+        own = self._required(group, scope, inner)
+        context = outer + own
+        self.found += [(edge, context) for edge in own.edges]
         for each, within in inner:
             self.read(each, context, within)
 
-    def _require(
-        self, group: Group, scope: _Scope, own: list[Edge], inner: list[tuple[Group, _Scope]]
-    ) -> None:
-        """Sort what *group* needs to hold from the groups in it that it does without."""
+    def _required(self, group: Group, scope: _Scope, inner: list[tuple[Group, _Scope]]) -> Context:
+        """Return what *group* needs to hold; add what it does without to the *inner* groups."""
+        own = Context()
         for each in group.elements:
             match each:
                 case Triples(words):
-                    own += self._edges(words, scope)
-                case Select():
-                    within = self._within(each, scope)
-                    self._require(each.group, within, own, inner)
-                    parts = (*each.head, *each.tail)
-                    inner += [(part, within) for part in parts if isinstance(part, Group)]
-                case Union((branch,)):
-                    self._require(branch, scope, own, inner)
-                case Union(branches):
-                    inner += [(branch, scope) for branch in branches]
-                case Clause(head, part) if head[0].upper() in REQUIRED:
-                    self._require(part, scope, own, inner)
-                case Clause(_, part):
-                    inner.append((part, scope))
+                    own += Context(edges=tuple(self._edges(words, scope)))
                 case Filter(expression) | Bind(expression, _):
                     inner += [(part, scope) for part in expression if isinstance(part, Group)]
+                    own += Context(aliases=tuple(_aliases(each, scope)))
+                case Select() | Union() | Clause():
+                    own += self._joined(each, scope, inner)
                 case _:
                     pass
+        return own
+
+    def _joined(
+        self, part: Select | Union | Clause, scope: _Scope, inner: list[tuple[Group, _Scope]]
+    ) -> Context:
+        """Return what *part* with its groups needs to hold, as `_required` does."""
+        match part:
+            case Select(head, group, tail):
+                within = self._within(part, scope)
+                inner += [(each, within) for each in (*head, *tail) if isinstance(each, Group)]
+                return self._required(group, within, inner)
+            case Union((branch,)):
+                return self._required(branch, scope, inner)
+            case Union(branches):
+                inner += [(branch, scope) for branch in branches]
+                return Context(unions=(tuple(self._required(b, scope, []) for b in branches),))
+            case Clause(head, group) if head[0].upper() in REQUIRED:
+                return self._required(group, scope, inner)
+            case Clause(head, group):
+                inner.append((group, scope))
+                optional = head[0].upper() == "OPTIONAL"
+                return Context(optional=(self._required(group, scope, []),) if optional else ())
 
     def _within(self, select: Select, scope: _Scope) -> _Scope:
         shown = projection(select)
@@ -187,25 +165,27 @@ class _Reader:
             )
 
 
-def _sight(edge: Edge, context: Sequence[Edge], root: str) -> PatternPath:
-    """Return the shortest way from *edge* to *root* by what *context* has."""
-    waiting = deque[tuple[str, tuple[tuple[Path, bool], ...], bool]]()
-    for end, from_object in ((edge.subject, False), (edge.object, True)):
-        if is_variable(end):
-            waiting.append((end, (), from_object))
-    seen = {end for end, _, _ in waiting}
-    while waiting:
-        at, steps, from_object = waiting.popleft()
-        if at == root:
-            return PatternPath(edge, from_object, steps)
-        for other in context:
-            if other is edge:
-                continue
-            for start, end, back in (
-                (other.subject, other.object, False),
-                (other.object, other.subject, True),
-            ):
-                if start == at and is_variable(end) and end not in seen:
-                    seen.add(end)
-                    waiting.append((end, (*steps, (other.path, back)), from_object))
-    return PatternPath(edge, from_object=False, steps=None)
+def _aliases(part: Filter | Bind, scope: _Scope) -> Iterator[Alias]:
+    """Yield the variable that *part* binds to one of others, if it does."""
+    if isinstance(part, Bind) and (names := first_bound(part.expression)):
+        yield Alias(scope.name(part.variable), tuple(map(scope.name, names)))
+
+
+def _sights(edge: Edge, context: Context, root: str) -> Iterator[PatternPath]:
+    """Yield the shortest ways from *edge* to *root* by what *context* has.
+
+    One, or several of which one is there in each solution.
+    """
+    others = replace(context, edges=tuple(each for each in context.edges if each is not edge))
+    ends = (end for end in ((edge.subject, False), (edge.object, True)) if is_variable(end[0]))
+    found = [
+        (len(ways), sum(map(len, ways)), from_object, ways)
+        for end, from_object in ends
+        if (ways := others.paths(end, root)) is not None
+    ]
+    if not found:
+        yield PatternPath(edge, from_object=False, steps=None)
+        return
+    *_, from_object, ways = min(found, key=lambda each: each[:3])
+    for steps in dict.fromkeys(ways):
+        yield PatternPath(edge, from_object, steps)

@@ -6,11 +6,15 @@ from collections.abc import Iterator
 from itertools import count
 
 from kinlint.formats.records import ELEMENTS
-from kinlint.incremental.dependency_paths import Path, PatternPath, paths_to
+from kinlint.incremental.dependency_paths import PatternPath, paths_to
+from kinlint.incremental.solution_paths import Path
 from kinlint.light_dataclasses import dataclass
-from kinlint.sparql.ast import Group, Triples
+from kinlint.sparql.ast import Clause, Element, Group, Triples, Union, Values
 from kinlint.sparql.patterns import patterns
 from kinlint.sparql.tokens import is_variable
+
+GIVEN = "<kinlint:given>"
+"""Stands in queries for the values that a variable may have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,3 +56,30 @@ def _elements(first: Triples) -> Iterator[str]:
             yield pattern.subject
         if is_variable(pattern.object) and any(term[1:].startswith(ELEMENTS) for term in terms):
             yield pattern.object
+
+
+def restricted(group: Group, root: str) -> Group:
+    """Return *group* with a place for the values that *root* may have, in all groups it joins.
+
+    A store that evaluates such a group by itself does so for these values alone.
+    """
+    found = [_restricted(each, root) for each in group.elements]
+    return Group((Values(("VALUES", root, "{", GIVEN, "}")), *found))
+
+
+def _restricted(element: Element, root: str) -> Element:
+    match element:
+        case Union(branches):
+            return Union(tuple(_within(each, root) for each in branches))
+        case Clause(head, group) if head[0].upper() == "OPTIONAL":
+            return Clause(head, _within(group, root))
+        case _:
+            return element
+
+
+def _within(group: Group, root: str) -> Group:
+    """Return a group inside of another, restricted where each solution of it binds *root*."""
+    plain = (each for each in group.elements if isinstance(each, Triples))
+    if any(root in each.tokens for each in plain):
+        return restricted(group, root)
+    return Group(tuple(_restricted(each, root) for each in group.elements))

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 Row = Mapping[str, Term]
 GIVEN = f"VALUES ?this {{ {FOCUS} }}"
 """The clause by which the query about one target node is given it."""
-LITTLE = 1e-4
-"""Seconds: what takes less is not worth to be taken apart."""
+LITTLE, FIRST = 3e-4, 1e-3
+"""Seconds: a query that takes less is asked about all nodes again, as the nodes that a change
+concerns are not found sooner; more at first, when the paths to them are still to be found."""
 
 
 class TrackedChecking:
@@ -37,6 +38,7 @@ class TrackedChecking:
         self._rows: dict[int, list[Row]] = {}
         self._results: dict[int, list[Result]] = {}
         self._seconds: dict[int, float] = {}
+        self._little = FIRST
 
     @cached_property
     def deferred(self) -> bool:
@@ -75,6 +77,7 @@ class TrackedChecking:
             if nodes is None or nodes:
                 known = None if nodes is None else self._checked(number, nodes)
                 self._note(number, self._all(number) if known is None else known)
+        self._little = LITTLE
 
     def _all(self, number: int) -> list[Row]:
         """Return all violations of a constraint; note how long that took."""
@@ -92,7 +95,7 @@ class TrackedChecking:
 
     def _concerned(self, number: int, affected: AffectedNodes) -> frozenset[Term] | None:
         """Return the target nodes that may violate it anew or no more; None for all."""
-        if number not in self._rows or self._seconds.get(number, 0.0) < LITTLE:
+        if number not in self._rows or self._seconds.get(number, 0.0) < self._little:
             return None
         from kinlint.incremental.affected_nodes import TooMany  # noqa: PLC0415  most runs run once
         from kinlint.incremental.dependency_paths import pattern_paths  # noqa: PLC0415

@@ -14,7 +14,8 @@ from kinlint.engine.result import Result
 from kinlint.engine.store import Function, Store
 from kinlint.incremental.change import Changes
 from kinlint.light_dataclasses import dataclass, field
-from kinlint.terms import Term, Triple
+from kinlint.terms import RDF_TYPE, Term, Triple
+from kinlint.vocabulary import LIFTED_GRAPH
 
 
 @dataclass
@@ -38,6 +39,9 @@ class TrackedStore(Store):
     """A store that notes what it is asked, while somebody wants to know."""
 
     looks: Reads | None = None
+    """Nodes and queries that were asked about, while that is noted."""
+    kept: frozenset[Term] | None = None
+    """Properties and classes that lifted statements are noted for; None for any."""
 
     def rows(
         self,
@@ -57,7 +61,14 @@ class TrackedStore(Store):
 
     def _said(self, subject: Term, name: Term) -> list[tuple[Term, Term]]:
         self._note(subject)
-        return super()._said(subject, name)
+        said, kept = super()._said(subject, name), self.kept
+        if self.looks is None or kept is None or name != LIFTED_GRAPH:
+            return said
+        return [
+            (predicate, value)
+            for predicate, value in said
+            if predicate in kept or (predicate == RDF_TYPE and value in kept)
+        ]
 
     def _graph(self, triple: Triple) -> Term | None:
         self._note(triple[0])
@@ -75,6 +86,10 @@ class Explanations:
         self._store = store
         self._axioms = axioms
         self._known: dict[int, tuple[Result, tuple[Step, ...], Reads]] = {}
+
+    def keep_to(self, terms: frozenset[Term]) -> None:
+        """Take only those lifted statements into account that have one of *terms*."""
+        self._store.kept = terms
 
     def forget(self, changes: Changes, results: Sequence[Result]) -> None:
         """Forget what *changes* may have changed, and what is not among *results*."""

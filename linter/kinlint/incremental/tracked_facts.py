@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Sequence
 from kinlint.engine.store import Store
 from kinlint.facts.computation import asked, helpful
 from kinlint.facts.fact_context import FactContext
-from kinlint.facts.fact_kinds import FactKind
+from kinlint.facts.fact_kinds import KINDS, FactKind
+from kinlint.facts.fact_statements import fact
 from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.tracked_index import TrackedIndex
 from kinlint.phases import part
@@ -21,12 +22,14 @@ class TrackedFacts:
     def __init__(self, store: Store, wanted: frozenset[Term] | None, hints: Iterable[Term]) -> None:
         self._store = store
         self._index = TrackedIndex(store)
-        self._context = FactContext(self._index)
+        self.context = FactContext(self._index)
+        """The parts that facts are computed by, whether rules ask for those facts or not."""
         self._asked = tuple(asked(wanted))
         self._kinds: Sequence[FactKind] = (*self._asked, *helpful(hints))
         self._stale = set(range(len(self._kinds)))
         self._found: dict[int, tuple[Triple, ...]] = {}
         self._facts: dict[Triple, None] | None = None
+        self._unasked: dict[str, dict[Term, list[Term]]] = {}
 
     def run(
         self,
@@ -40,12 +43,13 @@ class TrackedFacts:
 
         Unless *hinting*, hints that were computed before stay as they are until a later turn.
         """
+        self._unasked.clear()
         self._forget(changes)
         for number, kind in enumerate(self._kinds if hinting else self._asked):
             if number in self._stale:
                 ask()
                 with part("facts", kind.label):
-                    self._found[number] = tuple(kind.found(self._context))
+                    self._found[number] = tuple(kind.found(self.context))
                 self._stale.discard(number)
         found = [each for _, found in sorted(self._found.items()) for each in found]
         before, self._facts = self._facts, dict.fromkeys((*found, *named))
@@ -54,10 +58,24 @@ class TrackedFacts:
         else:
             self._restate(before, self._facts, changes)
 
+    def values(self, node: Term, name: str) -> Sequence[Term]:
+        """Return the facts called *name* of *node*, whether rules ask for such or not; sorted."""
+        if name not in self._unasked:
+            found = self._unasked.setdefault(name, {})
+            asked = {id(each.found) for each in self._asked}
+            others = (kind for kind in KINDS if name in (*kind.needs, *kind.details))
+            others = (kind for kind in others if id(kind.found) not in asked)
+            for kind in others:
+                for subject, predicate, value in kind.found(self.context):
+                    if predicate == fact(name):
+                        found.setdefault(subject, []).append(value)
+        stated = self._store.values(node, fact(name))
+        return sorted({*stated, *self._unasked[name].get(node, ())})
+
     def _forget(self, changes: Changes) -> None:
         """Forget what was computed from something that *changes* are about."""
         for name in self._index.forget(changes):
-            self._context.__dict__.pop(name, None)
+            self.context.__dict__.pop(name, None)
             for number, kind in enumerate(self._kinds):
                 if name in kind.parts:
                     self._stale.add(number)

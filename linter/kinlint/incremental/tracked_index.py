@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TypeAlias
+from collections.abc import Mapping, Sequence
 
-from kinlint.document import Document
+from kinlint.document import Document, NodeSpans, OrderedNodes
 from kinlint.engine.store import Store
 from kinlint.facts.predicate_index import Place, PredicateIndex, Table
-from kinlint.formats.xml.span_lookup import ElementSpans
 from kinlint.incremental.change import Changes
 from kinlint.incremental.index_update import update_index
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term
-
-Order: TypeAlias = tuple[tuple[Term, ...], ...]
 
 
 @dataclass
@@ -43,7 +39,7 @@ class TrackedIndex(PredicateIndex):
         super().__init__(store)
         self.looks: dict[str, Reads] = {}
         self.below: dict[str, tuple[str, ...]] = {}
-        self._order: Order | None = None
+        self._described: tuple[Document, ...] = ()
 
     def part(self, name: str, *below: str) -> PredicateIndex:
         """Return an index that notes what a part of the computation reads; it uses *below*."""
@@ -57,7 +53,9 @@ class TrackedIndex(PredicateIndex):
         for name in ("_first", "_rest", "_home", "documents"):
             self.__dict__.pop(name, None)
         subjects = {str(quad.subject) for quad in (*changes.removed, *changes.added)}
-        moved = self._moved() if any(each.places for each in self.looks.values()) else False
+        before, self._described = self._described, tuple(self.store.documents.values())
+        placed = any(each.places for each in self.looks.values())
+        moved = placed and _moved(before, self._described)
         touched = {
             name
             for name, each in self.looks.items()
@@ -75,11 +73,6 @@ class TrackedIndex(PredicateIndex):
         for name in touched:
             self.looks.pop(name, None)
         return touched
-
-    def _moved(self) -> bool:
-        """Tell whether nodes come in another order than when this was asked last."""
-        before, self._order = self._order, tuple(map(_in_order, self.documents))
-        return before != self._order
 
 
 class Part(PredicateIndex):
@@ -135,9 +128,21 @@ class Part(PredicateIndex):
         return self._kept.documents
 
 
-def _in_order(document: Document) -> tuple[Term, ...]:
-    """The nodes of *document* by where they are described."""
-    nodes = document.map.nodes
-    if isinstance(nodes, ElementSpans):
-        return tuple(nodes)  # Elements are numbered as their tags begin.
-    return tuple(sorted(nodes, key=lambda node: (nodes[node].whole.start, node)))
+def _moved(before: Sequence[Document], after: Sequence[Document]) -> bool:
+    """Tell whether the nodes of documents come in another order than *before*."""
+    return len(before) != len(after) or not all(map(_in_same_order, before, after))
+
+
+def _in_same_order(before: Document, after: Document) -> bool:
+    """Tell whether two documents describe the same nodes in the same order."""
+    if before is after:
+        return True
+    old, new = before.map.nodes, after.map.nodes
+    if isinstance(old, OrderedNodes):
+        return before.graph == after.graph and old.in_same_order(new)
+    return before.graph == after.graph and _in_order(old) == _in_order(new)
+
+
+def _in_order(nodes: Mapping[Term, NodeSpans]) -> list[Term]:
+    """Return *nodes* by where they are described."""
+    return sorted(nodes, key=lambda node: (nodes[node].whole.start, node))

@@ -16,10 +16,10 @@ from kinlint.engine.lifting import Lifting, asked
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
-from kinlint.incremental.restriction import Restriction, find_restriction
+from kinlint.incremental.restriction import GIVEN, Restriction, find_restriction, restricted
 from kinlint.light_dataclasses import dataclass
 from kinlint.sparql.ast import render
-from kinlint.sparql.given_values import is_nameable, with_values
+from kinlint.sparql.given_values import is_nameable
 from kinlint.sparql.tokens import is_variable
 from kinlint.terms import RDF, Term, Triple, iri, iri_value
 from kinlint.vocabulary import LIFTED_GRAPH
@@ -37,6 +37,8 @@ class Unit:
 
     select: str
     """The query as a SELECT."""
+    restricted: str
+    """The same with `GIVEN` in place of the values of the variable of `narrow`."""
     names: tuple[str, ...]
     """Variables of a solution; the last is the one that `narrow` restricts."""
     template: Sequence[tuple[str, str, tuple[str, ...] | str]]
@@ -59,9 +61,11 @@ class Unit:
             root = narrow.root[1:]
             names = (*(name for name in names if name != root), root)
         shown = " ".join(f"?{name}" for name in names) or "*"
-        select = f"SELECT {shown} WHERE {render(where)}"
+        head = f"SELECT {shown} WHERE"
+        within = where if narrow is None else restricted(where, narrow.root)
         template = [(each.subject, each.predicate, each.items or each.object) for each in made]
-        return cls(select, names, template, dependencies, narrow)
+        texts = f"{head} {render(where)}", f"{head} {render(within)}"
+        return cls(*texts, names, template, dependencies, narrow)
 
     def may_make(self, triple: Triple) -> bool:
         """Tell whether one of the triples that it makes may be *triple*."""
@@ -166,7 +170,7 @@ class TrackedLifting:
     def _rows(self, unit: Unit, roots: Collection[Term] | None) -> Iterator[Row]:
         select = unit.select
         if roots is not None and unit.narrow is not None:
-            select = with_values(select, unit.narrow.root, roots)
+            select = unit.restricted.replace(GIVEN, " ".join(sorted(roots)))
         solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
         assert isinstance(solutions, ox.QuerySolutions)
         places = [[each.value for each in solutions.variables].index(name) for name in unit.names]

@@ -1,13 +1,14 @@
-"""The decorator `dataclass`, which compiles nothing but `__init__`, and that on first use.
+"""The decorator `dataclass`, which compiles nothing but `__init__`, and that of busy classes only.
 
 A run that lints makes some 130 dataclasses. The standard library compiles up to six methods for
 each, which took a fifth of a run on a small file, and imports `inspect`. Here the other methods are
-shared. That instances of frozen classes do not change is left to type checkers.
+shared, and the first instances are made without compiling anything. That instances of frozen
+classes do not change is left to type checkers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from operator import attrgetter
 from reprlib import recursive_repr
 from typing import Any
@@ -16,6 +17,8 @@ from kinlint.light_dataclasses.fields import FIELDS, MISSING, Field, Fields, kno
 
 CLASS_VARIABLE = ("ClassVar", "typing.ClassVar")
 """The beginnings of annotations of what is no field."""
+UNCOMPILED = 8
+"""Number of instances of a class that take less time than to compile its `__init__`."""
 
 
 def field(
@@ -109,15 +112,44 @@ def _repr(self: Any) -> str:
 
 
 def _first_init(cls: Any, found: Mapping[str, Field]) -> Callable[..., None]:
-    """Return an `__init__` that compiles the one of *cls* and leaves its place to that."""
+    """Return an `__init__` that makes a few instances, then compiles the one of *cls*.
+
+    The compiled one takes its place, and is called for arguments that do not fit, too.
+    """
+    stated = [one for one in found.values() if one.init or one.has_default]
+    positional = [one.name for one in stated if one.init and not one.kw_only]
+    taken = {one.name for one in stated if one.init}
+    left = UNCOMPILED
 
     def first(self: Any, *args: Any, **named: Any) -> None:
+        nonlocal left
+        left -= 1
+        given = dict(zip(positional, args, strict=False))
+        fitting = len(args) <= len(positional) and given.keys().isdisjoint(named)
+        given |= named
+        if left >= 0 and fitting and given.keys() <= taken and _filled(self, stated, given):
+            if hasattr(cls, "__post_init__"):
+                self.__post_init__()
+            return
         init = _compiled_init(cls, found)
         if cls.__init__ is first:
             cls.__init__ = init
         init(self, *args, **named)
 
     return first
+
+
+def _filled(self: Any, stated: Iterable[Field], given: Mapping[str, Any]) -> bool:
+    """Set the fields *stated* to what is *given*, else their defaults; False if one has neither."""
+    for one in stated:
+        value = given.get(one.name, MISSING)
+        if value is MISSING:
+            make = one.default_factory
+            value = one.default if make is MISSING else make()
+            if value is MISSING:
+                return False
+        setattr(self, one.name, value)
+    return True
 
 
 def _compiled_init(cls: Any, found: Mapping[str, Field]) -> Callable[..., None]:

@@ -5,12 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinlint.document import Document
+from kinlint.formats.xml.element_types import ElementType, Schema
 from kinlint.formats.xml.references import names_in
 from kinlint.formats.xml.schema import schema
 from kinlint.navigation.occurrence import Occurrence, Role
 from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import iri
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
+
+PATH = "path"
+"""Manner of addresses of which each step is the name of an element."""
+
+
+def _types(table: Schema) -> Iterator[ElementType]:
+    return (each for types in table.types.values() for each in types)
 
 
 def named_elements(document: Document) -> Iterator[Occurrence]:
@@ -29,7 +37,14 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
     for (subject, predicate, value), target in calls.items():
         if (place := said.place(subject, predicate, value)) is not None:
             yield Occurrence(place, target, Role.REFERENCE)
-    naming = iri(ATTRIBUTE + schema(document.format.lifted_as).names)
+    table = schema(document.format.lifted_as)
+    if any(each.manner == PATH for type_ in _types(table) for each in type_.addresses.values()):
+        for subject, predicate, target in document.statements:
+            if not predicate.startswith(f"<{REFERENCE}"):
+                continue
+            if (place := said.place(subject, predicate, target)) is not None:
+                yield Occurrence(place, target, Role.REFERENCE)
+    naming = iri(ATTRIBUTE + table.names)
     for subject, predicate, value in document.statements:
         if predicate != naming or (subject, predicate, value) in calls:
             continue

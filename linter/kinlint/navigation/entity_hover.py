@@ -80,11 +80,11 @@ class EntityPages:
 
     def _element(self, element: Term, descriptions: Descriptions) -> Iterator[str]:
         """Yield the description of the node that stands for *element*, or of all made of it."""
-        made = self._model.made.get(element, ())
+        made = self._model.made(element)
         own = lifted(element)
         itself = [each for each in (own, f"{own[:-1]}/frame>") if each in made][:1]
         if not itself:
-            tag = self._model.tags.get(element, "document")
+            tag = self._model.tag(element) or "document"
             yield f"**{descriptions.display.term(element)}**: `<{tag}>`"
         for node in (itself or made)[:MOST]:
             lines = descriptions.lines(node)

@@ -1,19 +1,18 @@
-"""The whole meaning of documents: all that can be lifted, inferred and computed, for questions."""
+"""Questions about the graph of a model: what is stated, lifted, inferred and computed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterator, Sequence
 
-from kinlint.catalogue.rulebook import Rulebook
-from kinlint.document import FROM, Document
-from kinlint.engine.store import Store
+import pyoxigraph as ox
+
+from kinlint.document import FROM
+from kinlint.engine.store import ASSERTED_GRAPH, Store
+from kinlint.facts.fact_context import FactContext
 from kinlint.formats.records import ELEMENTS
-from kinlint.pipeline.run import Run
-from kinlint.pipeline.stage_inputs import Demand, Inputs
-from kinlint.pipeline.stages import run_stages
-from kinlint.terms import Term, Triple
-from kinlint.vocabulary import EXTENSION
+from kinlint.pipeline.analyzer import Examination
+from kinlint.terms import Term, iri_value
+from kinlint.vocabulary import EXTENSION, LIFTED_GRAPH
 
 PROPERTIES = tuple(f"<{each}" for each in (*ELEMENTS, EXTENSION))
 """Beginnings of the properties whose values are elements, each called like its tag."""
@@ -21,64 +20,47 @@ OWNED = tuple(
     f"#{name}>" for name in ("of-joint", "of-body", "of-inertia", "of-actuator", "actuates")
 )
 """Ends of the properties of what belongs to another node, such as the limits of a joint."""
+ASSERTED, LIFTED = (ox.NamedNode(iri_value(each)) for each in (ASSERTED_GRAPH, LIFTED_GRAPH))
 
 
 class GraphModel:
-    """Graph of *documents* together, computed when it is first asked for.
+    """Graph of *examination*, which a repeated analyzer made: rules ask for little, people for all.
 
-    A run that lints lifts and computes only what its rules ask for; people ask for anything.
+    It answers until that analyzer is asked again.
     """
 
-    def __init__(self, documents: Sequence[Document], rulebook: Rulebook) -> None:
-        self.documents, self.rulebook = documents, rulebook
+    def __init__(self, examination: Examination) -> None:
+        self.store: Store = examination.store
+        """All that was stated, lifted and inferred, and the facts that rules ask for."""
+        self._computed = examination.computed
 
-    @cached_property
-    def lifted(self) -> Sequence[Triple]:
-        """Triples that were lifted from the elements of XML formats."""
-        return tuple(self._lifted.store.lifted())
+    @property
+    def context(self) -> FactContext:
+        """Return the parts that facts of the model are computed by."""
+        return self._computed.context
 
-    @cached_property
-    def store(self) -> Store:
-        """Store with all that was lifted, inferred and computed."""
-        demand = Demand.for_everything(self.rulebook)
-        return run_stages("facts", self._lifted, Inputs(self.documents), demand, first="closure")
+    def made(self, element: Term) -> Sequence[Term]:
+        """Return the nodes that were made of *element*, in the order of their names."""
+        found = self.store.leading_to(element, LIFTED)
+        return sorted(node for node, predicate in found if predicate == FROM)
 
-    @cached_property
-    def _lifted(self) -> Run:
-        run = Run(self.rulebook.vocabulary)
-        run_stages("lifting", run, Inputs(self.documents))
-        return run
+    def tag(self, element: Term) -> str | None:
+        """Return the tag of *element*; None for the root of a document."""
+        found = self.store.leading_to(element, ASSERTED)
+        tags = (each[:-1].rpartition("#")[2] for _, each in found if each.startswith(PROPERTIES))
+        return min(tags, default=None)
 
-    @cached_property
-    def made(self) -> Mapping[Term, Sequence[Term]]:
-        """The nodes that were made of each element, in the order of their names."""
-        found: dict[Term, list[Term]] = {}
-        for node, predicate, element in sorted(self.lifted):
-            if predicate == FROM:
-                found.setdefault(element, []).append(node)
-        return found
-
-    @cached_property
-    def tags(self) -> Mapping[Term, str]:
-        """The tag of each element."""
-        return {
-            value: predicate[:-1].rpartition("#")[2]
-            for document in self.documents
-            if document.format.is_tree
-            for _, predicate, value in document.statements
-            if predicate.startswith(PROPERTIES)
-        }
-
-    @cached_property
-    def owned(self) -> Mapping[Term, Sequence[Term]]:
-        """Nodes that belong to each node and are described as nodes of their own."""
-        found: dict[Term, list[Term]] = {}
-        said = (each for document in self.documents for each in document.statements)
-        for subject, predicate, value in (*said, *self.lifted):
-            if predicate.endswith(OWNED):
-                found.setdefault(value, []).append(subject)
-        return found
+    def owned(self, node: Term) -> Sequence[Term]:
+        """Return the nodes that belong to *node* and are described by themselves, sorted."""
+        found = (
+            each for graph in (ASSERTED, LIFTED) for each in self.store.leading_to(node, graph)
+        )
+        return sorted({subject for subject, predicate in found if predicate.endswith(OWNED)})
 
     def values(self, node: Term, predicate: Term) -> Iterator[Term]:
-        """Yield the values of *predicate* for *node*, stated, lifted, inferred or computed."""
+        """Yield the values of *predicate* for *node*, stated, lifted or inferred."""
         return self.store.values(node, predicate)
+
+    def computed(self, node: Term, name: str) -> Sequence[Term]:
+        """Return the facts called *name* of *node*, sorted."""
+        return self._computed.values(node, name)

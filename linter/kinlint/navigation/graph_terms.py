@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinlint.document import Document
+from kinlint.navigation.document_excerpt import Excerpt
 from kinlint.navigation.occurrence import Occurrence, Role
-from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import RDF, iri, is_blank, is_literal
 from kinlint.vocabulary import SRC
 
@@ -14,15 +13,15 @@ REST = iri(f"{RDF}rest")
 OWN = f"<{SRC}"
 
 
-def terms(document: Document) -> Iterator[Occurrence]:
-    """Yield every node that *document* describes, and every term that is a value in it."""
-    losses = StatementIndex(document).losses
+def terms(excerpt: Excerpt) -> Iterator[Occurrence]:
+    """Yield every node that *excerpt* describes, and every term that is a value in it."""
+    document, losses = excerpt.document, excerpt.losses
     described = set()
-    for node, spans in document.map.nodes.items():
+    for node, spans in excerpt.nodes.items():
         if node not in losses and node != document.graph:
             described.add((node, spans.best))
             yield Occurrence(document.location(spans.best), node, Role.DESCRIPTION)
-    for (subject, predicate, value), span in document.map.triples.items():
+    for (subject, predicate, value), span in excerpt.triples.items():
         if is_literal(value) or predicate == REST or predicate.startswith(OWN):
             continue
         if subject in losses or subject == document.graph:

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from kinlint.document import Document
-from kinlint.errors import SourceError
-from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
+from kinlint.navigation.document_excerpt import Excerpt
 from kinlint.navigation.occurrence import Entity, Occurrence, Role
 from kinlint.terms import RDF_TYPE, Term
 from kinlint.text import Span
@@ -31,24 +29,22 @@ class Member(NamedTuple):
     """None at the top."""
 
 
-def keys_and_names(document: Document, known: Mapping[Span, Entity]) -> Iterator[Occurrence]:
-    """Yield the keys in *document* as the properties that they mean, and names that are repeated.
+def keys_and_names(excerpt: Excerpt, known: Mapping[Span, Entity]) -> Iterator[Occurrence]:
+    """Yield the keys in *excerpt* as the properties that they mean, and names that are repeated.
 
     *known* are the entities whose names have a place already, by that place.
     """
-    try:
-        members = list(_members(parse(document.source).value))
-    except SourceError:
-        return
+    document = excerpt.document
+    members = list(_members(excerpt.value))
     stated = [each for each in members if not _in_context(each)]
     meanings: dict[str, Term] = {}
-    for key, property_ in _properties(document, stated):
+    for key, property_ in _properties(excerpt, stated):
         meanings.setdefault(key, property_)
         yield Occurrence(document.location(key.span), property_, Role.REFERENCE)
     for member in members:
         if _in_context(member) and (meant := meanings.get(member.key)) is not None:
             yield Occurrence(document.location(member.key.span), meant, Role.DESCRIPTION)
-    named = {document.source[span]: entity for span, entity in known.items()}
+    named = {document.source[span]: entity for span, entity in {**excerpt.names, **known}.items()}
     for member in stated:
         name = member.value
         if member.key == ID and isinstance(name, Text) and name.span not in known:
@@ -81,11 +77,11 @@ def _in_context(member: Member) -> bool:
     return False
 
 
-def _properties(document: Document, members: list[Member]) -> Iterator[tuple[Key, Term]]:
+def _properties(excerpt: Excerpt, members: list[Member]) -> Iterator[tuple[Key, Term]]:
     """Yield the keys that state something, each with the property of a triple that it states."""
     innermost = _Innermost(members)
     told: set[int] = set()
-    triples = sorted(document.map.triples.items(), key=lambda item: item[1])
+    triples = sorted(excerpt.triples.items(), key=lambda item: item[1])
     for (_, predicate, _), span in triples:
         if predicate == RDF_TYPE or predicate.startswith(OWN):
             continue

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
-from kinlint.facts.robot_structures import structures
+from kinlint.facts.robot_structures import Extraction
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
 from kinlint.navigation.element_meaning import meaning
@@ -39,8 +39,8 @@ SPACES = frozenset({"2D", "3D", "Euclidean"})
 class Navigator:
     """The texts of *examination*, by their names; offsets count code points.
 
-    All is worked out when it is first asked for, from the documents alone, so that the store of
-    the examination may serve the next one meanwhile. *contexts* are files of contexts, by IRI.
+    A repeated analyzer made it, and is not asked again as long as this answers. *contexts* are
+    files of contexts, by IRI.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class Navigator:
     ) -> None:
         self._report, self._documents = examination.report, examination.documents
         self._options, self._rulebook, self._contexts = examination.options, rulebook, contexts
-        self._model = GraphModel(self._documents, rulebook)
+        self._model = GraphModel(examination)
 
     @cached_property
     def _index(self) -> Index:
@@ -60,7 +60,7 @@ class Navigator:
 
     @cached_property
     def _surroundings(self) -> Surroundings:
-        return Surroundings(self._documents, self._index.paths)
+        return Surroundings(self._documents, self._index)
 
     @cached_property
     def _links(self) -> Sequence[Link]:
@@ -77,7 +77,7 @@ class Navigator:
 
     def outline(self, name: str) -> Sequence[Symbol]:
         """Return the symbols of the text called *name*, as the robots in it hang together."""
-        found = structures(self._model.store, self._locator)
+        found = Extraction(self._model.context, self._locator).structures()
         descriptions = Descriptions(self._model, TermFormatter(kinds=self._locator.kinds))
         return outline(
             name,
@@ -149,7 +149,7 @@ class Navigator:
 
     @cached_property
     def _summaries(self) -> PartSummaries:
-        return PartSummaries(self._model.store, self._locator)
+        return PartSummaries(self._model.context, self._locator)
 
     def _summaries_of(self, named: Sequence[Occurrence]) -> Iterator[str]:
         """Yield a sentence about each part of a robot that is *named* at one place."""

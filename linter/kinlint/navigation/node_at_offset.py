@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
 from kinlint.document import Document
-from kinlint.navigation.text_names import Paths
+from kinlint.formats.xml.span_lookup import ElementSpans
+from kinlint.navigation.document_excerpt import Excerpt, whole
+from kinlint.navigation.index import Index
 from kinlint.terms import Term, is_blank, is_literal
 from kinlint.text import Span
 from kinlint.vocabulary import SRC
@@ -28,25 +30,36 @@ class Around(NamedTuple):
 class Surroundings:
     """The nodes that the texts of *documents* are about, place by place."""
 
-    def __init__(self, documents: Sequence[Document], paths: Paths) -> None:
-        self._documents, self._paths = documents, paths
+    def __init__(self, documents: Sequence[Document], index: Index) -> None:
+        self._documents, self._index, self._paths = documents, index, index.paths
 
     def at(self, name: str, offset: int) -> Sequence[Around]:
         """Return the innermost element at *offset* of the text called *name*, or a value's owner.
 
         It is several where a macro writes it several times.
         """
-        there = [
-            each for each in self._by_text.get(self._paths[name], ()) if _holds(each.span, offset)
-        ]
+        there = [each for each in self._near(name, offset) if _holds(each.span, offset)]
         least = min((each.span.end - each.span.start for each in there), default=0)
         return [each for each in there if each.span.end - each.span.start == least]
+
+    def _near(self, name: str, offset: int) -> Iterable[Around]:
+        """Return what the text called *name* is about, at least at *offset*."""
+        if (excerpt := self._index.excerpt_at(name, offset)) is not None:
+            return map(Around._make, values(excerpt))
+        if len(self._documents) == 1 and not self._documents[0].pieces:
+            (only,) = self._documents
+            nodes, here = only.map.nodes, self._paths[only.source.name] == self._paths[name]
+            if isinstance(nodes, ElementSpans) and here:
+                around = (each for each in nodes.around(offset) if _is_about(only, each[1]))
+                return map(Around._make, around)
+        return self._by_text.get(self._paths[name], ())
 
     @cached_property
     def _by_text(self) -> Mapping[Path, Sequence[Around]]:
         found: dict[Path, list[Around]] = {}
         for document in self._documents:
-            for span, node in _elements(document) if document.format.is_tree else _values(document):
+            about = _elements(document) if document.format.is_tree else values(whole(document))
+            for span, node in about:
                 place = document.location(span)
                 found.setdefault(self._paths[place.source.name], []).append(
                     Around(place.span, node)
@@ -56,24 +69,31 @@ class Surroundings:
 
 def _elements(document: Document) -> Iterator[tuple[Span, Term]]:
     for node, spans in document.map.nodes.items():
-        if not is_blank(node) and node != document.graph:
+        if _is_about(document, node):
             yield spans.whole, node
 
 
-def _values(document: Document) -> Iterator[tuple[Span, Term]]:
-    cells = _Cells(document)
-    for (subject, predicate, value), span in document.map.triples.items():
-        if is_literal(value) and not predicate.startswith(OWN) and subject != document.graph:
+def _is_about(document: Document, node: Term) -> bool:
+    """Tell whether a place of *document* may be about *node*."""
+    return not is_blank(node) and node != document.graph
+
+
+def values(excerpt: Excerpt) -> Iterator[tuple[Span, Term]]:
+    """Yield the places of literals in *excerpt*, each with the node that has it."""
+    cells = _Cells(excerpt)
+    for (subject, predicate, value), span in excerpt.triples.items():
+        own = predicate.startswith(OWN) or subject == excerpt.document.graph
+        if is_literal(value) and not own:
             yield span, cells.owner(subject)
 
 
 class _Cells:
     """The cells of lists, which stand for nothing but what has the list."""
 
-    def __init__(self, document: Document) -> None:
-        nodes = document.map.nodes
+    def __init__(self, excerpt: Excerpt) -> None:
+        nodes = excerpt.document.map.nodes
         self._before: dict[Term, Term] = {}
-        for subject, _, value in document.statements:
+        for subject, _, value in excerpt.triples:
             if is_blank(value) and value not in nodes:
                 self._before.setdefault(value, subject)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinlint.facts.fact_statements import fact
 from kinlint.facts.metamodel_terms import AS_SEEN_BY, COORDINATE_OF, OF, WITH_RESPECT_TO, kin, qudt
 from kinlint.facts.predicate_index import numeric
 from kinlint.navigation.graph_model import GraphModel
@@ -83,7 +82,7 @@ class Descriptions:
         unit = units[0] if len(units) == 1 else None
         store = self.model.store
         own = _spaced(symbol(store, unit)) if unit is not None else ""
-        computed = [numeric(each) for each in store.values(node, fact(name))]
+        computed = [numeric(each) for each in self.model.computed(node, name)]
         if unit is None or not computed or computed[0] is None:
             return f"{number:.12g}{own}"
         si = f"{computed[0]:.6g}{_spaced(coherent(store, unit))}"
@@ -91,7 +90,7 @@ class Descriptions:
 
     def _belonging(self, node: Term, depth: int) -> Iterator[str]:
         """Yield the numbers of what belongs to *node*, at most *depth* steps away."""
-        for part in sorted(self.model.owned.get(node, ())):
+        for part in self.model.owned(node):
             if part == node:
                 continue
             numbers = [

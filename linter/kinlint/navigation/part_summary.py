@@ -7,12 +7,10 @@ from functools import cached_property
 from math import degrees
 
 from kinlint.addresses import is_address, lifted
-from kinlint.engine.store import Store
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.mechanism import named
 from kinlint.facts.part_names import PartPlaces
-from kinlint.facts.predicate_index import PredicateIndex
-from kinlint.facts.robot_structures import structures
+from kinlint.facts.robot_structures import Extraction
 from kinlint.navigation.occurrence import Entity
 from kinlint.structure import Joint, Link, Vector
 
@@ -23,10 +21,10 @@ MOST = 3
 
 
 class PartSummaries:
-    """Sentences about the parts of the robots in *store*, whose places *places* knows."""
+    """Sentences about the parts of the robots of *context*, whose places *places* knows."""
 
-    def __init__(self, store: Store, places: PartPlaces) -> None:
-        self._store, self._places = store, places
+    def __init__(self, context: FactContext, places: PartPlaces) -> None:
+        self._context, self._places = context, places
 
     def summary(self, entity: Entity) -> str:
         """Return a sentence about *entity*, in Markdown; empty if it is no part of a robot."""
@@ -41,7 +39,7 @@ class PartSummaries:
 
     @cached_property
     def _robots(self) -> tuple[Mapping[str, Link], Mapping[str, Joint]]:
-        found = structures(self._store, self._places)
+        found = Extraction(self._context, self._places, located=False).structures()
         links = {each.iri: each for robot in found for each in robot.links}
         return links, {each.iri: each for robot in found for each in robot.joints}
 
@@ -52,10 +50,6 @@ class PartSummaries:
     @property
     def _joints(self) -> Mapping[str, Joint]:
         return self._robots[1]
-
-    @cached_property
-    def _context(self) -> FactContext:
-        return FactContext(PredicateIndex(self._store))
 
     def _inertial(self, body: Entity) -> list[str]:
         mass = self._context.assemblies.masses.get(body)

@@ -29,8 +29,8 @@ def merge_reports(
     rules = {rule.code: rule for report in reports for rule in report.rules}
     files = order_names((name for report in reports for name in report.files), place)
     return Report(
-        findings=_once(finding for report in reports for finding in report.findings),
-        suppressed=_once(finding for report in reports for finding in report.suppressed),
+        findings=once(finding for report in reports for finding in report.findings),
+        suppressed=once(finding for report in reports for finding in report.suppressed),
         files=files,
         unapplied=order_names((name for report in reports for name in report.unapplied), place),
         errors=tuple(errors),
@@ -40,6 +40,7 @@ def merge_reports(
         seconds=seconds,
         recalled=recalled,
         unfixed=tuple(refusal for report in reports for refusal in report.unfixed),
+        fixed=tuple(finding for report in reports for finding in report.fixed),
         structures=_drawn(reports, place),
     )
 
@@ -55,6 +56,7 @@ def _drawn(reports: Sequence[Report], place: Mapping[str, int]) -> tuple[Structu
     return tuple(sorted(found, key=lambda each: place.get((*each.files, "")[0], len(place))))
 
 
-def _once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+def once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return *findings* as a report has them: sorted, and of duplicates at one place the first."""
     told = sorted(findings, key=lambda finding: finding.sort_key)
     return tuple({identity(finding): finding for finding in reversed(told)}.values())[::-1]

@@ -57,5 +57,25 @@ def split_into_shares(found: Sequence[Model], least: int, settings: Settings) ->
     return sorted(every, key=lambda share: -sum(_size(found[one]) for one in share))
 
 
+def split_in_order(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
+    """The numbers of the models *found*, in *least* shares or more, by the names of their files.
+
+    Those that may include other files go first, each in a share of its own.
+    """
+    order = sorted(range(len(found)), key=lambda number: first_name(found[number]))
+    if settings.drawn:
+        return [[number] for number in order]
+    joint = [number for number in order if first_name(found[number])]
+    size = max(1, min(MOST, -(-len(joint) // least)))
+    shares = [joint[start : start + size] for start in range(0, len(joint), size)]
+    return [*([number] for number in order if not first_name(found[number])), *shares]
+
+
+def first_name(model: Model) -> str:
+    """Return the first of the names of the files of *model*; empty if it may include others."""
+    names = (source.name for source in model)
+    return min(names) if all(map(includes_nothing, model)) else ""
+
+
 def _size(model: Model) -> int:
     return sum(len(source.text) for source in model)

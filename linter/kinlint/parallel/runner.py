@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import FileTimeout, InternalError, SourceError
+from kinlint.finding import Finding
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.parallel import shard
 from kinlint.parallel.merge_reports import merge_reports
-from kinlint.parallel.partition import Model, partition, split_into_shares
+from kinlint.parallel.partition import Model, partition, split_in_order, split_into_shares
 from kinlint.parallel.shard import Job, Outcome
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.suppression.suppression_faults import UNUSED
 from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.parallel.early_findings import EarlyFindings
 
 SHARES = 4
 """Number of shards for each process, so that none waits long for the last one."""
@@ -39,6 +44,8 @@ class ParallelRunner:
     """The stopwatch of the run."""
     advance: Callable[[int], None] = _nobody
     """A function that is called with the number of files done."""
+    tell: Callable[[Sequence[Finding]], None] | None = None
+    """A function that is told findings as soon as it is clear that none comes before them."""
 
     def report(self, sources: Sequence[SourceText], errors: Sequence[SourceError]) -> Report:
         """Lint *sources*; *errors* are of files that could not even be decoded.
@@ -47,7 +54,12 @@ class ParallelRunner:
         """
         started = perf_counter()
         models = partition(sources, self.job.settings)
-        reports, recalled = self._reports(models, ())
+        early = None
+        if self.tell is not None and len(models) > 1:
+            from kinlint.parallel.early_findings import EarlyFindings  # noqa: PLC0415  few outputs
+
+            early = EarlyFindings(models, self.tell)
+        reports, recalled = self._reports(models, (), early)
         own = [error for report in reports for error in report.errors]
         place = {source.name: index for index, source in enumerate(sources)}
         own.sort(key=lambda error: place.get(error.name, len(place)))
@@ -65,44 +77,68 @@ class ParallelRunner:
         return merge_reports(reports, [source.name for source in sources], failed, seconds, known)
 
     def _reports(
-        self, models: Sequence[Model], failed: Sequence[SourceError]
+        self,
+        models: Sequence[Model],
+        failed: Sequence[SourceError],
+        early: EarlyFindings | None = None,
     ) -> tuple[list[Report], int]:
         """The report of each of *models*, and how many files' were recalled.
 
-        *failed* are errors in other files of the run.
+        *failed* are errors in other files of the run. What is final is told *early*.
         """
+
+        def done(number: int, report: Report) -> None:
+            found[number] = report
+            if early is not None and not _calls_unused(report):
+                early.done(number, report)
+
         found: dict[int, Report] = {}
         if self.memory is not None:
             with self.phases.phase("recalling"):
                 for number, model in enumerate(models):
                     report = self.memory.recall(model, complete=not failed)
                     if report is not None:
-                        found[number] = report
+                        done(number, report)
                         self._advance(model, failed)
         recalled = sum(len(models[number]) for number in found)
         left = [number for number in range(len(models)) if number not in found]
-        for number, outcome in self._linted([models[n] for n in left], failed):
-            found[left[number]] = outcome.report
+
+        def linted(number: int, outcome: Outcome) -> None:
+            done(left[number], outcome.report)
             failures = (
                 isinstance(error, (InternalError, FileTimeout)) for error in outcome.report.errors
             )
             if self.memory is not None and not any(failures):
-                self.memory.keep(models[left[number]], *outcome, complete=not failed)
+                self.memory.keep(
+                    models[left[number]], outcome.report, outcome.record, complete=not failed
+                )
+
+        self._lint([models[n] for n in left], failed, linted, in_order=early is not None)
         return [found[number] for number in range(len(models))], recalled
 
-    def _linted(
-        self, models: Sequence[Model], failed: Sequence[SourceError]
-    ) -> list[tuple[int, Outcome]]:
-        """The outcomes of linting *models*, by their numbers."""
+    def _lint(
+        self,
+        models: Sequence[Model],
+        failed: Sequence[SourceError],
+        linted: Callable[[int, Outcome], None],
+        *,
+        in_order: bool,
+    ) -> None:
+        """Lint *models*; *linted* is called with the number of each and its outcome.
+
+        If *in_order*, about in the order of the names of their files, else the largest first.
+        """
         least = self.jobs * SHARES if self.jobs > 1 else 1
-        planned = split_into_shares(models, least, self.job.settings)
+        split = split_in_order if in_order else split_into_shares
+        planned = split(models, least, self.job.settings)
         left = [[models[number] for number in each] for each in planned]
-        found: dict[int, list[Outcome]] = {}
+        finished = set[int]()
 
         def done(number: int, outcomes: list[Outcome]) -> None:
-            found[number] = outcomes
-            for model in left[number]:
-                self._advance(model, failed)
+            finished.add(number)
+            for model, outcome in zip(planned[number], outcomes, strict=True):
+                linted(model, outcome)
+                self._advance(models[model], failed)
 
         if left and (seconds := self.job.settings.file_timeout):
             from kinlint.parallel.timed_processes import TimedProcesses  # noqa: PLC0415  few runs
@@ -115,13 +151,8 @@ class ParallelRunner:
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
         for number, each in enumerate(left):
-            if number not in found:
+            if number not in finished:
                 done(number, shard.lint_shard(each, failed, self.job, self.phases))
-        return [
-            (model, outcome)
-            for number, numbers in enumerate(planned)
-            for model, outcome in zip(numbers, found[number], strict=True)
-        ]
 
     def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
         if not failed:  # What is linted anew was counted before.

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
@@ -17,7 +17,11 @@ from kinlint.light_dataclasses import dataclass, replace
 from kinlint.parallel.partition import Model
 from kinlint.phases import Phases
 from kinlint.report import Report
-from kinlint.rule import Rule
+from kinlint.rule import Rule, Severity
+from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.fixes.rounds import RoundsResult
 
 
 @dataclass(frozen=True)
@@ -32,10 +36,15 @@ class Job:
     """True if reports contain fixes."""
     wanted: frozenset[FindingKey] | None = None
     """The findings that fixes are proven of; None for all."""
+    least: Severity = Severity.INFO
+    """Least severity of findings that fixes are proven of."""
+    rounds: Callable[..., RoundsResult] | None = None
+    """Function that fixes the texts of a model, round by round; None if they stay as they are."""
 
     def select(self, findings: Sequence[Finding]) -> Sequence[Finding]:
         """Return those of *findings* that fixes are proven of."""
-        return [one for one in findings if self.wanted is None or one.key in self.wanted]
+        shown = (one for one in findings if one.severity >= self.least)
+        return [one for one in shown if self.wanted is None or one.key in self.wanted]
 
 
 class Outcome(NamedTuple):
@@ -45,6 +54,10 @@ class Outcome(NamedTuple):
     """Report on the model."""
     record: Record
     """Files and directories that were looked up for it."""
+    changed: tuple[tuple[SourceText, SourceText], ...] = ()
+    """The texts that were fixed, before and after."""
+    restless: tuple[str, ...] = ()
+    """The rules, by their codes, whose fixes undo or feed each other."""
 
 
 def lint_shard(
@@ -53,6 +66,8 @@ def lint_shard(
     """The outcome for each model of *share*; *errors* that were known before are left out."""
     try:
         with recorded() as record:
+            if job.rounds is not None:
+                return [_fixed(each, errors, job, record) for each in share]
             report, documents = _examined(share, errors, job, phases)
     except (KinlintError, MemoryError):
         raise
@@ -70,6 +85,14 @@ def lint_shard(
     if parts is None:
         return _one_by_one(share, errors, job, phases)
     return [Outcome(part, record) for part in parts]
+
+
+def _fixed(model: Model, errors: Sequence[SourceError], job: Job, record: Record) -> Outcome:
+    """Return the outcome of fixing *model*."""
+    assert job.rounds is not None
+    made = job.rounds(model, errors, job.settings, job.book)
+    report = replace(made.report, errors=made.report.errors[len(errors) :])
+    return Outcome(report, record, tuple(made.changed), tuple(made.restless))
 
 
 def _one_by_one(

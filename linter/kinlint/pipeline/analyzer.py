@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from kinlint.catalogue.applicability import applies, possible
 from kinlint.catalogue.deferred import heads
@@ -17,13 +17,14 @@ from kinlint.document import Document
 from kinlint.engine.axioms import names_its_terms
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.required_terms import made
+from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.file_format import Format
-from kinlint.findings.finding_builder import FindingBuilder
 from kinlint.formats.incremental_reader import IncrementalReader
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.incremental.tracked_facts import TrackedFacts
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.missing_files import STATED
 from kinlint.phases import Phases
@@ -35,6 +36,9 @@ from kinlint.pipeline.stages import run_stages
 from kinlint.report import Report
 from kinlint.terms import Term
 from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.findings.finding_builder import FindingBuilder
 
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 
@@ -67,7 +71,7 @@ class Kept(NamedTuple):
 class Examination:
     """A report with the documents, store and finding builder that it was made from, for fixes.
 
-    Store and builder are good until their analyzer is asked again.
+    Store, builder and facts are good until their analyzer is asked again.
     """
 
     report: Report
@@ -76,10 +80,17 @@ class Examination:
     """All documents that were read, companions too."""
     store: Store
     """The statements of the documents, with all that the stages made of them."""
-    builder: FindingBuilder
-    """The results that the findings were made from."""
+    make_builder: Callable[[], FindingBuilder]
+    """Function that returns `builder`, made when it is first called."""
     options: ReadOptions
     """The options that the documents were read with."""
+    computed: TrackedFacts
+    """The computation of facts of the store."""
+
+    @property
+    def builder(self) -> FindingBuilder:
+        """The results that the findings were made from."""
+        return self.make_builder()
 
 
 class Analyzer:
@@ -87,7 +98,8 @@ class Analyzer:
 
     The first analysis starts with nothing kept; each further one makes anew what changed, and
     answers what another analyzer would, but for the seconds. With *repeated*, the first reads texts
-    such that they are read again sooner. With *trying*, too, and later answers differ in the labels
+    such that they are read again sooner, and stores hold all that can be lifted and inferred, for
+    those who ask about the model. With *trying*, too, and later answers differ in the labels
     of blank nodes. It serves one thread at a time.
     """
 
@@ -101,6 +113,7 @@ class Analyzer:
     ) -> None:
         self._settings = settings
         self._rulebook = rulebook
+        self._browsed = repeated
         self._reading = partial(IncrementalReader, divided=repeated or trying, lasting=trying)
         self._readers: dict[str, IncrementalReader] = {}
         self._kept: dict[Key, Kept] = {}
@@ -148,14 +161,15 @@ class Analyzer:
         inputs = Inputs(joined, documents, options.packages_of, repairing=not brief)
         run = self._run(inputs, selection, spent, ask)
         with spent.phase("locating"):
-            results = applies(run.results, joined, selection.owners)
-            builder = FindingBuilder(results, joined, run.store, self._rulebook, run.because)
-            report = conclude(builder, documents, joined, selection, failed, brief=brief)
+            results = list(applies(run.results, joined, selection.owners))
+            builder = cache(partial(_finding_builder, results, joined, run, self._rulebook))
+            report = conclude(results, builder, documents, joined, selection, failed, brief=brief)
         drawn = self._settings.drawn and not brief
         structures = robot_structures(run.store, joined, report) if drawn else ()
         seconds = sum(spent.seconds.values()) - before
         report = replace(report, structures=structures, seconds=seconds)
-        return Examination(report, joined, run.store, builder, options)
+        assert run.computed is not None
+        return Examination(report, joined, run.store, builder, options, run.computed)
 
     def _read(self, source: SourceText, options: ReadOptions) -> Document:
         """Read *source*, or what changed of it."""
@@ -192,7 +206,10 @@ class Analyzer:
                     found = _together(selection, found, kept.demand.constraints)
                     run = self._new_run()
                     run_stages("loading", run, inputs, spent=spent, ask=ask)
-                kept = Kept(run, Demand.from_selection(selection, found, joined, self._settings))
+                demand = Demand.from_selection(
+                    selection, found, joined, self._settings, browsed=self._browsed
+                )
+                kept = Kept(run, demand)
             run_stages("checking", run, inputs, kept.demand, spent, ask, first="lifting")
         finally:
             if kept is not None and self._can_follow and len(dict(graphs)) == len(joined):
@@ -221,6 +238,15 @@ class Analyzer:
     def _coming(self) -> frozenset[Term]:
         """The terms that other stages than loading may yet state."""
         return STATED | made(self._rulebook.axioms)
+
+
+def _finding_builder(
+    results: Sequence[Result], documents: Sequence[Document], run: Run, rulebook: Rulebook
+) -> FindingBuilder:
+    """Return the builder of findings from *results* of *run*."""
+    from kinlint.findings.finding_builder import FindingBuilder  # noqa: PLC0415  many files are clean
+
+    return FindingBuilder(results, documents, run.store, rulebook, run.because)
 
 
 def _together(

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from kinlint.addresses import is_address, split
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import Document
+from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
-from kinlint.findings.consequences import Unread, folded, sentence, with_consequences_told
-from kinlint.findings.finding_builder import FindingBuilder
-from kinlint.findings.grouping import grouped
-from kinlint.findings.locator import Locator
+from kinlint.formats.yaml.format import YAML
 from kinlint.report import Report
 from kinlint.structure import Structure
 from kinlint.suppression import suppress
 from kinlint.terms import RDF_TYPE, iri_value
 from kinlint.vocabulary import KINLINT, METAMODELS, QUDT, SRC
 
+if TYPE_CHECKING:
+    from kinlint.findings.finding_builder import FindingBuilder
+
+CONFIGURED = f"<{YAML.namespace}configuration>"
+"""Property from a YAML file to the robot of which it names parts."""
 KNOWN = tuple(f"<{namespace}" for namespace in (METAMODELS, QUDT, KINLINT))
 PARTIAL = f"SELECT DISTINCT ?document {{ [] a <{SRC}MissingPart> ; <{SRC}document> ?document }}"
 """Query for the documents of which a part could not be read."""
@@ -31,8 +35,9 @@ IDLE = frozenset(
 """Classes of the source layer that every file has."""
 
 
-def conclude(  # noqa: PLR0913
-    builder: FindingBuilder,
+def conclude(  # noqa: PLR0913, PLR0917
+    results: Sequence[Result],
+    builder: Callable[[], FindingBuilder],
     documents: Sequence[Document],
     joined: Sequence[Document],
     selection: RuleSelection,
@@ -42,16 +47,20 @@ def conclude(  # noqa: PLR0913
 ) -> Report:
     """Return the report on *documents*, which *joined* has with their companions.
 
+    *builder* returns the builder of findings from *results*; a model without findings needs none.
     If *brief*, findings lack what they rest on and what else they speak of.
     """
     policies = selection.policies
-    meant = _of_whole_documents(_meant(builder.brief(), documents, joined), builder.store)
+    meant: Iterable[Finding] = ()
+    if results:
+        brief_ones = _meant(builder().brief(), documents, joined)
+        meant = _of_whole_documents(brief_ones, builder().store)
     judged = policies.apply_severities(meant)
-    silenced = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
-    apart, failed = _apart(tuple(silenced), builder, failed)
-    told = grouped(apart, None if brief else builder.detailed, _reused(joined))
-    told = [with_consequences_told(finding) for finding in told]
-    told.sort(key=lambda finding: finding.sort_key)
+    told = suppress.apply_suppressions(judged, documents, policies, complete=not failed)
+    if told:
+        from kinlint.pipeline.told_findings import told_findings  # noqa: PLC0415  many files are clean
+
+        told, failed = told_findings(told, builder(), joined, failed, brief=brief)
     unapplied = (each for each in documents if not has_judged_vocabulary(each, selection.rulebook))
     return Report(
         findings=tuple(finding for finding in told if finding.suppressed is None),
@@ -65,36 +74,15 @@ def conclude(  # noqa: PLR0913
     )
 
 
-def _apart(
-    findings: Sequence[Finding], builder: FindingBuilder, failed: Sequence[SourceError]
-) -> tuple[list[Finding], list[SourceError]]:
-    """Return *findings* without consequences, and *failed* with what follows from each."""
-    unread: list[Unread] = []
-    if findings and any(error.text for error in failed):
-        from kinlint.findings.unread_files import unread_file  # noqa: PLC0415  most files are read
-
-        unread = [unread_file(error.text, builder.store) for error in failed]
-        for error in failed:  # Reports keep no texts, and each is asked once.
-            error.text = ""
-    apart, following = folded(findings, builder.results, builder.store, unread)
-    told = list(failed)
-    for number, found in enumerate(following):
-        if found:
-            error = failed[number]
-            cause = f"{error.cause}; {sentence(found)}"
-            told[number] = type(error)(error.name, cause, error.line, error.column)
-            told[number].consequences = tuple(found)
-    return apart, told
-
-
 def robot_structures(
     store: Store, documents: Sequence[Document], report: Report
 ) -> tuple[Structure, ...]:
     """Return the robots in *store*, with what *report* has found in each."""
     from kinlint.facts.robot_structures import structures  # noqa: PLC0415  few outputs draw
+    from kinlint.findings.locator import Locator  # noqa: PLC0415
 
     told = sorted((*report.findings, *report.suppressed), key=lambda each: each.sort_key)
-    return structures(store, Locator(documents, store), told)
+    return structures(store, Locator(documents, store), told, placed=True)
 
 
 def _meant(
@@ -121,22 +109,17 @@ def _of_whole_documents(found: Iterable[Finding], store: Store) -> Iterable[Find
     ]
 
 
-def _reused(documents: Iterable[Document]) -> set[str]:
-    """Return the texts that may stand in a robot several times: macros, and what is included."""
-    return {
-        source.name
-        for document in documents
-        for source in document.sources
-        if document.format.expands_to or source is not document.source
-    }
-
-
 def _names(documents: Iterable[Document]) -> Iterator[str]:
     return (source.name for document in documents for source in document.sources)
 
 
 def has_judged_vocabulary(document: Document, rulebook: Rulebook) -> bool:
-    """Tell whether *document* uses any vocabulary that a rule can judge, or lost what it said."""
+    """Tell whether *document* uses any vocabulary that a rule can judge, or lost what it said.
+
+    A YAML file that a search found may be of something else than robots.
+    """
+    if document.format == YAML:
+        return not document.source.named or any(p == CONFIGURED for _, p, _ in document.statements)
     return document.format.is_tree or any(
         o.startswith(KNOWN) or o in rulebook.terms
         if p == RDF_TYPE

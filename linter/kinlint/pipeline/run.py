@@ -10,7 +10,7 @@ from kinlint.engine.axioms import Axiom
 from kinlint.engine.closure import close
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.explanation import Step
-from kinlint.engine.lifting import lift
+from kinlint.engine.lifting import lift, makes
 from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.incremental.change import Changes
@@ -38,13 +38,14 @@ class Run:
         """The results of the stages: asserted, lifted, inferred, computed, a graph for each."""
         self.results: Sequence[Result] = ()
         """The violations of the constraints, once they were checked."""
+        self.computed: TrackedFacts | None = None
+        """The computation of facts, once there were some to compute."""
         self._vocabulary = vocabulary
         self._changes = Changes(self.store)
         self._loading = TrackedLoading(self.store, vocabulary)
         self._lifted = self._closed = False
         self._lifting: TrackedLifting | None = None
         self._inference: Inference | None = None
-        self._facts: TrackedFacts | None = None
         self._checking: TrackedChecking | None = None
         self._explanations = Explanations(store, axioms)
 
@@ -52,16 +53,19 @@ class Run:
         """Assert what documents and vocabulary say, in place of what they said."""
         self._loading.run(inputs.documents, self._changes)
 
-    def lifting(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:  # noqa: ARG002
+    def lifting(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:
         """Lift asserted statements about elements, where they changed."""
         if not self._lifted:
-            lift(self.store, demand.terms, demand.lifted)
+            if demand.browsed and demand.terms is not None:
+                formats = {document.format for document in inputs.documents}
+                self._explanations.keep_to(makes(formats, demand.terms, demand.lifted))
+            lift(self.store, *demand.lifting)
             self._lifted = True
             return
         if self._lifting is None:
             from kinlint.incremental.tracked_lifting import TrackedLifting  # noqa: PLC0415  most runs run once
 
-            self._lifting = TrackedLifting(self.store, demand.terms, demand.lifted)
+            self._lifting = TrackedLifting(self.store, *demand.lifting)
         self._lifting.run(self._changes, ask)
 
     def closure(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:  # noqa: ARG002
@@ -78,9 +82,9 @@ class Run:
 
     def facts(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:
         """Compute facts and hints from all of these, and which files are missing."""
-        if self._facts is None:
-            self._facts = TrackedFacts(self.store, demand.terms, demand.hints)
-        self._facts.run(self._changes, inputs.missing(demand), ask, hinting=inputs.repairing)
+        if self.computed is None:
+            self.computed = TrackedFacts(self.store, demand.terms, demand.hints)
+        self.computed.run(self._changes, inputs.missing(demand), ask, hinting=inputs.repairing)
 
     def checking(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:
         """Find what violates the constraints, where something changed that they look at."""

@@ -56,6 +56,13 @@ class Demand:
     """The engine that checks them."""
     shapes: Sequence[Path] = ()
     """The files of the constraints, for an engine that reads them itself."""
+    browsed: bool = False
+    """True if people ask about anything: all is lifted, and explained as if it were not."""
+
+    @property
+    def lifting(self) -> tuple[frozenset[Term] | None, frozenset[Term] | None]:
+        """Return the terms for which documents are lifted, and those that are kept of it."""
+        return (None, None) if self.browsed else (self.terms, self.lifted)
 
     @classmethod
     def from_selection(
@@ -64,8 +71,13 @@ class Demand:
         constraints: Sequence[Constraint],
         documents: Sequence[Document],
         settings: Settings,
+        *,
+        browsed: bool = False,
     ) -> Demand:
-        """Return what *constraints* and repairs of *selection* ask of *documents*, and pictures."""
+        """Return what *constraints* and repairs of *selection* ask of *documents*, and pictures.
+
+        If *browsed*, people ask about anything: all is lifted and inferred.
+        """
         axioms = selection.rulebook.axioms
         terms = demand(constraints, selection.repairs)
         if terms is not None and settings.drawn:
@@ -75,11 +87,12 @@ class Demand:
         return cls(
             terms=terms,
             lifted=None if terms is None else behind(axioms, terms),
-            axioms=axioms_for(documents, axioms, terms),
+            axioms=axioms if browsed else axioms_for(documents, axioms, terms),
             hints=frozenset(term for each in selection.repairs for term in each.terms),
             constraints=constraints,
             engine=settings.engine,
             shapes=selection.rulebook.shapes,
+            browsed=browsed,
         )
 
     @classmethod

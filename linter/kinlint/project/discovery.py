@@ -1,9 +1,10 @@
 """Finds the files to lint: what was named, and the models in directories and globs.
 
 In directories these are `.jsonld` files, those `.json` files with keywords of JSON-LD, and robots
-in the XML formats; Turtle and N-Quads are as often shapes or vocabularies as models, so they are
-read only when they are named, when a glob does not leave them out, or when they describe what the
-models of a directory only name. All else is passed over.
+in the XML formats, by the ends of their names or the root element of `.xml` files. Turtle and
+N-Quads are as often shapes or vocabularies as models, so they are read only when they are named,
+when a glob does not leave them out, or when they describe what the models of a directory only name.
+All else is passed over.
 """
 
 from __future__ import annotations
@@ -11,16 +12,20 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinlint.errors import SourceError
+from kinlint.files.bounded_read import head
 from kinlint.files.environment import listing
-from kinlint.files.gitignore import GitIgnore
 from kinlint.files.globbing import ANY_DEPTH, matches
-from kinlint.files.packages import CATKIN, IGNORED
+from kinlint.files.packages import CATKIN, IGNORED, working_copies
 from kinlint.files.pathglob import MAGIC, Glob, absolute
-from kinlint.files.pathname import missing, printable, shown
-from kinlint.formats.records import BY_NAME, FORMATS, GLOBBED, JSON, SEARCHED
+from kinlint.files.pathname import missing, printable, real, shown
+from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED, SHARED, by_suffix
 from kinlint.light_dataclasses import dataclass, field
+
+if TYPE_CHECKING:
+    from kinlint.files.gitignore import GitIgnore
 
 SKIPPED = (
     *(".*", "node_modules", "__pycache__", "site-packages", "venv"),
@@ -31,8 +36,7 @@ MARKERS = frozenset({"pyvenv.cfg", CATKIN, *IGNORED})
 """Files that mark a directory as no part of a project: a virtual environment of Python, a space
 that catkin builds in, or what build tools of ROS ignore."""
 HEAD = 1 << 16
-CONTENT_TELLS = tuple(s for each in FORMATS if each.fence == "yaml" for s in each.suffixes)
-"""The ends of the names of files that others have, too: only some of them are about robots."""
+YAML, LAUNCH = BY_NAME["yaml"], BY_NAME["launch"]
 TURTLE = BY_NAME["turtle"].suffixes[0]
 KEYWORDS = (b'"@context"', b'"@graph"', b'"@id"', b'"@type"')
 """Keys by which JSON is JSON-LD."""
@@ -125,6 +129,8 @@ class Search:
             found.errors.append(SourceError(printable(given), missing(path)))
 
     def _glob(self, pattern: str, found: Found) -> Iterator[Input]:
+        from kinlint.files.gitignore import GitIgnore  # noqa: PLC0415  only of searches
+
         ignore = GitIgnore(Path.cwd(), Path.cwd())
 
         def skip(path: Path) -> bool:
@@ -137,14 +143,21 @@ class Search:
         for path in paths:
             if path.is_dir() and not path.is_symlink() and ANY_DEPTH not in pattern:
                 yield from self._directory(path, found)
-            elif path.is_file() and path.suffix.lower() in GLOBBED:
+            elif (
+                path.is_file() and path.name.lower().endswith(GLOBBED) and _stays(path, Path.cwd())
+            ):
                 yield from self._candidate(path, found.errors)
 
     def _directory(self, top: Path, found: Found) -> Iterator[Input]:
-        """Models below *top*, by name. Links to directories are not followed."""
+        """Models below *top*, by name.
+
+        Links to directories are not followed, nor those to files out of *top* and its repository.
+        """
         if self._forced_out(top):
             return
         found.directories.append(top)
+        from kinlint.files.gitignore import GitIgnore  # noqa: PLC0415  only of searches
+
         ignore = GitIgnore(top, Path.cwd() if top.is_relative_to(Path.cwd()) else top)
         for here, folders, files in os.walk(top, onerror=_teller(str(top), found.errors)):
             base = Path(here)
@@ -158,10 +171,13 @@ class Search:
             )
             for name in sorted(files):
                 path = base / name
-                suffix = path.suffix.lower()
-                if suffix not in (TURTLE, *SEARCHED) or self._passed_over(path, ignore):
+                if not name.lower().endswith((TURTLE, *SEARCHED)) or self._passed_over(
+                    path, ignore
+                ):
                     continue
-                if suffix == TURTLE:
+                if not _stays(path, top):
+                    continue
+                if path.suffix.lower() == TURTLE:
                     found.turtle.append(path)
                 else:
                     yield from self._candidate(path, found.errors)
@@ -180,19 +196,36 @@ class Search:
     def _candidate(self, path: Path, errors: list[SourceError]) -> Iterator[Input]:
         name = shown(path)
         try:
-            suffix = path.suffix.lower()
-            if (suffix != JSON or may_be_jsonld(path)) and (
-                suffix not in CONTENT_TELLS or _names_joints(path)
-            ):
+            if may_be_model(path):
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))
 
 
-def _names_joints(path: Path) -> bool:
-    from kinlint.formats.joint_words import may_name_joints  # noqa: PLC0415  most files are others
+def _stays(path: Path, top: Path) -> bool:
+    """Tell whether *path* is no link, or one that stays in its directory, *top* or a repository."""
+    if not path.is_symlink():
+        return True
+    around = (path.parent, top, *working_copies(path.parent))
+    return any(real(path).is_relative_to(real(each)) for each in around)
 
-    return may_name_joints(path)
+
+def may_be_model(path: Path) -> bool:
+    """Tell whether the file at *path*, of a name that others use, too, may be about robots."""
+    if path.suffix.lower() == JSON:
+        return may_be_jsonld(path)
+    if path.suffix.lower() in SHARED:
+        from kinlint.formats.xml.xml_recognition import robot_root  # noqa: PLC0415  few files
+
+        return path.is_file() and robot_root(head(path, HEAD) or "", path.suffix.lower())
+    form = by_suffix(path.name)
+    if form == YAML:
+        from kinlint.formats.yaml.ros_keys import may_name_parts  # noqa: PLC0415  few files
+
+        return may_name_parts(path)
+    if form == LAUNCH:
+        return path.is_file() and "xacro" in (head(path, HEAD) or "")
+    return True
 
 
 def _teller(given: str, errors: list[SourceError]) -> Callable[[OSError], None]:

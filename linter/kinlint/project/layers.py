@@ -165,7 +165,7 @@ def _file(config: Config, path: Path) -> FileSettings:
             if one.iri is not None or one.glob.covers(path)
         ),
         require_reason=bool(config.require_reason),
-        targets=config.target or (),
+        targets=_targets(config, path),
         packages=config.packages,
         workspace=config.home,
         xacro_args=tuple(
@@ -176,6 +176,13 @@ def _file(config: Config, path: Path) -> FileSettings:
         xacro_env=config.xacro_env or (),
         urdf=next((urdf for glob, urdf in config.srdf or () if glob.covers(path)), None),
     )
+
+
+def _targets(config: Config, path: Path) -> tuple[str, ...]:
+    """Return the consumers that the file at *path* is meant for, each once."""
+    more = (names for glob, names in config.per_file_target or () if glob.covers(path))
+    every = (*(config.target or ()), *(name for names in more for name in names))
+    return tuple(dict.fromkeys(every))
 
 
 def _release(name: str, config: Config) -> str:

@@ -11,6 +11,7 @@ from types import MappingProxyType
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
+from kinlint.files.time_limit import time_limit
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
 from kinlint.light_dataclasses import replace
@@ -37,20 +38,23 @@ def read_models(
     own = own_contexts(settings)
     for one in inputs:
         try:
-            source = read_source(one)
+            # Whoever writes to standard input may take any time.
+            seconds = None if one.path is None else settings.file_timeout
+            with time_limit(one.name, seconds):
+                source = read_source(one)
+                is_read = one.named or is_model(source, own)
+                cause = "" if is_read else doubt(source)
         except SourceError as error:
             errors.append(error)
             continue
-        if one.named:
-            if source.format is None:
-                cause = f"not a robot model: {objection(source.text)}"
-                errors.append(SourceError(one.name, cause))
-                continue
-        elif not is_model(source, own):
-            if passed is not None and (cause := doubt(source)):
-                passed.append(SourceError(one.name, cause))
+        if one.named and source.format is None:
+            cause = f"not a robot model: {objection()}"
+            errors.append(SourceError(one.name, cause))
             continue
-        sources.append(source)
+        if is_read:
+            sources.append(source)
+        elif passed is not None and cause:
+            passed.append(SourceError(one.name, cause))
     return sources, errors
 
 

@@ -2,14 +2,15 @@
 
 Runners read the logs of their jobs: GitHub takes a line that begins with `::name` for a command,
 and, as Azure and TeamCity do, what follows `##[`, `##vso[` or `##teamcity[` anywhere in a line.
-Terminals obey control characters, some of them those of ISO 8859 as well.
+Terminals obey control characters, some of them those of ISO 8859 as well. Bidirectional controls
+show text in another order than it has (https://trojansource.codes).
 """
 
 from __future__ import annotations
 
 import re
 
-_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 _COMMAND = re.compile(r"^([^\S\n]*):(?=:[^:])|(?<=#)()#(?=\w*\[)", re.MULTILINE)
 
 UNICODE = r"\u{:04x}"

@@ -30,14 +30,16 @@ class Format(NamedTuple):
     """Escape of what would drive a terminal or a CI system."""
     commands: bool = False
     """True if it consists of commands of a CI system itself."""
+    early: bool = False
+    """True if it has nothing but findings in their order, which can be written one by one."""
 
 
 FORMATS: Mapping[str, Format] = {
     "full": Format("full", machine=False),
-    "concise": Format("concise", machine=False, fixes=False),
+    "concise": Format("concise", machine=False, fixes=False, early=True),
     "grouped": Format("grouped", machine=False, fixes=False),
     "json": Format("json_array"),
-    "json-lines": Format("json_lines"),
+    "json-lines": Format("json_lines", early=True),
     "sarif": Format("sarif.sarif_log"),
     "github": Format("github", fixes=False, commands=True),
     "gitlab": Format("gitlab", fixes=False),
@@ -45,7 +47,7 @@ FORMATS: Mapping[str, Format] = {
     "junit": Format("junit", fixes=False, escape=log_commands.ENTITY),
     "checkstyle": Format("checkstyle", fixes=False, escape=log_commands.ENTITY),
     "rdjson": Format("reviewdog.diagnostic_result"),
-    "rdjsonl": Format("reviewdog.lines"),
+    "rdjsonl": Format("reviewdog.lines", early=True),
     "turtle": Format("validation_report"),
     "earl": Format("earl", fixes=False),
     "markdown": Format("markdown", fixes=False, escape=log_commands.ENTITY),

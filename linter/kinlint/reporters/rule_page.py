@@ -138,6 +138,7 @@ def rule_object(rule: Rule) -> dict[str, Any]:
             for each in rule.also_for
         ],
         "targets": list(rule.targets),
+        "features": list(rule.features),
         "antipatterns": list(rule.antipatterns),
         "symptoms": list(rule.symptoms),
         "formats": list(rule.formats),
@@ -176,8 +177,7 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
         yield f"Symptom {symptom}", SYMPTOMS.get(symptom, "")
     if rule.formats:
         yield "Formats", ", ".join(rule.formats)
-    if rule.targets:
-        yield "Needs", " or ".join(f"--target {target}" for target in rule.targets)
+    yield from _needed_targets(rule)
     if rule.preview:
         yield "Preview", f"off without --preview or --extend-select {rule.code}"
     if rule.unparsable:
@@ -188,6 +188,13 @@ def _facts(rule: Rule) -> Iterator[tuple[str, str]]:
         yield "Needs", "the whole model, so it is off with --partial"
     if rule.since:
         yield "Since", rule.since
+
+
+def _needed_targets(rule: Rule) -> Iterator[tuple[str, str]]:
+    if rule.targets:
+        yield "Needs", " or ".join(f"--target {target}" for target in rule.targets)
+    if rule.speaks_of == "chosen":
+        yield "Needs", "a --target that departs from what is written; kinlint targets lists them"
 
 
 def paragraphs(why: str) -> list[str]:
@@ -216,7 +223,9 @@ def _ignoring(rule: Rule) -> list[str]:
         ways.append(
             f"for one element of XML: `<!-- kinlint: ignore[{rule.code}] -->` on the line before"
         )
-    if not all(form.block_comment for form in meant):
+    if any(form.line_comments for form in meant):
+        ways.append(f"for one entry of YAML: `# kinlint: ignore[{rule.code}]` on the line before")
+    if not all(form.block_comment or form.line_comments for form in meant):
         ways.append(
             f'for one node of a model: `"https://w3id.org/kinlint/ns#ignore": "{rule.code}"`'
         )

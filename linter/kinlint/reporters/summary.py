@@ -6,14 +6,13 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from kinlint.finding import Finding
+from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.reporters.display_width import printable
 from kinlint.reporters.fixability import FIXABLE, WITH_CARE, fixable
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
-
-_NOT_APPLIED = "0 rules applied: no known vocabulary"
 
 
 def plural(number: int, noun: str, nouns: str = "") -> str:
@@ -34,9 +33,17 @@ def summary(report: Report, style: Style, *, verbose: bool = False) -> Iterator[
     With *verbose* it says how much was checked, too.
     """
     for name in report.unapplied:
-        yield f"{printable(name, unicode=style.unicode)}: {_NOT_APPLIED}\n"
+        file = printable(name, unicode=style.unicode)
+        yield f"{file}: 0 rules applied: {cause_unapplied(name)}\n"
     asides = (*_fixability(report), *_asides(report))
     yield _sentence(_verdict(report, style, verbose=verbose), asides)
+
+
+def cause_unapplied(name: str) -> str:
+    """Return why no rule applies to the file *name*."""
+    if name.lower().endswith(YAML.suffixes):
+        return "it names no joint, link, frame or planning group"
+    return "no known vocabulary"
 
 
 def verdict(report: Report) -> str:
@@ -56,8 +63,12 @@ def _sentence(verdict: str, asides: Sequence[str]) -> str:
 
 
 def _fixability(report: Report) -> Iterator[str]:
-    """Yield the number of findings that `--fix` fixes; nothing if there are none."""
-    now, more = fixable((*report.unsuppressed, *report.hidden), unsafe=report.unsafe)
+    """Yield the number of findings shown that `--fix` fixes; nothing if there are none.
+
+    Those not shown count only once files were fixed, which takes the proofs of all.
+    """
+    told = (*report.unsuppressed, *report.hidden) if report.fixed else report.unsuppressed
+    now, more = fixable(told, unsafe=report.unsafe)
     if report.unsafe is False:
         more = 0
     careful = f"with --fix --unsafe-fixes {WITH_CARE}"

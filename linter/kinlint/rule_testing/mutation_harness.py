@@ -17,7 +17,9 @@ from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
-from kinlint.findings.finding_builder import findings
+from kinlint.findings.brief_finding import brief_finding, reason_for
+from kinlint.findings.duplicates import identity
+from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
@@ -32,10 +34,10 @@ from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
 from kinlint.terms import literal_value
-from kinlint.text import SourceText, Span
+from kinlint.text import SourceText
 
-Outcome = tuple[tuple[Span, str, str, str, str], ...]
-"""The findings of an example: their place, subject, property, value and message."""
+Told = tuple[tuple[object, ...], str, str | None, str | None, str]
+"""Identity, subject, property, value and reason of a finding in an example."""
 
 
 @dataclass(frozen=True)
@@ -46,27 +48,40 @@ class MutationHarness:
     """The rule."""
     rulebook: Rulebook
     """All rules, with the vocabulary."""
-    examples: tuple[tuple[Sequence[Document], Store], ...]
-    """Documents of each example, with the store in which they are closed."""
+    examples: tuple[Locator, ...]
+    """The locator of each example, on the store in which its documents are closed."""
 
     @classmethod
     def for_rule(
         cls, rule: Rule, rulebook: Rulebook, texts: Iterable[Sequence[SourceText]]
     ) -> MutationHarness:
         """Return the harness for the examples *texts* of *rule*."""
-        return cls(rule, rulebook, tuple(closed(text, rulebook) for text in texts))
+        return cls(rule, rulebook, tuple(Locator(*closed(text, rulebook)) for text in texts))
 
-    def outcomes(self, constraints: tuple[Constraint, ...]) -> list[Outcome]:
+    def outcomes(self, constraints: tuple[Constraint, ...]) -> list[set[Told]]:
         """Return the findings of *constraints* in each example."""
-        return [
-            tuple(
-                sorted(
-                    (each.location.span, each.iri, each.path or "", each.value or "", each.message)
-                    for each in findings(check(store, constraints), documents, store, self.rulebook)
-                )
-            )
-            for documents, store in self.examples
-        ]
+        return [set(self._told(locator, constraints)) for locator in self.examples]
+
+    def changes(self, constraints: tuple[Constraint, ...], outcomes: list[set[Told]]) -> bool:
+        """Return whether *constraints* find anything else than *outcomes* in the examples.
+
+        The first finding that is not among them ends the comparison: a mutant may have thousands.
+        """
+        for locator, known in zip(self.examples, outcomes, strict=True):
+            found = set()
+            for told in self._told(locator, constraints):
+                if told not in known:
+                    return True
+                found.add(told)
+            if found != known:
+                return True
+        return False
+
+    def _told(self, locator: Locator, constraints: tuple[Constraint, ...]) -> Iterator[Told]:
+        for result in check(locator.store, constraints):
+            each = brief_finding(result, locator, self.rulebook)
+            reason = reason_for(result, each, locator)
+            yield identity(each), each.iri, each.path, each.value, reason
 
 
 def closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
@@ -100,9 +115,8 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
         select = parse(tokens(query, known))
         for deleted, mutant in mutants(select):
             try:
-                matters = (
-                    harness.outcomes(compiled(_replaced(text, query, render(mutant)))) != whole
-                )
+                mutated = compiled(_replaced(text, query, render(mutant)))
+                matters = harness.changes(mutated, whole)
             except RuleInvalid:
                 matters = True
             if not matters:

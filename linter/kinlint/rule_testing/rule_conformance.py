@@ -26,6 +26,7 @@ from kinlint.rule_testing.mutation_harness import MutationHarness, closed, unnee
 from kinlint.rule_testing.remarks import Remark, is_built_in, malformed, unused
 from kinlint.rule_testing.unmatched_pattern import unmatched
 from kinlint.sparql.tokens import tokens
+from kinlint.targets.portability import departing_targets
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import SH
 
@@ -171,9 +172,10 @@ def _beside(example: Example) -> Iterator[str]:
         yield ""
         return
     with TemporaryDirectory() as home:
-        for path in (Path(home, each) for each in example.beside):
+        for name, _, content in (each.partition("\n") for each in example.beside):
+            path = Path(home, name)
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.touch()
+            path.write_text(content, "utf-8")
         yield home
 
 
@@ -244,6 +246,7 @@ def _alone(
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
     consumers = {*rule.targets, *(name for each in own for name in each.consumers)}
+    consumers.update(departing_targets(rule.features))
     strict = replace(STRICT, targets=tuple(sorted(consumers)))
     return only, Settings(engine=engine, default=strict)
 

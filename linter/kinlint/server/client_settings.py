@@ -87,7 +87,7 @@ class ClientSettings:
         """
         if self.file is None:
             trust = ProjectTrust.from_user(os.environ, everything=self.trust)
-            return Configs(restrict=trust.restricted)
+            return Configs(restrict=trust.restricted, may_extend=trust.may_extend)
         path = absolute(root / Path(self.file).expanduser())
         if not path.is_file():
             raise ConfigError(f"{ORIGIN}: configuration: '{self.file}' is not a file")

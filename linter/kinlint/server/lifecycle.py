@@ -20,7 +20,7 @@ from kinlint.server.working_directory import work_in
 SECTION = "kinlint"
 WATCHED = (
     *(f"**/{name}" for name in NAMES),
-    "**/*.{" + ",".join(suffix[1:] for suffix in GLOBBED) + "}",
+    "**/*{" + ",".join(GLOBBED) + "}",
 )
 """Configuration, and whatever may be a model, a rule or a context."""
 PULSE = 3.0

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selection import Policies
+from kinlint.errors import FileTimeout
 from kinlint.files.pathname import real
 from kinlint.finding import FindingKey, Fix
 from kinlint.fixes.texts import Texts
@@ -17,6 +19,7 @@ from kinlint.pipeline.analyzer import Analyzer, Cancelled, Examination
 from kinlint.server.cancellation import CancellablePhases
 from kinlint.server.document_store import DocumentStore, Stamp, stamp
 from kinlint.server.frozen_state import FrozenState
+from kinlint.server.thread_limit import ANALYSIS, TimeOver, thread_limit
 from kinlint.server.workspace_folder import Model
 from kinlint.text import SourceText
 
@@ -77,7 +80,9 @@ class Session:
 
         Raises `Cancelled` if that is asked for, `UsageError` if the settings name what is not.
         """
-        part = self._preview(model, documents.snapshot, cancelled)
+        part = None
+        with suppress(TimeOver), thread_limit(_seconds(model)):
+            part = self._preview(model, documents.snapshot, cancelled)
         if part is not None:
             return part
         self._examine(model, book, documents, cancelled)
@@ -130,12 +135,19 @@ class Session:
                     Analyzer(model.settings, book, repeated=True),
                     True,
                 )
-            made = self._incremental.examine(
-                [*model.sources, *model.beside],
-                model.errors,
-                overlay=self._overlay,
-                cancelled=cancelled,
-            )
+            with thread_limit(_seconds(model)):
+                made = self._incremental.examine(
+                    [*model.sources, *model.beside],
+                    model.errors,
+                    overlay=self._overlay,
+                    cancelled=cancelled,
+                )
+        except TimeOver:
+            self._incremental, self._complete = None, False
+            why = f"not checked within {_seconds(model):g} s"
+            late = (FileTimeout(each.name, why) for each in model.sources)
+            self.model = replace(model, errors=(*model.errors, *late))
+            return
         except Cancelled:
             self._tried = False
             raise
@@ -176,3 +188,9 @@ class Session:
     def texts(self) -> Texts:
         """The texts that were examined, for those who change them."""
         return Texts([*self.model.sources, *self.model.beside], changed=self._overlay)
+
+
+def _seconds(model: Model) -> float:
+    """Return the time that the analysis of *model* may take, in seconds."""
+    limit = model.settings.file_timeout
+    return ANALYSIS if not limit else limit * len(model.sources)

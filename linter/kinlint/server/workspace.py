@@ -21,6 +21,7 @@ from kinlint.server.frozen_state import FrozenState
 from kinlint.server.readable_documents import ReadableDocuments
 from kinlint.server.request_context import Places, RequestContext
 from kinlint.server.session import Session
+from kinlint.server.thread_limit import answered
 from kinlint.server.working_directory import work_in
 from kinlint.server.workspace_folder import Model, WorkspaceFolder
 from kinlint.text import SourceText
@@ -169,7 +170,7 @@ class Workspace:
                             return None
                         session.invalidate()
                         raise Outdated
-                    return ask(self._view(session, text, source, cancelled))
+                    return answered(ask, self._view(session, text, source, cancelled))
         return None
 
     def _view(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterator, Mapping
+from functools import partial
 from importlib.metadata import version
 from typing import Any
 
@@ -12,9 +13,11 @@ from lsprotocol import types
 from kinlint import __version__
 from kinlint.facts.robot_structures import structures
 from kinlint.findings.locator import Locator
+from kinlint.light_dataclasses import replace
 from kinlint.reporters.picture import svg
 from kinlint.reporters.picture.finding_badges import Marks, marks
 from kinlint.reporters.picture.mermaid import lines
+from kinlint.reporters.terminal_style import Style
 from kinlint.server.app import KinlintServer
 from kinlint.server.code_actions import FIX_ALL, fix_all
 from kinlint.server.request_context import RequestContext
@@ -55,6 +58,15 @@ def register(server: KinlintServer) -> None:
         """The robot of a file as a picture in SVG, with what was found; None if it has none."""
         return await server.consult(_uri(arguments), _picture)
 
+    @server.command("kinlint.showRobotPage")
+    async def show_robot_page(*arguments: Any) -> str | None:
+        """The robot of a file, with its findings, as a page of HTML; None if it has none.
+
+        A second argument names the theme, `dark` or `light`.
+        """
+        theme = str(arguments[1]) if len(arguments) > 1 else ""
+        return await server.consult(_uri(arguments), partial(_page, theme=theme))
+
 
 def _uri(arguments: tuple[Any, ...]) -> str:
     """The URI in *arguments*, which clients send in several forms."""
@@ -74,11 +86,22 @@ def _picture(view: RequestContext) -> str | None:
     return "".join(svg.document(robots)) if robots else None
 
 
+def _page(view: RequestContext, theme: str) -> str | None:
+    from kinlint.reporters.html.page import THEMES, render  # noqa: PLC0415  few ask for pages
+
+    robots = tuple(structure for structure, _ in _robots(view))
+    report = replace(view.examination.report, structures=robots)
+    return (
+        "".join(render(report, Style(), theme=theme if theme in THEMES else "")) if robots else None
+    )
+
+
 def _robots(view: RequestContext) -> list[tuple[Structure, Marks]]:
     """Return the robots of a file, or else those of its model, with what was found of each."""
     examination = view.examination
     found = examination.report.findings
-    drawn = structures(examination.store, Locator(examination.documents, examination.store), found)
+    locator = Locator(examination.documents, examination.store)
+    drawn = structures(examination.store, locator, found, placed=True)
     own = [one for one in drawn if view.source.name in one.files] or drawn
     return [(one, marks(one, found)) for one in own]
 

@@ -14,6 +14,7 @@ from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.dependencies.file_groups import group_sources, join_keys
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.records import JSON
+from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.project.discovery import Input, Search
 from kinlint.project.layers import Layers
@@ -110,12 +111,26 @@ class WorkspaceFolder:
         if self._turtle and sources:
             given.update((one.name, one) for one in self._turtle)
             sources += self._turtle_parts(sources, documents)
-        for group in group_sources(sources, self._ties) if sources else ():
+        settings = self._of([given[each.name] for each in sources])
+        for group in self._groups(sources, settings, documents):
             inputs = [given[source.name] for source in group]
             settings = self._of(inputs)
             paired = pair(group, settings, documents.overlay)
             own, more = paired[: len(group)], paired[len(group) :]
             yield Model(_paths(inputs), tuple(own), settings, tuple(more))
+
+    def _groups(
+        self, sources: Sequence[SourceText], settings: Settings, documents: DocumentStore
+    ) -> Iterator[Sequence[SourceText]]:
+        """Yield *sources* by models: a YAML file is in that of the robots that all of them give."""
+        if not any(each.format == YAML for each in sources):
+            yield from group_sources(sources, self._ties) if sources else ()
+            return
+        paired = pair(sources, settings, documents.overlay)[: len(sources)]
+        known = {each.name: each for each in sources}
+        tied = [one if one.format == YAML else known[one.name] for one in paired]
+        for group in group_sources(tied, self._ties):
+            yield [known[each.name] for each in group]
 
     def _turtle_parts(
         self, sources: Sequence[SourceText], documents: DocumentStore

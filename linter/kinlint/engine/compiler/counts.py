@@ -106,4 +106,8 @@ def _numbers(scope: ShapeScope, name: str) -> Iterator[int]:
             raise shape.graph.invalid(shape.node, f"a node shape cannot have sh:{name}")
         if not is_literal(value) or literal_datatype(value) != f"{XSD}integer":
             raise shape.graph.invalid(shape.node, f"sh:{name} is not an xsd:integer: {value}")
-        yield int(literal_value(value))
+        try:
+            yield int(literal_value(value))
+        except ValueError:
+            cause = f"sh:{name} is not a whole number that can be counted to"
+            raise shape.graph.invalid(shape.node, cause) from None

@@ -67,7 +67,10 @@ def forbidden_in(text: str, prefixes: Mapping[str, str], kinds: Sequence[str]) -
 
 
 def _fault(graph: ShapesGraph, node: Term, name: str, written: str) -> str | None:
-    text = _ESCAPE.sub(lambda match: chr(int(match[1] or match[2], 16)), written)
+    try:
+        text = _ESCAPE.sub(lambda match: chr(int(match[1] or match[2], 16)), written)
+    except (OverflowError, ValueError):
+        return "it has an escape of no character of Unicode"
     try:
         fault = _forbidden_keyword(text)
     except NotSparql as error:

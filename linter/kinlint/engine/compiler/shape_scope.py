@@ -88,6 +88,10 @@ class Violation:
     """The consumers that it is about, where not all."""
     severity_for: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = ()
     """Severities for certain consumers or formats: the IRI of each, consumers and formats."""
+    feature: str = ""
+    """The IRI of the feature that it finds, where it finds one."""
+    speaks_of: str = ""
+    """The IRI of `kl:speaksOf`: the consumers whose departures it reports."""
     without_focus: bool = False
     """The groups find the same with no focus node bound, for all nodes at once."""
 

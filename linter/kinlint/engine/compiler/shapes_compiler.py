@@ -92,6 +92,8 @@ class _Walk:
             formats=violation.formats,
             consumers=violation.consumers,
             severity_for=violation.severity_for,
+            feature=violation.feature,
+            speaks_of=violation.speaks_of,
         )
         if reason is not None:
             return common

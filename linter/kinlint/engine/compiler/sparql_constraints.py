@@ -15,6 +15,7 @@ from kinlint.terms import iri_value, literal_value
 from kinlint.vocabulary import KL
 
 if TYPE_CHECKING:
+    from kinlint.engine.compiler.shape import Shape
     from kinlint.engine.compiler.shapes_graph import ShapesGraph
     from kinlint.engine.compiler.user_query import Query
     from kinlint.terms import Term
@@ -23,6 +24,8 @@ BECAUSE = f"<{KL}because>"
 FORMAT = f"<{KL}format>"
 TARGET = f"<{KL}target>"
 SEVERITY_FOR = f"<{KL}severityFor>"
+FEATURE = f"<{KL}feature>"
+SPEAKS_OF = f"<{KL}speaksOf>"
 TARGET_NODE = sh("targetNode")
 VALUE = "?k_value"
 
@@ -55,6 +58,8 @@ def sparql(scope: ShapeScope) -> Iterator[Violation]:
             severity=severity(shape.graph, node),
             consumers=consumers(shape.graph, node),
             severity_for=severity_for(shape.graph, node),
+            feature=named_for(shape, node, FEATURE),
+            speaks_of=named_for(shape, node, SPEAKS_OF),
             without_focus=runs_without_focus(query.select),
         )
 
@@ -89,8 +94,18 @@ def severity_for(
 
 def severity(graph: ShapesGraph, node: Term) -> str:
     """Return the IRI of a constraint's own `sh:severity`; "" if it has none."""
-    own = graph.one(node, sh("severity"))
+    return named(graph, node, sh("severity"))
+
+
+def named(graph: ShapesGraph, node: Term, predicate: Term) -> str:
+    """Return the IRI that *node* names by *predicate*; "" if it names none."""
+    own = graph.one(node, predicate)
     return iri_value(own) if own is not None else ""
+
+
+def named_for(shape: Shape, node: Term, predicate: Term) -> str:
+    """Return the IRI that the constraint *node* of *shape* names by *predicate*, else the shape."""
+    return named(shape.graph, node, predicate) or named(shape.graph, shape.node, predicate)
 
 
 def query_for(scope: ShapeScope, node: Term, kind: str, prebound: tuple[str, ...]) -> Query:

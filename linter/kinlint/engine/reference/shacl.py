@@ -14,9 +14,12 @@ from kinlint.engine.compiler.query_permissions import check_permissions
 from kinlint.engine.compiler.shape import messages, read_shape
 from kinlint.engine.compiler.shapes_graph import ShapesGraph, Source, read
 from kinlint.engine.compiler.sparql_constraints import (
+    FEATURE,
+    SPEAKS_OF,
     because,
     consumers,
     formats,
+    named_for,
     severity,
     severity_for,
 )
@@ -150,6 +153,8 @@ def _constraint(shapes: ShapesGraph, record: Record) -> Constraint:
         formats=formats(shapes, source) if source is not None else (),
         consumers=consumers(shapes, source) if source is not None else (),
         severity_for=severity_for(shapes, source) if source is not None else (),
+        feature=named_for(shape, source, FEATURE) if source is not None else "",
+        speaks_of=named_for(shape, source, SPEAKS_OF) if source is not None else "",
     )
 
 

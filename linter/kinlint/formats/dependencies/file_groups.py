@@ -8,9 +8,13 @@ from typing import NamedTuple
 
 from kinlint.file_format import Format
 from kinlint.formats.dependencies.mentions import Mentions, is_pattern
+from kinlint.formats.launch.format import LAUNCH
 from kinlint.formats.recognition import with_format
 from kinlint.formats.yaml.format import YAML
 from kinlint.text import SourceText
+
+CONFIGURATIONS = (YAML, LAUNCH)
+"""Formats whose files belong to robots that were found for them, or to none."""
 
 
 class JoinKeys(NamedTuple):
@@ -42,9 +46,10 @@ def group_sources(
     elements belong together if they describe robots of one name, or if one may include the other,
     or both the same file. An SRDF, which need not name its robot correctly, joins all; so does a
     robot whose name is computed, where robots in another format may be the same. *known* returns
-    the keys of a source. A YAML file belongs to the robots that it was paired with.
+    the keys of a source. A YAML file belongs to the robots that it was paired with, a
+    launch file to none.
     """
-    if any(each.format == YAML for each in sources):
+    if any(each.format in CONFIGURATIONS for each in sources):
         yield from _with_configurations(sources, known)
         return
     tied = [known(source) for source in sources]
@@ -62,7 +67,7 @@ def _with_configurations(
     sources: Sequence[SourceText], known: Callable[[SourceText], JoinKeys]
 ) -> Iterator[list[SourceText]]:
     """Yield the groups of *sources* with YAML files in those of their robots."""
-    others = [each for each in sources if each.format != YAML]
+    others = [each for each in sources if each.format not in CONFIGURATIONS]
     groups = _Groups(len(sources))
     place = {id(each): index for index, each in enumerate(sources)}
     names = {each.name: index for index, each in enumerate(sources)}
@@ -71,7 +76,8 @@ def _with_configurations(
             groups.join(place[id(group[0])], place[id(each)])
     for index, each in enumerate(sources):
         pairing = each.pairing if each.format == YAML else None
-        for name in () if pairing is None else (pairing.partner, *pairing.others):
+        joined = () if pairing is None else (pairing.partner, *pairing.others, *pairing.annotations)
+        for name in joined:
             if name in names:
                 groups.join(index, names[name])
     yield from _listed(sources, groups)

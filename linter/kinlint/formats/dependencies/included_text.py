@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinlint.files.bounded_read import contents
+from kinlint.files.project_reach import ProjectReach
 from kinlint.formats.decoding import decode
 from kinlint.formats.options import ReadOptions
 from kinlint.text import SourceText
@@ -14,17 +15,18 @@ KEPT = "included text"
 
 
 def included_text(
-    path: Path, near: Path, name: str, options: ReadOptions, limit: int
+    path: Path, reach: ProjectReach, name: str, options: ReadOptions, limit: int
 ) -> SourceText:
     """Return the text of the file at *path*, of at most *limit* bytes, called *name* in messages.
 
     It is what `options.overlay` takes the file to hold, or the same object for all who include it.
-    *near* is the file that includes it. Raises `Unreadable` or `SourceError` where it cannot be
-    read.
+    *reach* tells which file includes it. Raises `Unreadable` or `SourceError` where it cannot be
+    read, or is out of reach.
     """
+    reach.require(path)
     text: SourceText | None = options.overlaid_text(path) or options.memory.get((KEPT, path))
     if text is None:
-        text = options.memory[KEPT, path] = decode(name, contents(path, near, limit))
+        text = options.memory[KEPT, path] = decode(name, contents(path, reach.near, limit))
     return text
 
 

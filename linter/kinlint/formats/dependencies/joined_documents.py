@@ -65,12 +65,7 @@ def _configured(documents: Sequence[Document]) -> Sequence[Document]:
     from kinlint.formats.dependencies.joined_configurations import join_configurations  # noqa: PLC0415  few runs have any
 
     whole = {each.source.name for each in documents if _is_whole(each)}
-    meant = {
-        each.source.name: (pairing.partner, *pairing.others)
-        for each in documents
-        if (pairing := each.source.pairing) is not None
-    }
-    return join_configurations(documents, whole, meant)
+    return join_configurations(documents, whole)
 
 
 def _is_whole(document: Document) -> bool:

@@ -12,19 +12,18 @@ from urllib.parse import unquote
 
 from kinlint.formats.recognition import with_format
 from kinlint.light_dataclasses import dataclass
-from kinlint.text import SourceText
+from kinlint.text import XML_COMMENT, SourceText
 
 _VALUE = r"""\s*=\s*(?:"([^"]*)"|'([^']*)')"""
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-_ROBOT = re.compile(rf"<robot\b[^>]*?\sname{_VALUE}")
-_MODEL = re.compile(rf"<(?:robot|model)\b[^>]*?\sname{_VALUE}")
-_PART = re.compile(rf"<(?:link|joint|passive_joint)\b[^>]*?\sname{_VALUE}")
+_ROBOT = re.compile(rf"<robot\b[^<>]*?\sname{_VALUE}")
+_MODEL = re.compile(rf"<(?:robot|model)\b[^<>]*?\sname{_VALUE}")
+_PART = re.compile(rf"<(?:link|joint|passive_joint)\b[^<>]*?\sname{_VALUE}")
 _REFERENCE = re.compile(
     rf"\s(?:base_link|tip_link|parent_link|child_link|link1|link2|joint_name){_VALUE}"
 )
-_FILENAME = re.compile(rf"<(?:[\w-]+:)?include\b[^>]*?\sfilename{_VALUE}")
-_INCLUDE = re.compile(r"<include\b[^>]*>(.*?)</include>", re.DOTALL)
-_URI = re.compile(r"<uri\b[^>]*>([^<]*)<")
+_FILENAME = re.compile(rf"<(?:[\w-]+:)?include\b[^<>]*?\sfilename{_VALUE}")
+_INCLUDE = re.compile(r"<include\b[^<>]*>(.*?)(?:</include>|\Z)", re.DOTALL)
+_URI = re.compile(r"<uri\b[^<>]*>([^<]*)<")
 _ARGUMENT = "<xacro:arg"
 
 
@@ -37,7 +36,7 @@ class Mentions:
 
     @cached_property
     def _text(self) -> str:
-        return _COMMENT.sub("", self.source.text)
+        return XML_COMMENT.sub("", self.source.text)
 
     @cached_property
     def robot(self) -> str:

@@ -12,13 +12,13 @@ from kinlint.files.environment import kind, listing
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.light_dataclasses import dataclass
+from kinlint.text import XML_COMMENT
 from kinlint.uri_references import split_uri
 
 MANIFESTS = ("model.config", "manifest.xml")
 DEFAULT = "model.sdf"
-_SDF = re.compile(r"<sdf\b([^>]*)>\s*([^<>\s][^<>]*?)\s*</sdf>")
+_SDF = re.compile(r"<sdf\b([^<>]*)>([^<>]*)</sdf>")
 _VERSION = re.compile(r"\bversion\s*=\s*[\"']([\d.]+)[\"']")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 NEWEST = (1, 12)
 HEAD = 1 << 16
 LOCAL = ("", "file", "model", "package")
@@ -75,9 +75,11 @@ def _named_by_manifest(directory: Path) -> Path | None:
     Without a manifest it is `model.sdf`, or the only SDF file there.
     """
     for name in MANIFESTS:
-        text = _COMMENT.sub("", head(directory / name, HEAD) or "")
+        text = XML_COMMENT.sub("", head(directory / name, HEAD) or "")
         versions: Mapping[tuple[int, ...], str] = {
-            _version(match[1]): match[2] for match in _SDF.finditer(text)
+            _version(match[1]): match[2].strip()
+            for match in _SDF.finditer(text)
+            if match[2].strip()
         }
         readable = {each: file for each, file in versions.items() if each <= NEWEST}
         if readable:

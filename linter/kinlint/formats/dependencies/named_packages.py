@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable
 
 from kinlint.files.packages import PackageLocation, Packages
 from kinlint.files.pathglob import absolute
-from kinlint.text import SourceText
+from kinlint.formats.launch.format import LAUNCH
+from kinlint.text import XML_COMMENT, SourceText
 
 _NAMED = re.compile(r"package://([\w.-]+)/|\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 def named_packages(
@@ -18,12 +18,16 @@ def named_packages(
 ) -> dict[tuple[str, PackageLocation | None], list[str]]:
     """Return the packages that *sources* name, where each is, and the files that name it.
 
+    Those that launch files name need not be there: they are none of the robot.
+
     A package that is not found is there with None. *packages_of* returns the packages that a file,
     by its name, can name.
     """
     found: dict[tuple[str, PackageLocation | None], list[str]] = {}
     for source in sources:
-        text = _COMMENT.sub("", source.text)
+        if source.format == LAUNCH:
+            continue
+        text = XML_COMMENT.sub("", source.text)
         names = {one or other for one, other in _NAMED.findall(text)}
         for name in sorted(names):
             place = packages_of(source.name).locate(name, absolute(source.name).parent)

@@ -163,7 +163,7 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
             inside_list=inside_list, inside_index=inside_index, type_scoped_ctx=type_scoped_ctx,
         )  # fmt: skip
         if isinstance(element, bool) and type(result) is dict:
-            return Expanded(result, value_span(active_property) or self.trail[-1].element.span)
+            return Expanded(result, self._around(active_property))
         if result is None and isinstance(element, (Text, Integer, Real)):
             self.record.float(element, element.span)
         return result
@@ -223,7 +223,8 @@ class Processor(ActiveContexts, JsonLdProcessor):  # type: ignore[misc]
         return self.on_node if graph else None
 
     def _around(self, active_property: Any) -> Span:
-        return value_span(active_property) or self.trail[-1].element.span
+        origin = self.trail[-1]
+        return value_span(origin.content) or value_span(active_property) or origin.element.span
 
     def _prepare_nested_context(self, active_ctx: Context, element: Any, options: Any) -> Any:
         token = element.key(CONTEXT) if isinstance(element, Object) else None

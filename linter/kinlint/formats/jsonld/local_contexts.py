@@ -12,9 +12,9 @@ from urllib.parse import unquote
 
 from kinlint.errors import SourceError
 from kinlint.files.bounded_read import Unreadable
-from kinlint.files.packages import repository
 from kinlint.files.pathglob import absolute
-from kinlint.files.pathname import real, shown
+from kinlint.files.pathname import shown
+from kinlint.files.project_reach import ProjectReach
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Array, Key, Object, Text
@@ -110,11 +110,10 @@ class LocalContexts:
 
     def _read(self, path: Path) -> Any:
         near = absolute(self.source.name)
-        if not any(real(path).is_relative_to(root) for root in self._roots(near)):
-            raise Unreadable(f"'{shown(path)}' is outside of the project")
         if len(self._pieces) >= MOST_FILES:
             raise Unreadable(f"the model names more than {MOST_FILES} context files")
-        text = included_text(path, near, shown(path), self.options, LARGEST)
+        reach = ProjectReach(near, self.options.packages_of(self.source.name))
+        text = included_text(path, reach, shown(path), self.options, LARGEST)
         last, before = self._pieces[-1] if self._pieces else (0, self.source)
         offset = last + len(before.text) + 1
         parse(text)  # Errors are at places of the file.
@@ -125,12 +124,6 @@ class LocalContexts:
         self._pieces.append((offset, text))
         self._absolute(moved, path)
         return moved["@context"]
-
-    def _roots(self, near: Path) -> list[Path]:
-        """Return the directories of the project: files in them may be read."""
-        workspace = self.options.packages_of(self.source.name).workspace
-        above = [each for each in (workspace, Path.cwd(), repository(near)) if each is not None]
-        return [real(near.parent), *(real(each) for each in above if near.is_relative_to(each))]
 
     def _absolute(self, value: Object | Array, path: Path) -> None:
         """Make the references in *value*, of the file at *path*, absolute."""

@@ -10,10 +10,14 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-UNUSED = ("asyncio", "lxml.html", "urllib.request")
-"""Modules that PyLD imports and kinlint does not use; they load more slowly than PyLD itself."""
-NAMED = {"urllib.request": "url2pathname"}
-"""The function that PyLD imports by name from one of them."""
+_BY_TYPE = "pyld.documentloader.type_directed"
+UNUSED = ("asyncio", "lxml.html", "urllib.request", _BY_TYPE)
+"""Modules that PyLD imports and kinlint does not use; they load more slowly than PyLD itself.
+
+A loader of PyLD is among them, as it imports `dataclasses` and with it `inspect`.
+"""
+NAMED = {"urllib.request": "url2pathname", _BY_TYPE: "TypeDirectedDocumentLoader"}
+"""The function or class that PyLD imports by name from one of them."""
 CLIENTS = ("requests", "aiohttp")
 """HTTP clients that PyLD makes its default loader of, where they are installed."""
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import gc
 import sys
 import warnings
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from kinlint.addresses import document_iri
@@ -41,6 +42,8 @@ from kinlint.formats.source_layer import SourceLayer, namespaces
 from kinlint.text import SourceText, Span
 
 _RECURSION = 20_000
+UNDIVIDED = "no object with a context and a graph of objects"
+"""Reason for which PyLD expands all of a file."""
 
 
 def read(source: SourceText, options: ReadOptions, *, compiled: bool = True) -> Document:
@@ -58,15 +61,38 @@ def read(source: SourceText, options: ReadOptions, *, compiled: bool = True) -> 
             return _read(source, options, parse(source))
 
 
-def _read_outlined(source: SourceText, options: ReadOptions) -> Document:
+def expanded_by_pyld(source: SourceText, options: ReadOptions) -> Mapping[str, int]:
+    """Count the elements of *source* that PyLD expands instead of the compiled walk, by reason.
+
+    One reason stands for the whole file where that is not divided. Empty for what cannot be read.
+    """
+    declined = Counter[str]()
+    try:
+        with uncollected():
+            _read_outlined(source, options, declined)
+    except NotOutlined:
+        return {UNDIVIDED: 1}
+    except SourceError:
+        return {}
+    return declined
+
+
+def _read_outlined(
+    source: SourceText, options: ReadOptions, declined: Counter[str] | None = None
+) -> Document:
     outlined = outline(source)
     if not isinstance(outlined.value, Object) or "@context" not in outlined.value:
         raise NotOutlined
     with undisturbed():
-        return _read(source, options, outlined)
+        return _read(source, options, outlined, declined)
 
 
-def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Document:
+def _read(
+    source: SourceText,
+    options: ReadOptions,
+    parsed: ParsedJson,
+    declined: Counter[str] | None = None,
+) -> Document:
     if not isinstance(parsed.value, (dict, list)):
         place = source.position(parsed.span.start)
         cause = "not JSON-LD: neither an object nor an array"
@@ -82,6 +108,8 @@ def _read(source: SourceText, options: ReadOptions, parsed: ParsedJson) -> Docum
     processor.on_unplaced = graph.take
     _state(triples, processor, parsed, source)
     graph.finish()
+    if declined is not None:
+        declined.update(graph.declined)
 
     nodes = LazyNodeSpans(graph.groups)
     layer = SourceLayer(name, blanks)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import hypot
 
+from kinlint.formats.rigid_transform import Vector, inverse, rotated
 from kinlint.formats.sdf.frames import Frames
-from kinlint.formats.sdf.rigid_transform import Vector, inverse, rotated
 from kinlint.formats.sdf.scopes import MODEL
 from kinlint.formats.sdf.sdf_elements import SdfElement
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import dropwhile
 from typing import TypeAlias, TypeVar
 
-from kinlint.formats.sdf.rigid_transform import IDENTITY, Transform, composed, inverse, transform
+from kinlint.formats.rigid_transform import IDENTITY, Transform, composed, inverse, transform
 from kinlint.formats.sdf.scopes import WORLD, Scopes, UnknownName
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.light_dataclasses import dataclass, field

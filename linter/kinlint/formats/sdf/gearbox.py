@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator
 from itertools import starmap
 from typing import NamedTuple, TypeAlias
 
+from kinlint.formats.rigid_transform import Vector
 from kinlint.formats.sdf.axis import in_world
 from kinlint.formats.sdf.frames import Frames
-from kinlint.formats.sdf.rigid_transform import Vector
 from kinlint.formats.sdf.sdf_elements import SdfElement
 
 HINGES = ("revolute", "continuous")

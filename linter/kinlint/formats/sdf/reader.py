@@ -11,23 +11,26 @@ from kinlint.files.bounded_read import Unreadable
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
+from kinlint.files.project_reach import ProjectReach
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.dependencies.included_text import included_text
 from kinlint.formats.dependencies.model_uri import MissingModel, locate
 from kinlint.formats.options import ReadOptions
-from kinlint.formats.sdf.added_statements import value_span, with_statements
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import CircularReference
-from kinlint.formats.sdf.included_statements import with_includes
 from kinlint.formats.sdf.resolution import resolve_names
 from kinlint.formats.sdf.sdf_elements import SdfElement, tree
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.xml import reader as xml
+from kinlint.formats.xml.added_statements import value_span, with_statements
+from kinlint.formats.xml.included_statements import with_includes
 from kinlint.light_dataclasses import dataclass
-from kinlint.terms import Triple, literal
+from kinlint.terms import Triple, iri, literal
 from kinlint.text import SourceText
 from kinlint.vocabulary import ATTRIBUTE
+from kinlint.vocabulary import SDF as NAMESPACE
 
+ROOT = iri(f"{NAMESPACE}sdf")
 MOST_DEEP = 16
 MOST_INCLUDED = 1_000
 MOST_STATED = 500_000
@@ -88,7 +91,7 @@ class _Inclusion:
             written, reason = literal(uri.text.strip()), literal(included.reason)
             details = ("node", include.node), ("written", written), ("reason", reason)
             layer.add_node(kind, span, *details)
-        return with_includes(with_statements(document, layer), found)
+        return with_includes(with_statements(document, layer), found, ROOT)
 
     def _included(self, uri: str, chain: tuple[Path, ...]) -> tuple[str, Document | MissingModel]:
         unread = "UnresolvedInclude"
@@ -101,7 +104,7 @@ class _Inclusion:
         if excess := self._excess(len(chain)):
             return unread, MissingModel(excess)
         try:
-            return unread, self.read(self._text(path), (*chain, path))
+            return unread, self.read(self._text(path, chain[0]), (*chain, path))
         except SourceError as error:
             return unread, MissingModel(f"{path.name} cannot be read: {error.cause}")
         except Unreadable as error:
@@ -114,9 +117,10 @@ class _Inclusion:
         too_many = depth > MOST_DEEP or self.count > MOST_INCLUDED
         return "too many files include each other" if too_many else ""
 
-    def _text(self, path: Path) -> SourceText:
-        """Return the SDF text of the file at *path*."""
-        text = included_text(path, path, shown(path), self.options, LARGEST)
+    def _text(self, path: Path, near: Path) -> SourceText:
+        """Return the SDF text of the file at *path*, for the file at *near*."""
+        reach = ProjectReach(near, self.packages)
+        text = included_text(path, reach, shown(path), self.options, LARGEST)
         if text.format != SDF:
             raise Unreadable(f"{text.name} is not SDF")
         return text

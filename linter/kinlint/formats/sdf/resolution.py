@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from kinlint.formats.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
 from kinlint.formats.sdf.frames import CircularReference, Frames, transform_of
 from kinlint.formats.sdf.gearbox import gears
 from kinlint.formats.sdf.name_references import References
-from kinlint.formats.sdf.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.scopes import Scopes, known_by_name
 from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src

@@ -218,6 +218,7 @@ class Session:
             return
         if MAGIC.search(str(path.parent)):
             raise Refused("wildcards for directories")
+        self.pieces.reach.require(path.parent)
         names = [each for each in listing(path.parent) if fnmatch(each, path.name)]
         if not names:
             self._add_remark(f"no file matches '{given}'")
@@ -260,7 +261,7 @@ class Session:
         path = self._resolved(str(name))
         if path not in self._tables:
             self._tables[path] = yaml_table.load(
-                table(path, self.pieces.path),
+                table(path, self.pieces.reach),
                 path.name,
                 lambda text: evaluate(text, self._known, self.bounds),
                 self.bounds,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from kinlint.files.bounded_read import SIZE, Unreadable, contents
 from kinlint.files.pathname import shown
+from kinlint.files.project_reach import ProjectReach
 from kinlint.formats.dependencies.included_text import included_text, keep
 from kinlint.formats.options import ReadOptions
 from kinlint.light_dataclasses import dataclass, field
@@ -36,6 +37,11 @@ class Pieces:
         keep(self.path, self.main, self.options)
 
     @property
+    def reach(self) -> ProjectReach:
+        """The files that may be read."""
+        return ProjectReach(self.path, self.options.packages_of(self.main.name))
+
+    @property
     def listed(self) -> tuple[tuple[int, SourceText], ...]:
         """The offset of each text, and the text."""
         return tuple(self._listed)
@@ -51,7 +57,7 @@ class Pieces:
         """
         if path == self.path:
             return self.main
-        source = included_text(path, self.path, self._name(path), self.options, SIZE)
+        source = included_text(path, self.reach, self._name(path), self.options, SIZE)
         if not source.text.lstrip().startswith("<"):
             raise Unreadable(f"'{source.name}' is not XML")
         if id(source) not in self._begins:
@@ -85,8 +91,12 @@ def _from(directory: Path, path: Path) -> str:
         return str(path)
 
 
-def table(path: Path, near: Path) -> bytes:
-    """Return the bytes of the YAML file at *path*, which has to be called one, as in `contents`."""
+def table(path: Path, reach: ProjectReach) -> bytes:
+    """Return the bytes of the YAML file at *path*.
+
+    Raises `Unreadable` as `contents` does, and unless it is called a YAML file and within *reach*.
+    """
+    reach.require(path)
     if path.suffix.lower() not in TABLES:
         raise Unreadable(f"'{shown(path)}' is not called a YAML file")
-    return contents(path, near, TABLE_SIZE)
+    return contents(path, reach.near, TABLE_SIZE)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from kinlint.addresses import document_iri
@@ -27,6 +28,7 @@ from kinlint.formats.xacro.source_mapping import MappedPlaces, MappedText
 from kinlint.formats.xacro.xacro_parser import ParsedXacro
 from kinlint.formats.xml.xml_recognition import recognise_xml
 from kinlint.light_dataclasses import replace
+from kinlint.suggestion import nearest
 from kinlint.terms import XSD, Term, Triple, literal
 from kinlint.text import SourceText, Span
 
@@ -86,14 +88,19 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 def _is_robot(parsed: ParsedXacro) -> bool:
     """Tell whether there is a robot, and not only definitions for files that include this one.
 
-    The latter have a root without name, or without elements of a robot.
+    The latter have a root without name, or without elements of a robot, even misspelt ones.
     """
     root = parsed.root
     assert root is not None
     if root.tagName != "robot":
         return True
-    inside = {each.tagName for each in root.elements}
-    return bool(inside & (BODIES | SRDF.root_children)) and root.hasAttribute("name")
+    if not root.hasAttribute("name"):
+        return False
+    known = SRDF.root_children | URDF.root_children
+    tags = {each.tagName for each in root.elements}
+    return bool(tags & (BODIES | SRDF.root_children)) or any(
+        nearest(each, known) in BODIES for each in tags - known
+    )
 
 
 def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLayer:
@@ -109,14 +116,14 @@ def _layer(source: SourceText, pieces: Pieces, expansion: Expansion) -> SourceLa
         triple = graph, src("includes"), document_iri(included.name)
         layer.triples.setdefault(triple, at(element.origin.source, element.span_of("filename")))
     for each in expansion.missing:
-        _state_fault(layer, each, at)
+        _state_fault(layer, each, at, expansion)
     for element in expansion.omitted:
         origin = element.origin
         layer.add_node("MissingPart", at(origin.source, origin.tag), ("node", graph))
     if (fault := expansion.fault) is not None and fault.name not in {
         each.name for each in expansion.missing
     }:
-        _state_fault(layer, _in_project(fault, expansion), at)
+        _state_fault(layer, _in_project(fault, expansion), at, expansion)
     for remark in expansion.remarks:
         kind, prop = REMARKS.get(remark.kind, ("XacroRemark", "reason"))
         value = remark.name if remark.kind else remark.message
@@ -137,11 +144,38 @@ def _in_project(fault: Fault, expansion: Expansion) -> Fault:
     return replace(fault, source=own, span=span, reason=f"{fault.reason}, in {fault.source.name}")
 
 
-def _state_fault(layer: SourceLayer, fault: Fault, at: Callable[[SourceText, Span], Span]) -> None:
+def _misspelt_argument(fault: Fault, expansion: Expansion) -> tuple[Fault, str | None]:
+    """Return *fault* where its argument is written, and a declared argument that resembles it."""
+    roots = [each.root for each in expansion.files.values() if each.root is not None]
+    declared = {
+        each.getAttribute("name")
+        for root in roots
+        for each in root.elements
+        if each.tagName == "xacro:arg"
+    }
+    written = re.compile(rf"\$\(arg\s+{re.escape(fault.name)}\s*\)")
+    if written.search(fault.source.text[fault.span.start : fault.span.end]) is None:
+        for source in (root.origin.source for root in roots):
+            if (match := written.search(source.text)) is not None:
+                fault = replace(fault, source=source, span=Span(*match.span()))
+                break
+    return fault, nearest(fault.name, declared)
+
+
+def _state_fault(
+    layer: SourceLayer,
+    fault: Fault,
+    at: Callable[[SourceText, Span], Span],
+    expansion: Expansion,
+) -> None:
     node = ("node", layer.document)
     if fault.kind in UNKNOWN:
         kind, prop = UNKNOWN[fault.kind]
-        layer.add_node(kind, at(fault.source, fault.span), (prop, literal(fault.name)), node)
+        told = [(prop, literal(fault.name)), node]
+        if prop == "argument":
+            fault, known = _misspelt_argument(fault, expansion)
+            told += [("resembles", literal(known))] if known else []
+        layer.add_node(kind, at(fault.source, fault.span), *told)
         return
     span, reason = at(fault.source, fault.span), ("reason", literal(fault.reason))
     if fault.kind == MALFORMED:

@@ -66,6 +66,18 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
+class Address:
+    """The value of an attribute or text of an element leads to another element, not by its name."""
+
+    predicate: Term
+    """The property, of `ref:`, that leads from the element to the other one."""
+    manner: str
+    """"uri", "sid" for a path of scoped identifiers, "parameter", or "path" of a prim."""
+    targets: tuple[str, ...]
+    """Tags of what it may lead to; none if that may be anything."""
+
+
+@dataclass(frozen=True, slots=True)
 class Angles:
     """Numbers of an attribute, or of the text of an element, that are angles in radians."""
 
@@ -112,14 +124,24 @@ class ElementType:
     """Angles in attributes, or in its text ("")."""
     references: dict[Term, Reference] = field(default_factory=dict)
     """References by name, by property."""
+    addresses: dict[Term, Address] = field(default_factory=dict)
+    """References by address, by property."""
     files: frozenset[Term] = frozenset()
     """Properties that name files."""
     leads: dict[Term, ElementType] = field(default_factory=dict, repr=False)
     """Children with references below them, by their properties."""
     scope: tuple[str, ...] = ()
     """Tags of the elements that it knows by name."""
+    kind: str = ""
+    """Name space of its name; all elements of a kind share one."""
+    transparent: bool = False
+    """True if what is in it counts as the content of the element around it."""
     open: bool = False
     """True if it takes any child and attribute."""
+    data: bool = False
+    """True if its text is bulk data, of which only the number of words is stated."""
+    unstated: bool = False
+    """True if it and what is in it is bulk data, of which nothing is stated."""
     display_only: bool = False
     """True if it and what is in it only matter for display."""
     lifetime: Lifetime | None = None
@@ -148,6 +170,10 @@ class Schema:
     """Attribute by which elements have names."""
     version: str | None = None
     """Version of a file without one."""
+    nested: bool = False
+    """True if elements that are known by name stand at any depth."""
+    unset: bool = False
+    """True if an empty value is none."""
 
     @property
     def flat(self) -> bool:
@@ -159,7 +185,7 @@ class Schema:
 
         These are the tags of its possible parents; of those with the tag of *outer*, paths.
         """
-        found = self.parents.get(tag, ())
+        found = [each for each in self.parents.get(tag, ()) if not each.open]
         return list(
             dict.fromkeys(self._path(each) if each.tag == outer.tag else each.tag for each in found)
         )

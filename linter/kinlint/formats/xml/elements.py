@@ -29,7 +29,10 @@ Frame: TypeAlias = tuple[str, Term, ElementType, int, dict[str, int]]
 
 _ORDER = f"<{SRC}order>"
 _TEXT = f"<{SRC}text>"
+_WORDS = f"<{SRC}words>"
 _STRINGS = value_reader(Form(("text",)))
+UNSTATED = ElementType("", "", unstated=True)
+"""Type of all elements of which nothing is stated."""
 
 
 class TooLarge(Exception):
@@ -48,7 +51,9 @@ class Elements:
     the like, with the tags of the elements that they know by name.
     """
 
-    def __init__(self, document: Term, schema: Schema) -> None:
+    def __init__(
+        self, document: Term, schema: Schema, roots: Mapping[str, ElementType] | None = None
+    ) -> None:
         self.schema = schema
         self.remarks = Diagnostics(schema)
         self.statements: list[Triple] = []
@@ -57,7 +62,8 @@ class Elements:
         self.ends: list[int] = []
         self.closed = -1
         self.scopes: list[tuple[str, tuple[str, ...]]] = []
-        above = ElementType("", "", children=schema.roots, once=frozenset(schema.roots))
+        known = dict(schema.roots if roots is None else roots)
+        above = ElementType("", "", children=known, once=frozenset(known))
         self.frames: list[Frame] = [(iri_value(root_of(document)), document, above, -1, {})]
         self._texts: dict[int, list[str]] = {}
 
@@ -91,18 +97,24 @@ class Elements:
         frames, index, starts, ends = self.frames, self.index, self.starts, self.ends
         add, remarks, texts = self.statements.append, self.remarks, self._texts
         counts = dict[str, int]()
-        namespace, naming = self.schema.namespace, self.schema.names
+        namespace, naming, unset = self.schema.namespace, self.schema.names, self.schema.unset
+        stepped = self.schema.kinds if self.schema.nested else frozenset[str]()
 
         def start(tag: str, attributes: dict[str, str]) -> None:  # noqa: C901, PLR0912, PLR0915
             above, parent, outer, holder, first = frames[-1]
-            number = len(starts)
-            starts.append(parser.CurrentByteIndex)
-            ends.append(-1)
             if pending:
                 texts.setdefault(holder, []).extend(pending)
                 pending.clear()
 
             type_ = outer.children.get(tag)
+            if outer.unstated or (type_ is not None and type_.unstated):
+                frames.append((above, parent, UNSTATED, holder, first))
+                if len(frames) > MOST_DEEP:
+                    raise TooLarge(_excess(len(frames), above), parser.CurrentByteIndex)
+                return
+            number = len(starts)
+            starts.append(parser.CurrentByteIndex)
+            ends.append(-1)
             if type_ is not None:
                 predicate = type_.predicate
             else:
@@ -113,6 +125,8 @@ class Elements:
 
             name = attributes.get(naming)
             address = child_address(above, tag, name) if holder >= 0 else above
+            if not name and tag in stepped:
+                address += "/"
             order = counts[address] = counts.get(address, 0) + 1
             if order > 1:
                 address = repeated_address(address, order)
@@ -135,6 +149,8 @@ class Elements:
                     if value.__class__ is str:
                         add((node, slot.predicate, value))
                     elif value is None:
+                        if unset and not written.strip():
+                            continue
                         add((node, slot.predicate, literal(written)))
                         remarks.note_malformed_value(number, tag, key, written, slot)
                     else:
@@ -159,12 +175,20 @@ class Elements:
 
     def _end_handler(self, parser: XMLParserType, pending: list[str]) -> Callable[[str], None]:
         frames, ends, texts, remarks = self.frames, self.ends, self._texts, self.remarks
+        add = self.statements.append
         scopes = remarks.scopes
 
         def end(tag: str) -> None:
             _, node, type_, number, first = frames.pop()
+            if type_ is UNSTATED:
+                pending.clear()
+                return
             ends[number] = parser.CurrentByteIndex
-            if pending or (texts and number in texts):
+            if type_.data:
+                words = len("".join((*texts.pop(number, ()), *pending)).split())
+                pending.clear()
+                add((node, _WORDS, f'"{words}"^^<{XSD}integer>'))
+            elif pending or (texts and number in texts):
                 written = "".join((*texts.pop(number, ()), *pending)).strip(SPACE)
                 pending.clear()
                 self._text(number, node, type_, tag, written)
@@ -222,8 +246,8 @@ class Elements:
             self.remarks.note_malformed_value(number, tag, "", written, slot)
         elif isinstance(value, str):
             add((node, _TEXT, value))
-            if type_.choices:
-                self.remarks.check_choice(number, type_, "", written)
+            if type_.choices or type_.usual:
+                self.remarks.check_word(number, type_, "", written)
         else:
             components = slot.components(len(value))
             self.statements.extend((node, c, v) for c, v in zip(components, value, strict=True))

@@ -1,9 +1,9 @@
-"""Reads one URDF, SRDF or SDF file."""
+"""Reads one XML file of a robot."""
 
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from kinlint.addresses import document_iri
@@ -20,6 +20,7 @@ from kinlint.formats.xml.document_statements import (
     state_flaws,
     state_spacing,
 )
+from kinlint.formats.xml.element_types import ElementType
 from kinlint.formats.xml.elements import Elements
 from kinlint.formats.xml.expat_parsing import parse
 from kinlint.formats.xml.references import names, resolve_references
@@ -28,23 +29,29 @@ from kinlint.formats.xml.span_lookup import ElementPlaces, ElementSpans, TripleS
 from kinlint.text import SourceText, Span
 
 
-def read(source: SourceText, _options: ReadOptions) -> Document:
+def read(
+    source: SourceText,
+    _options: ReadOptions,
+    roots: Mapping[str, ElementType] | None = None,
+) -> Document:
     """Read the statements of a robot in XML, and its deviations from its format.
 
     A text that is not well-formed states what its usual readers make of it, and what is wrong; if
     they make nothing of it, then only that.
+
+    The types of root elements are those of *roots*, by tag, and else those of the format.
 
     Raises SourceError for a document type definition, and for what no robot is as large as.
     """
     if source.format is None or source.format.schema is None:
         raise SourceError(source.name, "not a robot in XML that kinlint reads")
     with _undisturbed():
-        return _read(source, source.format)
+        return _read(source, source.format, roots)
 
 
-def _read(source: SourceText, form: Format) -> Document:
+def _read(source: SourceText, form: Format, roots: Mapping[str, ElementType] | None) -> Document:
     graph, table = document_iri(source.name), schema(form.name)
-    parsed = parse(source, lambda: Elements(graph, table))
+    parsed = parse(source, lambda: Elements(graph, table, roots))
     elements = parsed.elements if parsed.fatal is None else Elements(graph, table)
     places = ElementPlaces(
         source.text, parsed.offset, elements.index, elements.starts, elements.ends
@@ -62,7 +69,9 @@ def _read(source: SourceText, form: Format) -> Document:
     parsed.comments.state(layer, elements, parsed.offset)
     statements = elements.statements
     leading = dict(
-        resolve_references(names(statements, table), table, elements.index) if table.flat else ()
+        resolve_references(names(statements, table), table, elements.index)
+        if table.flat and not table.nested
+        else ()
     )
     statements += leading
     statements += layer.triples

@@ -48,12 +48,15 @@ def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple,
     """
     roots = {each.predicate: each for each in table.roots.values()}
     types: dict[Term, ElementType] = {}
+    around: dict[Term, ElementType] = {}
     for triple in statements:
         subject, predicate, value = triple
         type_ = types.get(subject)
         inner = type_ and type_.leads.get(predicate)
         if inner or (inner := roots.get(predicate)):
-            types[value] = inner
+            types[value] = around.get(subject, inner)
+            if inner.transparent and type_:
+                around[value] = type_
         elif type_ and is_literal(value):
             yield triple, type_
 

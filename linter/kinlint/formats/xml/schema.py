@@ -6,12 +6,21 @@ of elements is generated, the other one adds to it, and corrects it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 
 from kinlint import resources
 from kinlint.file_format import Format
-from kinlint.formats.xml.element_types import Angles, ElementType, Lifetime, Reference, Schema, Slot
+from kinlint.formats.xml.element_types import (
+    Address,
+    Angles,
+    ElementType,
+    Lifetime,
+    Reference,
+    Schema,
+    Slot,
+)
 from kinlint.formats.xml.value_reading import Form
 from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, iri
@@ -19,9 +28,26 @@ from kinlint.vocabulary import ATTRIBUTE, EXTENSION, FMT, KINLINT, SRC
 
 KINDS = ("text", "number", "integer", "boolean", "vectors")
 VECTOR = "vector"
+KIND_OF_TYPE = {
+    "bool": "boolean", "int": "integer", "int64": "integer", "uint": "integer", "uint64": "integer",
+    "double": "number", "float": "number", "half": "number", "timecode": "number",
+    "asset": "text", "opaque": "text", "pathExpression": "text", "rel": "text", "string": "text",
+    "token": "text", "quatd": "vector4", "quatf": "vector4", "matrix4d": "vector16",
+}  # fmt: skip
+"""Kinds of the values of USD, by their type; those of others follow from their size."""
+SIZED = re.compile(r"(?:color|double|float|int|normal|point|texCoord|vector)([234])[dfh]?")
+ARRAY = "-array"
+"""End of the names of the types of arrays."""
 BOUNDS = {"least": ("-inf",), "greatest": ("inf",)}
 """Properties of the range of a number, with those that do not limit it."""
 TEXT = iri(f"{SRC}text")
+MANNERS = {
+    "refersByUri": "uri",
+    "refersBySid": "sid",
+    "refersToParameter": "parameter",
+    "refersByPath": "path",
+}
+"""Ways of addressing other elements, by the properties that declare them."""
 
 
 @cache
@@ -71,7 +97,7 @@ class _Tables:
         roots: dict[str, ElementType] = {}
         types: dict[str, list[ElementType]] = {}
         parents: dict[str, list[ElementType]] = {}
-        default, names = None, ""
+        default, names, flags = None, "", set[str]()
         for node, type_ in found.items():
             entries = self.nodes[node]
             types.setdefault(type_.tag, []).append(type_)
@@ -87,12 +113,17 @@ class _Tables:
             type_.requires = tuple(requires)
             type_.expects = tuple(each for each in expects if each not in requires)
             type_.references = dict(self._references(entries, type_))
+            type_.addresses = dict(self._addresses(entries))
             if f"{FMT}Root" in entries.get("type", ()):
                 roots[type_.tag] = type_
                 names = next(iter(entries.get("names", ())), names)
                 default = next(iter(entries.get("defaultVersion", ())), default)
+                flags |= {each for each in ("nested", "unset") if "true" in entries.get(each, ())}
         _link(list(found.values()))
-        return Schema(self.namespace, roots, types, parents, names, default)
+        return Schema(
+            self.namespace, roots, types, parents, names, default,
+            nested="nested" in flags, unset="unset" in flags,
+        )  # fmt: skip
 
     def embedded(self, node: str) -> ElementType:
         """Return the type *node* and those below it, open, and with properties of extensions."""
@@ -112,7 +143,7 @@ class _Tables:
             lifetime=None,
             lifetimes={},
             dated=False,
-            checked=bool(type_.choices),
+            checked=bool(type_.choices or type_.usual),
         )
 
     def _references(
@@ -133,14 +164,21 @@ class _Tables:
                     ),
                 )
 
+    def _addresses(self, entries: dict[str, list[str]]) -> Iterator[tuple[Term, Address]]:
+        """Yield what an element with *entries* refers to by address, by property."""
+        for word, manner in MANNERS.items():
+            for predicate, name, *targets in map(self._list, entries.get(word, ())):
+                tags = tuple(each.rpartition("#")[2] for each in targets)
+                yield _place(name), Address(iri(predicate), manner, tags)
+
     def _type(self, entries: dict[str, list[str]]) -> ElementType:
         tag = entries["tag"][0]
         infinite = "true" in entries.get("infinite", ())
         least, greatest = (float(entries.get(word, limit)[0]) for word, limit in BOUNDS.items())
         kinds: dict[str, list[str]] = {}
-        for kind, names in entries.items():
-            if kind in KINDS or (kind.startswith(VECTOR) and kind[len(VECTOR) :].isdecimal()):
-                for name in names:
+        for word, names in entries.items():
+            if kind := _kind(word):
+                for name in _instances(names, entries):
                     kinds.setdefault(name, []).append(kind)
         content = [each.removeprefix(FMT) for each in entries.get("content", ())]
         since, until = (next(iter(entries.get(name, ())), None) for name in ("since", "until"))
@@ -166,12 +204,18 @@ class _Tables:
             choices=choices,
             usual=usual,
             angles=_angles(map(self._list, entries.get("angles", ()))),
+            kind=next(iter(entries.get("kind", ())), ""),
+            transparent="true" in entries.get("transparent", ()),
             open="true" in entries.get("open", ()),
+            data="true" in entries.get("data", ()),
+            unstated="true" in entries.get("unstated", ()),
             display_only="true" in entries.get("displayOnly", ()),
             lifetime=Lifetime(since, until) if since or until else None,
             lifetimes=lifetimes,
             dated=bool(since or until or lifetimes),
-            checked=bool(since or until or lifetimes or choices or entries.get("required")),
+            checked=bool(
+                since or until or lifetimes or choices or usual or entries.get("required")
+            ),
         )
 
     def _embedding(self, node: str) -> tuple[str, str]:
@@ -183,6 +227,25 @@ class _Tables:
         while head in self.nodes:
             (first,), (head,) = self.nodes[head]["first"], self.nodes[head]["rest"]
             yield first
+
+
+def _kind(word: str) -> str | None:
+    """Return the kind of the values of attributes that a type has by the property *word*."""
+    if word in KINDS or (word.startswith(VECTOR) and word[len(VECTOR) :].isdecimal()):
+        return word
+    if word.endswith(ARRAY):
+        return "text"
+    sized = SIZED.fullmatch(word)
+    return f"{VECTOR}{sized[1]}" if sized else KIND_OF_TYPE.get(word)
+
+
+def _instances(names: Iterable[str], entries: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """Yield the *names* of attributes, those with a * for each instance of a schema of USD."""
+    for name in names:
+        if "*" in name:
+            yield from (name.replace("*", each) for each in entries.get("instances", ()))
+        else:
+            yield name
 
 
 def _place(name: str) -> Term:

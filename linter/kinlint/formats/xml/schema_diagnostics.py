@@ -10,7 +10,7 @@ from kinlint.formats.xml.element_types import ElementType, Lifetime, Schema, Slo
 from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.formats.xml.value_reading import UNEXPANDED
 from kinlint.light_dataclasses import dataclass, field
-from kinlint.suggestion import nearest
+from kinlint.suggestion import nearest, slips
 from kinlint.terms import XSD, Term, iri, literal
 from kinlint.text import Span
 from kinlint.vocabulary import ATTRIBUTE
@@ -29,6 +29,8 @@ ABOUT_NAMES = {
 }
 """Diagnostics about the name of an attribute, rather than its value."""
 
+CHOICES = {"UnknownChoice", "UnusualChoice"}
+"""Diagnostics about values of enumerations, which state the property of the value."""
 
 MOST_PLACES = 3
 
@@ -152,9 +154,9 @@ class Diagnostics:
                     "MissingAttribute", number, None,
                     attribute=name, tag=type_.tag, displayOnly=display_only(type_) or None,
                 )  # fmt: skip
-        for name in type_.choices:
+        for name in (*type_.choices, *type_.usual):
             if name in attributes:
-                self.check_choice(number, type_, name, attributes[name])
+                self.check_word(number, type_, name, attributes[name])
         if not type_.dated:
             return
         if type_.lifetime is not None:
@@ -163,16 +165,20 @@ class Diagnostics:
             if name in attributes:
                 self._dated(number, name, type_, name, lifetime)
 
-    def check_choice(self, number: int, type_: ElementType, key: str, written: str) -> None:
-        """Check a value of an attribute with a list of choices; *key* is empty for text."""
-        known = type_.choices[key]
-        if written not in known and "$" not in written:
-            folded = {each.casefold(): each for each in known}
-            self.note(
-                "UnknownChoice", number, key,
-                tag=type_.tag, written=written, choices=", ".join(filter(None, known)),
-                resembles=folded.get(written.casefold()),
-            )  # fmt: skip
+    def check_word(self, number: int, type_: ElementType, key: str, written: str) -> None:
+        """Check a value of an attribute with a list of words; *key* is empty for text."""
+        if "$" in written:
+            return
+        if known := type_.choices.get(key):
+            if written not in known:
+                folded = {each.casefold(): each for each in known}
+                self.note(
+                    "UnknownChoice", number, key,
+                    tag=type_.tag, written=written, choices=", ".join(filter(None, known)),
+                    resembles=folded.get(written.casefold()),
+                )  # fmt: skip
+        elif meant := _misspelt(written, type_.usual.get(key, ())):
+            self.note("UnusualChoice", number, key, tag=type_.tag, written=written, resembles=meant)
 
     def _dated(
         self, number: int, place: str | None, type_: ElementType, name: str, life: Lifetime
@@ -228,11 +234,23 @@ class Diagnostics:
                 assert isinstance(first, int)
                 values["equal"] = _content(places, first) == _content(places, number)
             terms = [(name, _term(value)) for name, value in values.items()]
-            if kind == "UnknownChoice":
+            if kind in CHOICES:
                 terms.append(("property", iri(ATTRIBUTE + place) if place else src("text")))
             layer.add_node(
                 kind, _span(places, kind, number, place), ("node", nodes[number]), *terms
             )
+
+
+def _misspelt(written: str, usual: Sequence[str]) -> str:
+    """Return the word of *usual* that *written* is a slip for; empty if it is none.
+
+    A word without a slash may be the last part of a usual one.
+    """
+    if written in usual or len(written) > LONGEST_WORD:
+        return ""
+    known = usual if "/" in written else [each.rpartition("/")[2] for each in usual]
+    found = [(count, each) for each in known if (count := slips(written, each))]
+    return min(found)[1] if found and written not in known else ""
 
 
 def _span(places: ElementPlaces, kind: str, number: int, place: str | None) -> Span:

@@ -12,7 +12,7 @@ from functools import cached_property
 from heapq import merge
 from typing import Any, NamedTuple
 
-from kinlint.document import NodeSpans
+from kinlint.document import NodeSpans, OrderedNodes
 from kinlint.formats.xml.value_reading import SPACE
 from kinlint.terms import Term, Triple, iri
 from kinlint.text import Span
@@ -226,7 +226,7 @@ class TripleSpans(Mapping[Triple, Span]):
         return len(self._statements)
 
 
-class ElementSpans(Mapping[Term, NodeSpans]):
+class ElementSpans(OrderedNodes):
     """The spans of elements, by looking, and of other nodes, as given."""
 
     def __init__(self, places: ElementPlaces, given: dict[Term, NodeSpans]) -> None:
@@ -245,3 +245,24 @@ class ElementSpans(Mapping[Term, NodeSpans]):
 
     def __len__(self) -> int:
         return len(self._given) + len(self._places.index)
+
+    def around(self, offset: int) -> Iterator[tuple[Span, Term]]:
+        """Yield the nodes that are described around *offset*, or end or begin there.
+
+        Of elements around the one that *offset* is within, which are longer, there may be none.
+        """
+        given = ((spans.whole, node) for node, spans in self._given.items())
+        yield from (each for each in given if each[0].start <= offset <= each[0].end)
+        places = self._places
+        nodes = list(places.index.items())
+        after = bisect_right(nodes, offset, key=lambda each: places.offset(places.starts[each[1]]))
+        for node, number in reversed(nodes[:after]):
+            whole = places.whole(number)
+            if offset <= whole.end and node not in self._given:
+                yield whole, node
+                if whole.start < offset < whole.end:
+                    return
+
+    def in_same_order(self, others: Mapping[Term, NodeSpans]) -> bool:
+        """Tell whether *others* are the same nodes; elements are numbered as their tags begin."""
+        return isinstance(others, ElementSpans) and tuple(self) == tuple(others)

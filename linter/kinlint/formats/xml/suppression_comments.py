@@ -77,7 +77,7 @@ class Comments:
                     each.holder < 0 or elements.starts[each.behind] < elements.ends[each.holder]
                 )
                 covered = each.behind if inside else -1
-            _state(match, layer, nodes[covered] if 0 <= covered < len(nodes) else None)
+            state_directive(match, layer, nodes[covered] if 0 <= covered < len(nodes) else None)
 
     def _before(self, at: int) -> int:
         """Return the end of what is written before *at*, or of its line."""
@@ -86,8 +86,11 @@ class Comments:
         return at
 
 
-def _state(match: re.Match[str], layer: SourceLayer, covered: Term | None) -> None:
-    """State the directive *match* of the node *covered*; of a file it needs none."""
+def state_directive(match: re.Match[str], layer: SourceLayer, covered: Term | None) -> None:
+    """State the directive *match* of the node *covered*; of a file it needs none.
+
+    Its groups are `file-` or nothing, the codes, and what follows them.
+    """
     note = layer.add_node("Comment", Span(*match.span()), ("node", covered))
     place = Span(*match.span())
     target = layer.document if match[1] else covered or note

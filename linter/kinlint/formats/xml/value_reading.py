@@ -17,11 +17,11 @@ Value: TypeAlias = Term | tuple[Term, ...] | None
 UNEXPANDED = re.compile(r"\$[{(]")
 """Begins an expression or a substitution of xacro."""
 
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
+NUMBER = re.compile(r"[-+]?(?:\d++(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?,?", re.ASCII)
 INTEGER = re.compile(r"([-+]?\d+)(?:[uU]|\.0*)?", re.ASCII)
 """A whole number, as C++ writes one without a sign, or with nothing behind the point."""
-HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]+")
+HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]{1,64}")
 INFINITE = {"inf": "INF", "+inf": "INF", "-inf": "-INF"}
 TRUTHS = {"true": "true", "false": "false", "1": "1", "0": "0"}
 SPACE = " \t\r\n"

@@ -10,12 +10,6 @@ from kinlint.formats.xml.tag_scanner import LOST, first_tag, tags
 
 SDF, XACRO = BY_NAME["sdf"], BY_NAME["xacro"]
 
-OTHERS = {
-    "mujoco": "MJCF (MuJoCo)",
-    "COLLADA": "COLLADA",
-}
-"""Robots in XML that are not read yet, by root element."""
-
 ROOT = re.compile(r"<([A-Za-z_][\w.-]*+(?::[\w.-]++)?)(?=[\s/>])")
 VERSION = re.compile(r"\bversion\s*=")
 
@@ -35,6 +29,13 @@ def root(text: str) -> tuple[str, int] | None:
     at = first_tag(text)
     match = ROOT.match(text, at) if at >= 0 else None
     return (match[1], at) if match and _may_be_xml(text[:at] or "<") else None
+
+
+def robot_root(text: str, suffix: str) -> bool:
+    """Tell whether *text* begins as a robot of a format that shares *suffix* with others does."""
+    found = root(text)
+    sharing = (each for each in TREES if suffix in each.shared_suffixes)
+    return found is not None and any(found[0] == each.robot_path[0] for each in sharing)
 
 
 def recognise_xml(text: str, name: str = "") -> Format | None:
@@ -57,13 +58,7 @@ def recognise_xml(text: str, name: str = "") -> Format | None:
         return _by_children(text, at, sharing, hint)
     if tag == OLD_ROOT and hint is None:
         return SDF if VERSION.search(text, at, text.find(">", at)) else None
-    return sharing[0] if sharing else None if tag in OTHERS else hint
-
-
-def unsupported_kind(text: str) -> str | None:
-    """Return the kind of XML of *text*, if it describes a robot but is not supported yet."""
-    found = root(text)
-    return OTHERS.get(found[0]) if found else None
+    return sharing[0] if sharing else hint
 
 
 def _may_be_xml(text: str) -> bool:

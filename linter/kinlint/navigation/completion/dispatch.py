@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from kinlint.navigation.completion import json_completion, turtle_completion, xml_completion
+from kinlint.navigation.completion import (
+    json_completion,
+    turtle_completion,
+    xml_completion,
+    yaml_completion,
+)
 from kinlint.navigation.completion.candidate import NOTHING, Completions
 from kinlint.navigation.completion.situation import Situation
 
@@ -16,4 +21,6 @@ def complete(situation: Situation) -> Completions:
         return xml_completion.complete(situation)
     if situation.format.fence == "json":
         return json_completion.complete(situation)
+    if situation.format.fence == "yaml":
+        return yaml_completion.complete(situation)
     return turtle_completion.complete(situation) if situation.format.fence == "turtle" else NOTHING

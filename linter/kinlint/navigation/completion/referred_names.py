@@ -43,7 +43,8 @@ class ReferredNames:
                 continue
             if _macro(each) is not macro or (macro is None and "$" in name):
                 continue
-            if any(one.children.get(each.tag) for one in self._table.roots.values()):
+            roots = self._table.roots.values()
+            if self._table.nested or any(one.children.get(each.tag) for one in roots):
                 is_use = any(one.references for one in types_of(each, self._table))
                 if not is_use or self._is_outermost(each):
                     yield Candidate(name, Kind.NAME, each.tag, NEAR)

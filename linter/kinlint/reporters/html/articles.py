@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kinlint.finding import Finding
 from kinlint.report import Report
@@ -12,7 +12,7 @@ from kinlint.reporters.html.excerpts import excerpts
 from kinlint.reporters.html.patches import fixes
 from kinlint.reporters.html.tables import chip, rule_id
 from kinlint.reporters.picture.escape import element, text
-from kinlint.reporters.summary import plural
+from kinlint.reporters.summary import cause_unapplied, plural
 
 OPEN = 25
 """Number of findings above which all are folded."""
@@ -42,8 +42,11 @@ class Articles:
         number = self._numbers.get(id(finding))
         return f"#f-{number}" if number is not None else "#findings"
 
-    def sections(self) -> Iterator[str]:
-        """The section of findings: a part for each file, and what could not be read."""
+    def sections(self, anchors: Mapping[int, str]) -> Iterator[str]:
+        """The section of findings: a part for each file, and what could not be read.
+
+        *anchors* are the marks of findings in figures, by the `id` of the finding.
+        """
         yield '<section id="findings" aria-labelledby="findings-title">\n'
         yield '<h2 id="findings-title">Findings</h2>\n'
         yield from self._unread()
@@ -63,7 +66,7 @@ class Articles:
             count = element("span", plural(len(group), "finding"), class_="count")
             title = f"{element('span', text(name), class_='place')} {count}"
             yield element("h3", title, id=f"{own}-title") + "\n"
-            yield from map(self._article, group)
+            yield from (self._article(one, anchors.get(id(one))) for one in group)
             yield "</section>\n"
         yield "</section>\n"
 
@@ -72,7 +75,7 @@ class Articles:
             yield f'<p class="unread">{chip_of_error()} {text(str(error))}</p>\n'
         for name in self.report.unapplied:
             yield f'<p class="idle">No rule applied to <span class="place">{text(name)}</span>: '
-            yield "no known vocabulary.</p>\n"
+            yield f"{cause_unapplied(name)}.</p>\n"
 
     def _fixed(self) -> Iterator[str]:
         """Yield the fixes that the run made, a line for each."""
@@ -90,7 +93,7 @@ class Articles:
             )
         yield "</ul>\n"
 
-    def _article(self, finding: Finding) -> str:
+    def _article(self, finding: Finding, anchor: str | None) -> str:
         rule, start = finding.rule, finding.location.start
         number = self._numbers[id(finding)]
         mark = sign(finding, unsafe=self.report.unsafe)
@@ -107,8 +110,9 @@ class Articles:
         if finding.suppressed is not None:
             parts.append(element("p", f"Suppressed: {text(fold_lines(finding.suppressed))}"))
         about = element("code", text(finding.entity))
+        shown = f'<a href="#{anchor}">Show on the robot</a> · ' if anchor else ""
         parts.append(
-            f'<p class="more">About {about}. '
+            f'<p class="more">About {about}. {shown}'
             f'<a href="#{rule_id(finding)}">What {text(rule.code)} says</a></p>'
         )
         opened = " open" if len(self.report.findings) <= OPEN else ""

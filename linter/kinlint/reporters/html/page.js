@@ -58,22 +58,28 @@
       setTimeout(() => { button.textContent = "Copy"; }, 2000);
     });
   }
-  const reveal = () => {
-    const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const reveal = (address) => {
+    const target = address.length > 1 && document.getElementById(decodeURIComponent(address.slice(1)));
     if (!target) return;
+    for (const each of all(".aimed")) each.classList.remove("aimed");
+    target.classList.add("aimed");
     target.hidden = false;
     if (target.closest("section.file")) target.closest("section.file").hidden = false;
     const fold = target.matches("details") ? target : target.querySelector("details");
     if (fold && !target.matches("section")) fold.open = true;
-    target.scrollIntoView();
+    if (target.closest("details")) target.closest("details").open = true;
+    (target.closest("figure") ?? target).scrollIntoView();
   };
-  addEventListener("hashchange", reveal);
-  reveal();
-  for (const canvas of all(".canvas")) {
-    const root = canvas.querySelector(".link");
-    if (!root || !root.getClientRects().length) continue;
-    const at = root.getBoundingClientRect();
-    const here = canvas.getBoundingClientRect();
-    canvas.scrollLeft = at.left + at.width / 2 - here.left - here.width / 2;
-  }
+  addEventListener("hashchange", () => reveal(location.hash));
+  document.addEventListener("click", (event) => {
+    const link = event.target.closest('a[href^="#"]');
+    if (!link) return;
+    if (location.protocol === "vscode-webview:") {
+      // Pages in this editor have no address of their own, and it takes links of SVG for foreign ones.
+      event.preventDefault();
+      event.stopPropagation();
+    }
+    setTimeout(reveal, 0, link.getAttribute("href"));
+  }, true);
+  reveal(location.hash);
 })();

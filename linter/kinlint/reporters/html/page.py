@@ -9,12 +9,13 @@ from pathlib import Path
 
 from kinlint.report import Report
 from kinlint.reporters.html.articles import Articles
-from kinlint.reporters.html.robot_pictures import robots
+from kinlint.reporters.html.robot_pictures import RobotPictures
 from kinlint.reporters.html.rules import rules
 from kinlint.reporters.html.tables import tables
 from kinlint.reporters.picture import svg
 from kinlint.reporters.picture.escape import element, text
 from kinlint.reporters.picture.finding_badges import sign
+from kinlint.reporters.picture.stick_figure import figure_svg
 from kinlint.reporters.summary import plural, verdict
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
@@ -22,29 +23,40 @@ from kinlint.rule import Severity
 HERE = Path(__file__).parent
 
 
-def render(report: Report, style: Style) -> Iterator[str]:
-    """The page, piece by piece; where *style* has no characters beyond ASCII, with references."""
-    for piece in _page(report):
+DARK = "@media screen and (prefers-color-scheme: dark)"
+"""Media query of the style rules of the dark theme."""
+THEMES = {"dark": "@media screen", "light": "@media not all", "": DARK}
+"""Media query of the dark theme in a page of each theme, whatever the reader prefers."""
+
+
+def render(report: Report, style: Style, *, frames: bool = False, theme: str = "") -> Iterator[str]:
+    """The page, piece by piece; where *style* has no characters beyond ASCII, with references.
+
+    With *frames*, trees have the frames of links; *theme* is one of `THEMES`.
+    """
+    for piece in _page(report, frames=frames, theme=theme):
         yield piece if style.unicode else piece.encode("ascii", "xmlcharrefreplace").decode("ascii")
 
 
-def _page(report: Report) -> Iterator[str]:
+def _page(report: Report, *, frames: bool, theme: str) -> Iterator[str]:
     articles = Articles(report)
-    css = (HERE / "page.css").read_text(encoding="utf-8") + svg.rules()
-    script = (HERE / "page.js").read_text(encoding="utf-8")
+    pictures = RobotPictures(report, articles.address, frames=frames)
+    css = (HERE / "page.css").read_text(encoding="utf-8") + svg.rules() + figure_svg.rules()
+    css = css.replace(DARK, THEMES[theme])
+    script = "".join((HERE / name).read_text(encoding="utf-8") for name in ("page.js", "views.js"))
     yield "<!DOCTYPE html>\n"
     yield '<html lang="en">\n<head>\n<meta charset="utf-8">\n'
     yield f'<meta http-equiv="Content-Security-Policy" content="{_policy(css, script)}">\n'
     yield '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    yield '<meta name="color-scheme" content="light dark">\n'
+    yield f'<meta name="color-scheme" content="{theme or "light dark"}">\n'
     yield f'<meta name="generator" content="kinlint {text(report.version)}">\n'
     yield f"<title>kinlint: {text(_title(report))}</title>\n<style>{css}</style>\n</head>\n<body>\n"
     yield '<a class="skip" href="#findings">Skip to the findings</a>\n'
     yield _header(report)
     yield "<main>\n"
-    yield from robots(report, articles.address)
+    yield pictures.section()
     yield from tables(report)
-    yield from articles.sections()
+    yield from articles.sections(pictures.anchors)
     yield from rules(report)
     yield f"</main>\n{_footer(report)}<script>{script}</script>\n</body>\n</html>\n"
 

@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 from kinlint.finding import Finding
 from kinlint.light_dataclasses import dataclass
 from kinlint.reporters.display_width import printable, width
-from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, marked
 from kinlint.reporters.picture.labels import limits, mimics, origin
 from kinlint.structure import Frame, Joint, Link, Structure
 
@@ -23,6 +23,8 @@ LONGEST, TAIL = 40, 14
 PAD = 12.0
 LINE = 14.0
 LABEL_LINE = 12.0
+BADGE_LINE = 19.0
+"""Height that a badge takes in its shape, below the text, in pixels."""
 CLEAR = 6.0
 """Length of the edge, in pixels, visible between a label and its shape."""
 ROUND = 1.16
@@ -52,20 +54,21 @@ class Box:
 
     @property
     def width(self) -> float:
-        """Width of the shape in pixels, without its badge."""
+        """Width of the shape in pixels."""
         size = SMALL if self.kind == "frame" else NAME
         first, *more = self.rows
-        text = max(span(first, size), *(span(row, SMALL) for row in more), 0.0)
+        text = max(span(first, size), *(span(row, SMALL) for row in more), self.badge_width)
         if self.kind in {"joint", "loop"}:
             return text * ROUND + 2 * PAD
         return text + 2 * PAD * (0.7 if self.kind == "frame" else 1.0)
 
     @property
     def height(self) -> float:
-        """Height of the shape in pixels, without its badge."""
+        """Height of the shape in pixels."""
         if self.kind == "frame":
             return 20.0
-        return LINE * len(self.rows) + (18.0 if self.kind in {"joint", "loop"} else 16.0)
+        rows = LINE * len(self.rows) + (BADGE_LINE if self.badge is not None else 0.0)
+        return rows + (18.0 if self.kind in {"joint", "loop"} else 16.0)
 
     @property
     def label_width(self) -> float:
@@ -80,7 +83,7 @@ class Box:
     @property
     def badge_width(self) -> float:
         """Width of its badge, in pixels."""
-        return 0.0 if self.badge is None else span(self.badge.text(), BADGE) + 10.0
+        return 0.0 if self.badge is None else span(self.badge.text(), BADGE) + 14.0
 
 
 def span(text: str, size: float) -> float:
@@ -95,7 +98,11 @@ def cut(text: str) -> str:
 
 
 def boxes(structure: Structure, found: Marks, *, frames: bool = False) -> Sequence[Box]:
-    """All shapes of a picture of *structure*, each behind the one that it hangs below."""
+    """All shapes of a picture of *structure*, each behind the one that it hangs below.
+
+    Infos are told in titles, and not marked.
+    """
+    signs = marked(found)
     following = mimics(structure)
     made: list[Box] = []
     place: list[int] = []
@@ -104,7 +111,7 @@ def boxes(structure: Structure, found: Marks, *, frames: bool = False) -> Sequen
         above = place[step.above] if step.above >= 0 else -1
         place.append(len(made))
         told = tuple(found.get(part.iri, ()))
-        mark = badge(told)
+        mark = badge(signs.get(part.iri, ()))
         if isinstance(part, Link):
             made.append(_link(part, above, mark, told))
             if frames:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kinlint.reporters.display_width import printable
-from kinlint.reporters.picture.finding_badges import Marks, badge
+from kinlint.reporters.picture.finding_badges import Marks, badge, marked
 from kinlint.reporters.picture.labels import heading, limits, mimics, origin
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
@@ -32,7 +32,8 @@ def lines(pairs: Sequence[tuple[Structure, Marks]], *, frames: bool = False) -> 
     yield '  graph [fontname="Helvetica", nodesep=0.3, ranksep=0.35];'
     yield '  node [fontname="Helvetica", fontsize=11];'
     yield '  edge [fontname="Helvetica", fontsize=9, color="#44546a"];'
-    for index, (structure, found) in enumerate(pairs):
+    for index, (structure, every) in enumerate(pairs):
+        found = marked(every)
         title = [heading(structure), *_mark(found, structure.iri)]
         yield f"  subgraph cluster_{index} {{"
         color = quoted(_color(found, structure.iri))

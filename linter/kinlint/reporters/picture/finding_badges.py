@@ -116,6 +116,15 @@ def badge(found: Sequence[Finding]) -> Badge | None:
     return Badge(found[0].severity, tuple(codes[:CODES]), max(0, len(codes) - CODES))
 
 
+def marked(found: Marks) -> Marks:
+    """Return the findings that pictures mark: errors and warnings, since infos would hide them."""
+    chosen = (
+        (part, [one for one in told if one.severity > Severity.INFO])
+        for part, told in found.items()
+    )
+    return {part: told for part, told in chosen if told}
+
+
 def described_findings(found: Marks) -> Iterator[Finding]:
     """All findings that are marked in a picture, each once, in their order."""
     every = {id(one): one for each in found.values() for one in each}

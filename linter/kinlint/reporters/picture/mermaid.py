@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kinlint.reporters.display_width import printable
-from kinlint.reporters.picture.finding_badges import Badge, Marks, badge
+from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, marked
 from kinlint.reporters.picture.labels import heading, mimics, origin
 from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Link, Part, Structure
@@ -63,6 +63,7 @@ def joined(pairs: Sequence[tuple[Structure, Marks]], *, frames: bool = False) ->
 def _body(structure: Structure, found: Marks, stem: str, *, frames: bool) -> Iterator[str]:
     following = mimics(structure)
     names: dict[str, str] = {}
+    found = marked(found)
     if (own := badge(found.get(structure.iri, ()))) is not None:
         text = f"{escaped(structure.name)}<br/>{escaped(own.text())}"
         yield f'  {stem}{{{{"{text}"}}}}:::{own.severity.label}'

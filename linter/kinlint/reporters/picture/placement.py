@@ -68,7 +68,7 @@ def _downwards(boxes: Sequence[Box]) -> Layout:
     levels = _levels(boxes)
     sizes = [box.height + box.label_height for box in boxes]
     tops = _starts(levels, sizes)
-    breadths = [max(box.width, box.label_width) + _overhang(box) for box in boxes]
+    breadths = [max(box.width, box.label_width) for box in boxes]
     middles = tidy([box.above for box in boxes], breadths, BESIDE)
     width = max((at + breadths[i] / 2 for i, at in enumerate(middles)), default=0.0)
     places = [
@@ -82,7 +82,7 @@ def _across(boxes: Sequence[Box]) -> Layout:
     levels = _levels(boxes)
     sizes = [box.width + (box.label_width + 3 * CLEAR if box.label else 0.0) for box in boxes]
     starts = _starts(levels, sizes)
-    breadths = [max(box.height, box.label_height) + (8.0 if box.badge else 0.0) for box in boxes]
+    breadths = [max(box.height, box.label_height) for box in boxes]
     middles = tidy([box.above for box in boxes], breadths, BESIDE / 2)
     height = max((at + breadths[i] / 2 for i, at in enumerate(middles)), default=0.0)
     places = [
@@ -98,11 +98,6 @@ def _starts(levels: Sequence[int], sizes: Sequence[float]) -> list[float]:
     for level, size in zip(levels, sizes, strict=True):
         largest[level] = max(largest[level], size)
     return list(accumulate((size + BEFORE for size in largest), initial=0.0))
-
-
-def _overhang(box: Box) -> float:
-    """Return the width of a badge beyond its shape."""
-    return max(0.0, box.badge_width - box.width / 2)
 
 
 def _folded(

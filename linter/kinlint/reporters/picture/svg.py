@@ -7,6 +7,8 @@ from pathlib import Path
 
 from kinlint.finding import Finding
 from kinlint.reporters.picture.boxes import (
+    BADGE,
+    BADGE_LINE,
     CLEAR,
     LABEL_LINE,
     LINE,
@@ -19,9 +21,17 @@ from kinlint.reporters.picture.boxes import (
 )
 from kinlint.reporters.picture.edges import edges, loops
 from kinlint.reporters.picture.escape import attributes, element, empty, number, text
-from kinlint.reporters.picture.finding_badges import Badge, Marks, badge, described_findings, sign
+from kinlint.reporters.picture.finding_badges import (
+    Badge,
+    Marks,
+    badge,
+    described_findings,
+    marked,
+    sign,
+)
 from kinlint.reporters.picture.labels import heading
 from kinlint.reporters.picture.placement import MARGIN, Place, layout
+from kinlint.reporters.picture.stick_figure import figure_svg
 from kinlint.reporters.terminal_style import Style
 from kinlint.structure import Structure
 
@@ -29,6 +39,9 @@ NAMESPACE = "http://www.w3.org/2000/svg"
 LISTED = 30
 """Number of findings listed below a picture that stands alone."""
 HEAD, ROW = 34.0, 17.0
+BESIDE = 800.0
+"""Width of a tree in pixels up to which it stands beside the stick figure, and not below."""
+BADGE_HEIGHT = 16.0
 LETTERS = 110
 """Number of characters of a listed message."""
 
@@ -45,15 +58,15 @@ def figure(
     name: str,
     frames: bool = False,
     href: Callable[[Finding], str] | None = None,
-) -> tuple[str, float]:
-    """A picture for a page that has `rules`, and its width.
+) -> str:
+    """A picture for a page that has `rules`.
 
     *name* begins the ids in it, *href* leads on.
     """
     shapes = boxes(structure, found, frames=frames)
     width, height, content = _drawn(structure, shapes, name, href)
     head = element("title", text(_title(structure)), id=f"{name}-title")
-    drawn = element(
+    return element(
         "svg",
         head + content,
         xmlns=NAMESPACE,
@@ -64,7 +77,6 @@ def figure(
         width=width,
         height=height,
     )
-    return drawn, width
 
 
 def render(
@@ -83,11 +95,22 @@ def document(pairs: Sequence[tuple[Structure, Marks]], *, frames: bool = False) 
         shapes = boxes(structure, found, frames=frames)
         wide, high, content = _drawn(structure, shapes, f"r{index}", None)
         listing, rows_width, rows_height = _listing(found)
-        own = badge(found.get(structure.iri, ()))
+        own = badge(marked(found).get(structure.iri, ()))
         title = cut_heading(structure)
         head = element("text", text(title), class_="heading", x=MARGIN, y=24.0)
         head += _badge(own, MARGIN + span(title, 15.0) + 14.0, 10.0, (), None)
-        body = element("g", content, transform=f"translate(0 {number(HEAD)})")
+        stick = figure_svg.figure(structure, found, name=f"r{index}-figure")
+        left, above = 0.0, 0.0
+        body = ""
+        if stick is not None:
+            body = stick.at(MARGIN, HEAD)
+            beside = wide <= BESIDE
+            left = figure_svg.WIDTH + MARGIN if beside else 0.0
+            above = 0.0 if beside else figure_svg.TALL
+            high = max(high, figure_svg.TALL) if beside else high + figure_svg.TALL
+            wide = max(wide + left, figure_svg.WIDTH + 2 * MARGIN)
+        moved = f"translate({number(left)} {number(HEAD + above)})"
+        body += element("g", content, transform=moved)
         foot = element("g", listing, transform=f"translate(0 {number(HEAD + high)})")
         blocks.append(element("g", head + body + foot, transform=f"translate(0 {number(y)})"))
         title_width = 2 * MARGIN + span(title, 15.0) + (own is not None) * 160.0
@@ -102,7 +125,8 @@ def document(pairs: Sequence[tuple[Structure, Marks]], *, frames: bool = False) 
         width=width,
         height=y,
     )
-    yield f"<svg{size}>\n<title>{text(title)}</title>\n<style>{rules()}</style>\n"
+    style = rules() + figure_svg.rules()
+    yield f"<svg{size}>\n<title>{text(title)}</title>\n<style>{style}</style>\n"
     yield empty("rect", class_="page", width=width, height=y) + "\n"
     yield from (f"{block}\n" for block in blocks)
     yield "</svg>\n"
@@ -158,15 +182,9 @@ def _shape(box: Box, at: Place, href: Callable[[Finding], str] | None, *, across
         outline = empty(
             "rect", x=corner[0], y=corner[1], width=box.width, height=box.height, rx=5.0
         )
-    right = at.x + (box.width / 2) * (0.72 if box.kind in {"joint", "loop"} else 1.0)
-    mark = _badge(
-        box.badge,
-        max(right - box.badge_width + 12.0, at.x - box.width / 2 + 8.0),
-        at.y + box.height / 2 - 4.0,
-        box.findings,
-        href,
-    )
-    content = element("title", text("\n".join(_told(box)))) + outline + _rows(box, at)
+    bottom = at.y + box.height / 2 - (9.0 if box.kind in {"joint", "loop"} else 6.0)
+    mark = _badge(box.badge, at.x - box.badge_width / 2, bottom - BADGE_HEIGHT, box.findings, href)
+    content = element("title", "\n".join(map(text, _told(box)))) + outline + _rows(box, at)
     return element(
         "g", content + _label(box, at, across=across) + mark, class_=f"{box.kind}{severity}"
     )
@@ -183,7 +201,8 @@ def _told(box: Box) -> Iterator[str]:
 
 def _rows(box: Box, at: Place) -> str:
     size = SMALL if box.kind == "frame" else NAME
-    first = at.y - LINE * (len(box.rows) - 1) / 2 + size * 0.35
+    lines_height = LINE * (len(box.rows) - 1) + (BADGE_LINE if box.badge is not None else 0.0)
+    first = at.y - lines_height / 2 + size * 0.35
     lines = [element("text", text(box.rows[0]), class_="name", x=at.x, y=first)]
     lines += [
         element("text", text(row), class_="more", x=at.x, y=first + LINE * number_)
@@ -217,8 +236,8 @@ def _badge(
     if mark is None:
         return ""
     words = mark.text()
-    wide = span(words, SMALL) + 10.0
-    pill = empty("rect", x=x, y=y, width=wide, height=16.0, rx=8.0)
+    wide = span(words, BADGE) + 14.0
+    pill = empty("rect", x=x, y=y, width=wide, height=BADGE_HEIGHT, rx=8.0)
     pill += element("text", text(words), x=x + wide / 2, y=y + 11.6)
     drawn = element("g", pill, class_=f"badge {mark.severity.label}")
     if href is None or not found:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from kinlint.edits import NotExpressible
+from kinlint.edits import NotExpressible, negated
 from kinlint.formats.json_text.json_values import Object
 from kinlint.formats.jsonld.active_context import Context
 from kinlint.formats.jsonld.editing.compaction import Compaction, Member
@@ -168,13 +168,14 @@ class ValueWriter:
         return item.get("@id") == self._name(term) and "@value" not in item
 
     def _kept_spellings(self) -> set[str]:
-        """Return the spellings of removed values, without quotes.
+        """Return the spellings of removed values and their negatives, without quotes.
 
-        A number that moves keeps its own.
+        A number that moves, or changes its sign, keeps its own.
         """
         if self._spellings is None:
             spans = (
                 span for triple in self._goal.removed for span in self._goal.places.spans(triple)
             )
-            self._spellings = {self._source[span].strip('"') for span in spans}
+            said = {self._source[span].strip('"') for span in spans}
+            self._spellings = said.union(map(negated, said))
         return self._spellings

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, Self
 
 from kinlint.formats.json_text.json_values import Array, Object
 from kinlint.formats.jsonld.editing.text_path import children
+from kinlint.formats.jsonld.editing.tracing import OutlinedArray
 from kinlint.light_dataclasses import dataclass
+from kinlint.text import Span
 
 WIDTH = 100
 """The line that a value may fill before it is broken, unless the file's own lines are longer."""
 
 _SAMPLE = 2000
 _LINE_END = re.compile(r"\r\n|\r|\n")
+_OPENED = {"[": re.compile(r"\[[ \t]*+[^\s\]]"), "{": re.compile(r"\{[ \t]*+[^\s}]")}
+"""Beginnings of containers that begin on one line, by their brackets, or the like in a string."""
 
 
 class Verbatim(str):
@@ -117,56 +121,94 @@ class Style:
 
 def style(text: str, root: Any) -> Style:
     """Return the manner of *text*, by the first of its containers that show it."""
-    newline = unit = comma = array_pad = object_pad = colon = None
-    spread = {"[": False, "{": False}
-    flat = {"[": False, "{": False}
-    for container, depth in _containers(root):
-        held = children(container)
-        if not held:
-            continue
-        first = text[container.start + 1 : held[0].whole.start]
-        if colon is None and held[0].key is not None:
-            colon = text[held[0].key.end : held[0].value.start]
-        found = _LINE_END.search(first)
-        opening = text[container.start]
-        if found:
-            spread[opening] = True
-            newline = newline or found.group()
-            indent = first[first.rfind(found.group()) + len(found.group()) :]
-            if unit is None and depth:
-                unit = indent[: len(indent) // depth] if depth else indent
-            continue
-        if len(held) > 1 and comma is None:
-            between = text[held[0].whole.end : held[1].whole.start]
-            comma = between if not _LINE_END.search(between) else None
-        flat[opening] = True
-        if opening == "[" and array_pad is None:
-            array_pad = first
-        elif opening == "{" and object_pad is None:
-            object_pad = first
-    colon = colon or ": "
-    comma = comma or ("," if colon == ":" and not newline else ", ")
+    survey = _Survey(text)
+    survey.look(root)
+    colon = survey.colon or ": "
+    comma = survey.comma or ("," if colon == ":" and not survey.newline else ", ")
+    array, object_ = survey.pads["["], survey.pads["{"]
     return Style(
-        newline or "",
-        unit if unit is not None else "  ",
+        survey.newline or "",
+        survey.unit if survey.unit is not None else "  ",
         colon,
         comma,
-        array_pad if array_pad is not None else (object_pad or ""),
-        object_pad if object_pad is not None else (array_pad or ""),
-        flat["["] or not spread["["],
-        flat["{"] or not newline,
+        array if array is not None else (object_ or ""),
+        object_ if object_ is not None else (array or ""),
+        array is not None or "[" not in survey.spread,
+        object_ is not None or not survey.newline,
         text.isascii() and re.search(r"\\u[0-9a-fA-F]{4}", text) is not None,
     )
 
 
-def _containers(root: Any) -> Iterator[tuple[Object | Array, int]]:
-    """Yield the first containers of a text, outer before inner, with their depth from one."""
-    level: list[tuple[Object | Array, int]] = [(root, 1)]
-    for container, depth in level:
-        yield container, depth
-        values = container.values() if isinstance(container, Object) else container
-        for value in values:
-            if len(level) >= _SAMPLE:
-                break
-            if isinstance(value, (Object, Array)):
-                level.append((value, depth + 1))
+class _Survey:
+    """The layout that the first containers of *text* show, None for what none shows."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.newline: str | None = None
+        self.unit: str | None = None
+        self.colon: str | None = None
+        self.comma: str | None = None
+        self.pads: dict[str, str | None] = {"[": None, "{": None}
+        """Space inside the brackets of the first array and object on one line."""
+        self.spread: set[str] = set()
+        """Opening brackets of containers on several lines."""
+
+    def look(self, root: Any) -> None:
+        """Look at the containers from *root* on, outer before inner.
+
+        Elements of the outermost graph that cannot show anything more get no places.
+        """
+        level: list[tuple[Any, int, int | None]] = [(root, 1, None)]
+        for held, depth, index in level:
+            container = held if index is None else self._element(held, index)
+            if not isinstance(container, (Object, Array)):
+                continue
+            self._read(container, depth)
+            outlined = isinstance(container, OutlinedArray)
+            values = container.values() if isinstance(container, Object) else container
+            for number, value in enumerate(range(len(container)) if outlined else values):
+                if len(level) >= _SAMPLE:
+                    break
+                if outlined:
+                    level.append((container, depth + 1, number))
+                elif isinstance(value, (Object, Array)):
+                    level.append((value, depth + 1, None))
+
+    def _element(self, graph: OutlinedArray, index: int) -> Any:
+        """Return element *index* of *graph*, or None if nothing more can be seen in it."""
+        if None not in (self.newline, self.unit, self.colon):
+            missing = [
+                bracket for bracket, pad in self.pads.items() if pad is None or self.comma is None
+            ]
+            if not any(self._may_show(graph.element_span(index), each) for each in missing):
+                return None
+        return graph[index]
+
+    def _may_show(self, span: Span, bracket: str) -> bool:
+        """Tell whether a container within *span* that opens with *bracket* may show more."""
+        if bracket == "[" and "[" not in self.spread and self.pads["["] is None:
+            return "[" in self.text[span.start : span.end]
+        return _OPENED[bracket].search(self.text, span.start, span.end) is not None
+
+    def _read(self, container: Object | Array, depth: int) -> None:
+        """Note what *container* shows at a *depth*, from one."""
+        held = children(container)
+        if not held:
+            return
+        first = self.text[container.start + 1 : held[0].whole.start]
+        if self.colon is None and held[0].key is not None:
+            self.colon = self.text[held[0].key.end : held[0].value.start]
+        found = _LINE_END.search(first)
+        opening = self.text[container.start]
+        if found:
+            self.spread.add(opening)
+            self.newline = self.newline or found.group()
+            indent = first[first.rfind(found.group()) + len(found.group()) :]
+            if self.unit is None:
+                self.unit = indent[: len(indent) // depth]
+            return
+        if len(held) > 1 and self.comma is None:
+            between = self.text[held[0].whole.end : held[1].whole.start]
+            self.comma = between if not _LINE_END.search(between) else None
+        if self.pads[opening] is None:
+            self.pads[opening] = first

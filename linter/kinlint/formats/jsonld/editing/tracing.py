@@ -54,6 +54,8 @@ class OutlinedArray(Array):
     __slots__ = ()
 
     def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return [self[each] for each in range(*index.indices(len(self)))]
         found = super().__getitem__(index)
         if type(found) is Unplaced:
             found = self[index] = found.placed()[0]

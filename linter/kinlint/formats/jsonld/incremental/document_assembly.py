@@ -8,7 +8,7 @@ from itertools import chain, repeat
 from typing import TypeVar
 
 from kinlint.addresses import document_iri
-from kinlint.document import Document, NodeSpans, SourceMap
+from kinlint.document import Document, NodeSpans, OrderedNodes, SourceMap
 from kinlint.formats.blank_nodes import BlankNodes, RecalledBlankNodes
 from kinlint.formats.jsonld.expansion_record import ShadowedTerm
 from kinlint.formats.jsonld.format import JSONLD
@@ -83,33 +83,34 @@ def group_numbers(groups: Sequence[Collection[T]]) -> dict[T, int]:
     return found
 
 
-class ShiftedNodeSpans(Mapping[Term, NodeSpans]):
+class ShiftedNodeSpans(OrderedNodes):
     """The places of the nodes of parts that are *arranged*.
 
     Where several parts have a node, the first counts; *layer* goes before all of them.
     """
 
     def __init__(self, arranged: Arrangement, layer: SourceLayer) -> None:
-        self._parts = arranged.parts
-        self._shifts = arranged.shifts
-        self._own = layer.nodes
+        self.arranged = arranged
+        """The parts, in their order."""
+        self.aside = layer.nodes
+        """The nodes of the source layer."""
 
     @cached_property
     def _numbers(self) -> dict[Term, int]:
-        numbers = group_numbers([part.nodes for part in self._parts])
-        for node in self._own:
+        numbers = group_numbers([part.nodes for part in self.arranged.parts])
+        for node in self.aside:
             numbers.setdefault(node, ASIDE)
         return numbers
 
     def __getitem__(self, node: Term) -> NodeSpans:
-        own = self._own.get(node)
+        own = self.aside.get(node)
         return self.described(node) if own is None else own
 
     def described(self, node: Term) -> NodeSpans:
         """Return the spans of the first description of *node*; KeyError if it is no node."""
         number = self._numbers[node]
-        whole, identifier = spans = self._parts[number].nodes[node]
-        by = self._shifts[number]
+        whole, identifier = spans = self.arranged.parts[number].nodes[node]
+        by = self.arranged.shifts[number]
         if not by:
             return spans
         return NodeSpans(shifted(whole, by), identifier and shifted(identifier, by))
@@ -122,6 +123,30 @@ class ShiftedNodeSpans(Mapping[Term, NodeSpans]):
 
     def __len__(self) -> int:
         return len(self._numbers)
+
+    def part_of(self, node: Term) -> int:
+        """Return the number of the part that describes *node* first; `ASIDE` for the layer."""
+        return ASIDE if node in self.aside else self._numbers.get(node, ASIDE)
+
+    def in_same_order(self, others: Mapping[Term, NodeSpans]) -> bool:
+        """Tell whether *others* have the same nodes in the same order; looks at changed parts."""
+        if not isinstance(others, ShiftedNodeSpans):
+            return False
+        parts = self.arranged.parts, others.arranged.parts
+        named = [[node for node in each.aside if not is_blank(node)] for each in (self, others)]
+        return (
+            len(parts[0]) == len(parts[1])
+            and named[0] == named[1]
+            and all(
+                one is other or _in_order(one) == _in_order(other)
+                for one, other in zip(*parts, strict=True)
+            )
+        )
+
+
+def _in_order(part: Part) -> list[Term]:
+    """Return the nodes of *part* by where they are described."""
+    return sorted(part.nodes, key=lambda node: (part.nodes[node].whole.start, node))
 
 
 class ShiftedTripleSpans(Mapping[Triple, Span]):
@@ -149,6 +174,10 @@ class ShiftedTripleSpans(Mapping[Triple, Span]):
             return shifted(self._parts[number].spans[triple], self._shifts[number])
         own = self._own.get(triple)
         return self._nodes.described(triple[0]).best if own is None else own
+
+    def part_of(self, triple: Triple) -> int:
+        """Return the number of the part that says *triple* first, or `ASIDE`."""
+        return self._stated[triple]
 
     def __contains__(self, triple: object) -> bool:
         return triple in self._stated

@@ -7,7 +7,7 @@ from functools import partial
 from itertools import pairwise
 
 from kinlint.document import Document
-from kinlint.edits import Delta, Edit, NotExpressible
+from kinlint.edits import Delta, Edit, NotExpressible, negated
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.xml.editing import rewriting, spelling
 from kinlint.formats.xml.editing.element_delta import ElementChanges, ValueChange
@@ -48,8 +48,8 @@ class _Writing:
     def __init__(self, sites: Sites, delta: Delta) -> None:
         self._sites = sites
         self._changes = ElementChanges.from_delta(delta, sites.elements)
-        said = (literal_value(value) for _, _, value in delta.removed if is_literal(value))
-        self._kept = frozenset(said)
+        said = {literal_value(value) for _, _, value in delta.removed if is_literal(value)}
+        self._kept = frozenset(said.union(map(negated, said)))
         self._fresh = NewElements(sites, self._changes, self._kept, self._taken)
         self._edits: list[Edit] = []
         self._awaited: dict[tuple[int, Edit], int] = {}

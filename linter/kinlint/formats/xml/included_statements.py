@@ -7,18 +7,19 @@ models, and its spans move behind the text of the file that includes it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, Triple, is_blank, is_iri, literal, literal_value
 from kinlint.text import SourceText, Span
-from kinlint.vocabulary import SDF, SRC
+from kinlint.vocabulary import SRC
 
 K = TypeVar("K")
 V = TypeVar("V")
 
-_OFFSET, _ROOT = f"<{SRC}offset>", f"<{SDF}sdf>"
+_OFFSET = f"<{SRC}offset>"
 
 
 @dataclass(frozen=True)
@@ -33,11 +34,13 @@ class IncludedDocument:
     """Node of the including document."""
     start: int
     """Offset of its text in the whole."""
+    root: Term
+    """Property that leads from the include to the root element of the document."""
 
     def outer_name(self, term: Term) -> Term:
         """Return the name in the whole document of *term* of the included file."""
         if term.startswith(self._own):
-            return f"{self.include[:-1]}/sdf{term[len(self._own) :]}"
+            return f"{self._moved}{term[len(self._own) :]}"
         if is_blank(term):
             return f"{term}n{self.start}"
         return self.onto if term == self.document.graph else term
@@ -59,14 +62,18 @@ class IncludedDocument:
 
     @property
     def _moved(self) -> str:
-        return f"{self.include[:-1]}/sdf"
+        return f"{self.include[:-1]}/{self.root[:-1].rpartition('#')[2]}"
+
+    @property
+    def _top(self) -> Term:
+        return f"{self._own}>"
 
     def statements(self) -> Iterator[Triple]:
         """Yield the statements of the included file, without those about the file itself."""
         for subject, predicate, value in self.document.statements:
             if subject == self.document.graph:
-                if predicate == _ROOT:
-                    yield self.include, predicate, self.outer_name(value)
+                if value == self._top:
+                    yield self.include, self.root, self.outer_name(value)
             elif predicate == _OFFSET:
                 moved = literal(str(int(literal_value(value)) + self.start), f"{XSD}integer")
                 yield self.outer_name(subject), predicate, moved
@@ -76,9 +83,8 @@ class IncludedDocument:
     def inner_triple(self, triple: Triple) -> Triple | None:
         """Return *triple* with the names of the included file."""
         subject, predicate, value = triple
-        if predicate == _ROOT and subject == self.include:
-            inside = self.inner_name(value)
-            return None if inside is None else (self.document.graph, predicate, inside)
+        if predicate == self.root and subject == self.include:
+            return (self.document.graph, self._read_as, self._top)
         own = self.inner_name(subject)
         if own is None or subject == value:
             return None
@@ -87,6 +93,12 @@ class IncludedDocument:
             return own, predicate, literal(str(offset), f"{XSD}integer")
         inside = self.inner_name(value)
         return None if inside is None else (own, predicate, inside)
+
+    @cached_property
+    def _read_as(self) -> Term:
+        """The property that leads from the document to its root element."""
+        found = (p for s, p, o in self.document.statements if o == self._top)
+        return next(found, self.root)
 
     def outer_span(self, span: Span) -> Span:
         """Return *span* of the included file as a span of the whole."""
@@ -154,13 +166,18 @@ def text_length(document: Document) -> int:
     return start + len(last.text)
 
 
-def with_includes(document: Document, included: Iterable[tuple[Term, Document]]) -> Document:
-    """Return *document* with each of the documents *included* at the node of its include."""
+def with_includes(
+    document: Document, included: Iterable[tuple[Term, Document]], root: Term
+) -> Document:
+    """Return *document* with each of the documents *included* at the node of its include.
+
+    The property *root* leads from that to the root element of the document.
+    """
     grafts: list[IncludedDocument] = []
     pieces: list[tuple[int, SourceText]] = list(document.pieces or [(0, document.source)])
     end = text_length(document) + 1
     for include, each in included:
-        grafts.append(IncludedDocument(each, include, document.graph, end))
+        grafts.append(IncludedDocument(each, include, document.graph, end, root))
         own = each.pieces or [(0, each.source)]
         pieces += [(end + start, text) for start, text in own]
         end += text_length(each) + 1

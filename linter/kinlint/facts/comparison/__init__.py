@@ -1,0 +1,1 @@
+"""Comparison of two descriptions of one robot: which parts correspond, and how they differ."""

@@ -1,0 +1,154 @@
+"""Comparison of two descriptions of one robot: what both say, and what only one of them has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from kinlint.addresses import local_name
+from kinlint.facts.comparison.described_robot import Body, DescribedRobot, MovingJoint
+from kinlint.facts.comparison.frame_alignment import coincide
+from kinlint.facts.comparison.joint_differences import joint_differences
+from kinlint.facts.comparison.mass_differences import mass_differences
+from kinlint.facts.comparison.matching import Correspondence, correspondence
+from kinlint.facts.comparison.measured import Measured, Parts
+from kinlint.facts.comparison.pose import Pose
+from kinlint.facts.comparison.shape_differences import shape_differences
+from kinlint.facts.comparison.tolerances import Tolerances
+from kinlint.facts.linear_algebra import angle, product, transpose
+from kinlint.terms import Term
+
+COMPOSED = "composed"
+"""Format of composable models, where what is not stated is not known."""
+AGREEING = 0.5
+"""Least share of equal numbers in two descriptions of one robot that only its names suggest."""
+FEW = 4
+"""Least count of masses, centres and origins in common from which these alone are evidence."""
+
+
+class Comparison:
+    """Two descriptions of one robot, compared with *tolerances*."""
+
+    def __init__(self, one: DescribedRobot, other: DescribedRobot, tolerances: Tolerances) -> None:
+        self.one = one
+        self.other = other
+        self.tolerances = tolerances
+
+    @cached_property
+    def correspondence(self) -> Correspondence:
+        """The parts that are the same."""
+        return correspondence(self.one, self.other)
+
+    @cached_property
+    def measured(self) -> Sequence[Measured]:
+        """Quantities of parts that are the same, in the order of the first description."""
+        return [*self._joints(), *self._groups()]
+
+    @property
+    def differences(self) -> Sequence[Measured]:
+        """Quantities of which both say something else."""
+        return [each for each in self.measured if each.differs]
+
+    def _joints(self) -> Iterator[Measured]:
+        found = self.correspondence
+        ranged = COMPOSED not in {self.one.form, self.other.form}
+        for mine in sorted(found.joints):
+            here, there = self.one.joints[mine], self.other.joints[found.joints[mine]]
+            if found.groups.get(here.parent) == there.child:
+                there = there.reversed
+            ends = ((here.parent, there.parent), (here.child, there.child))
+            tries = [
+                list(joint_differences(here, there, near, beyond, self.tolerances, ranged=ranged))
+                for near in self._aligned(*ends[0], here.bodies[0], there.bodies[0])
+                for beyond in self._aligned(*ends[1], here.bodies[1], there.bodies[1])
+            ]
+            yield from min(tries, key=lambda each: sum(one.differs for one in each))
+            if here.is_complete and there.is_complete:
+                yield from self._ends(here, there)
+
+    def _ends(self, here: MovingJoint, there: MovingJoint) -> Iterator[Measured]:
+        """Yield the links that a joint joins where one has no counterpart on the other joint."""
+        found = self.correspondence
+        parts = Parts(here.name, there.name, here.node, there.node, self.tolerances)
+        for what, mine, yours, body, other in (
+            ("parent link", here.parent, there.parent, here.bodies[0], there.bodies[0]),
+            ("child link", here.child, there.child, here.bodies[1], there.bodies[1]),
+        ):
+            names = local_name(body or here.node), local_name(other or there.node)
+            if found.groups.get(mine, yours) != yours and names[0] != names[1]:
+                yield parts.measured(what, "", *names, differs=True, individual=False)
+
+    def _aligned(
+        self, mine: int, yours: int, body: Term | None, other: Term | None
+    ) -> Sequence[Pose | None]:
+        """Return the poses of the frame of a group for the corresponding one.
+
+        That of the whole, and if that is another one, that of two bodies of one name in them.
+        """
+        found = self.correspondence
+        if found.groups.get(mine, -1) != yours:
+            return [None]
+        whole = found.poses[mine]
+        here, there = self.one.groups[mine].body(body), self.other.groups[yours].body(other)
+        if here is None or there is None or here.name != there.name:
+            return [whole]
+        own = here.pose.of(there.pose.inverse)
+        return [whole] if coincide(whole, own) else [whole, own]
+
+    def _groups(self) -> Iterator[Measured]:
+        found = self.correspondence
+        for mine in sorted(found.groups):
+            here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
+            pose = found.poses[mine]
+            yield from mass_differences(here, there, pose, self.tolerances)
+            yield from self._fixed(mine)
+            yield from shape_differences(here, there, pose, self.tolerances)
+
+    def _fixed(self, mine: int) -> Iterator[Measured]:
+        """Yield where bodies of one name are that are welded to others."""
+        found = self.correspondence
+        here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
+        names = {body.name: body for body in there.bodies}
+        for body in here.bodies:
+            other = names.get(body.name)
+            joints = self.one.fixed.get(body.name), self.other.fixed.get(body.name)
+            if other is None or None in joints:
+                continue
+            pose = found.poses[mine].of(other.pose)
+            ends = joints[0] or body.node, joints[1] or other.node
+            titles = local_name(ends[0]), local_name(ends[1])
+            parts = Parts(*titles, *ends, self.tolerances, aspect="placement")
+            yield from parts.point("origin", body.pose.point, pose.point)
+            turned = angle(product(transpose(body.pose.turn), pose.turn))
+            yield parts.measured(
+                "orientation",
+                "rad",
+                0.0,
+                turned,
+                differs=turned > self.tolerances.angle,
+                individual=False,
+            )
+
+    def alone(self) -> tuple[Sequence[MovingJoint], Sequence[MovingJoint]]:
+        """Return the joints that only the first, and only the second description has."""
+        found = self.correspondence.joints
+        taken = frozenset(found.values())
+        return (
+            [each for at, each in enumerate(self.one.joints) if at not in found],
+            [each for at, each in enumerate(self.other.joints) if at not in taken],
+        )
+
+    def agreement(self) -> str:
+        """Return how many numbers agree; empty if too few do for descriptions of one robot."""
+        individual = [each for each in self.measured if each.individual]
+        enough = len(individual) >= FEW
+        telling = individual if enough else self.measured
+        what = "masses, centres and origins" if enough else "numbers"
+        agreeing = sum(not each.differs for each in telling)
+        share = f"{agreeing} of {len(telling)} {what} agree"
+        return share if agreeing >= AGREEING * len(telling) else ""
+
+    def bodies(self) -> Iterator[tuple[Body, Body]]:
+        """Yield the bodies that lend their frames to groups that are the same."""
+        for mine, yours in sorted(self.correspondence.groups.items()):
+            yield self.one.groups[mine].bodies[0], self.other.groups[yours].bodies[0]

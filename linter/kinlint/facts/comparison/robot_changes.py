@@ -1,0 +1,141 @@
+"""Differences between two descriptions of a robot, with their places, for reports."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from kinlint.engine.lifting import lifts
+from kinlint.facts.comparison.comparison import COMPOSED, Comparison
+from kinlint.facts.comparison.described_robot import DescribedRobot, Group, MovingJoint
+from kinlint.facts.comparison.frame_alignment import total_mass
+from kinlint.facts.comparison.measured import Measured
+from kinlint.facts.comparison.reach import reach
+from kinlint.facts.comparison.tolerances import Tolerances
+from kinlint.facts.metamodel_terms import inertia, kin
+from kinlint.file_format import Format
+from kinlint.robot_difference import Change, Part, RobotDifference, Unstated
+from kinlint.terms import Term
+from kinlint.text import Location
+
+
+class Side(NamedTuple):
+    """One of the descriptions."""
+
+    name: str
+    """Name of the file."""
+    robot: DescribedRobot
+    """The robot as numbers."""
+    form: Format
+    """Format of the file."""
+    place: Callable[[Term], Location | None]
+    """Function that returns where a node is described."""
+
+
+def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDifference:
+    """Return how the robot of *new* differs from that of *old*."""
+    comparison = Comparison(old.robot, new.robot, tolerances)
+    found = comparison.correspondence
+    alone = comparison.alone()
+    changes = [_change(each, old, new) for each in comparison.differences]
+    whole = list(_whole(old, new, tolerances))
+    gone, come = ([*_parts(each, side)] for each, side in zip(alone, (old, new), strict=True))
+    known = [[*found.groups], [*found.groups.values()]]
+    for groups, joints in zip(known, alone, strict=True):
+        groups += [joint.child for joint in joints]
+    return RobotDifference(
+        old.name,
+        new.name,
+        "names" if found.by_name else "structure",
+        (len(found.joints), len(old.robot.joints), len(new.robot.joints)),
+        [*whole, *changes],
+        [*gone, *_groups(old, frozenset(known[0]))],
+        [*come, *_groups(new, frozenset(known[1]))],
+        list(_unstated(comparison, old, new)),
+    )
+
+
+def _change(each: Measured, old: Side, new: Side) -> Change:
+    kind = "link" if each.aspect in {"mass", "shape"} else "joint"
+    at, there = each.sides or (each.at, each.there)
+    return Change(
+        kind,
+        each.part,
+        each.other_part,
+        each.quantity,
+        each.unit,
+        each.here,
+        each.other,
+        old.place(at) or old.place(each.at),
+        new.place(there) or new.place(each.there),
+    )
+
+
+def _whole(old: Side, new: Side, tolerances: Tolerances) -> Iterator[Change]:
+    """Yield what differs of the robots as wholes: their mass, and how far they reach."""
+    mass, now = (sum(map(total_mass, each.robot.groups)) for each in (old, new))
+    if min(mass, now) > 0.0 and tolerances.apart(mass, now):
+        yield Change("robot", "", "", "mass", "kg", mass, now)
+    reaches = [reach(each.robot) for each in (old, new)]
+    if reaches[0] is not None and reaches[1] is not None:
+        near, far = reaches[0].distance, reaches[1].distance
+        if abs(near - far) > tolerances.distance:
+            yield Change("robot", "", "", "reach", "m", near, far)
+
+
+def _parts(joints: Sequence[MovingJoint], side: Side) -> Iterator[Part]:
+    for each in joints:
+        yield Part("joint", each.name, each.kind, side.place(each.node))
+
+
+def _groups(side: Side, known: Collection[int]) -> Iterator[Part]:
+    """Yield the links with a mass or a shape that are in none of the groups *known*."""
+    for index, group in enumerate(side.robot.groups):
+        if index not in known and (total_mass(group) > 0.0 or group.shapes):
+            yield Part("link", group.name, "", side.place(group.bodies[0].node))
+
+
+def _unstated(comparison: Comparison, old: Side, new: Side) -> Iterator[Unstated]:
+    """Yield the quantities of common parts that only one description states."""
+    found = comparison.correspondence
+    joints = [
+        (comparison.one.joints[a], comparison.other.joints[b]) for a, b in found.joints.items()
+    ]
+    groups = [
+        (comparison.one.groups[a], comparison.other.groups[b]) for a, b in found.groups.items()
+    ]
+    for quantity, term, stated in _STATED:
+        pairs = [
+            (stated(a), stated(b), a.name, b.name)
+            for a, b in (joints if quantity.endswith("limit") else groups)
+        ]
+        for old_states, side in ((True, new), (False, old)):
+            names = [
+                (mine if old_states else yours)
+                for a, b, mine, yours in pairs
+                if a is not b and a is old_states
+            ]
+            if quantity == "position limit" and COMPOSED != side.robot.form:
+                continue
+            if names:
+                can = not side.form.is_tree or term in lifts([side.form])
+                yield Unstated(quantity, old_states, names, can, side.form.title)
+
+
+def _weighs(group: Group) -> bool:
+    return any(body.mass is not None for body in group.bodies)
+
+
+def _has_tensor(group: Group) -> bool:
+    return any(body.tensor is not None for body in group.bodies)
+
+
+_STATED: tuple[tuple[str, Term, Callable[[Any], bool]], ...] = (
+    ("position limit", kin("JointPositionLimit"), lambda each: each.lower is not None),
+    ("effort limit", kin("ActuatorForceLimit"), lambda each: each.effort is not None),
+    ("speed limit", kin("ActuatorVelocityLimit"), lambda each: each.speed is not None),
+    ("mass", inertia("mass"), _weighs),
+    ("inertia", inertia("ixx"), _has_tensor),
+    ("collision shape", kin("CollisionGeometry"), lambda each: bool(each.shapes)),
+)
+"""Quantities that may be left out, the term that each is lifted to, and whether it is stated."""

@@ -1,0 +1,60 @@
+"""Lengths of a model that are far above its others, as if stated in another unit."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from statistics import median
+
+from kinlint.addresses import is_address
+from kinlint.facts.body_shapes import BodyShapes
+from kinlint.facts.fact_statements import numbers
+from kinlint.facts.frame_placement import Placements
+from kinlint.facts.linear_algebra import length
+from kinlint.facts.mechanism import model_of
+from kinlint.terms import Term, Triple
+
+LEAST = 4
+"""Least count of lengths of which the median tells how large a model is."""
+FACTOR = 50.0
+"""Least ratio to the median of what is stated: links of real robots differ by less."""
+
+
+def outlying_lengths(placements: Placements, geometries: BodyShapes) -> Iterator[Triple]:
+    """Yield each length in m of XML robots above `FACTOR` times the median of its model.
+
+    With each comes the median. Lengths of zero do not count.
+    """
+    for lengths in _by_model(placements, geometries).values():
+        if len(lengths) < LEAST:
+            continue
+        typical = median(size for _, size in lengths)
+        for node, size in sorted(lengths):
+            if size > FACTOR * typical:
+                yield from numbers(node, [("outlying-length", size), ("typical-length", typical)])
+
+
+def _by_model(
+    placements: Placements, geometries: BodyShapes
+) -> Mapping[str, list[tuple[Term, float]]]:
+    """Return the lengths of each model, with their joints, bodies and shapes.
+
+    They are distances of joints and centres of mass from the frames of their bodies, and the
+    extents of shapes.
+    """
+    found: dict[str, list[tuple[Term, float]]] = defaultdict(list)
+    sizes = [
+        (node, node, length(point))
+        for points in (placements.origins, placements.centres)
+        for node, point in points.items()
+    ]
+    sizes += [
+        (body, node, shape.extent)
+        for body, shapes in geometries.references.items()
+        for node in shapes
+        if (shape := geometries.shape(node))
+    ]
+    for owner, node, size in sizes:
+        if size > 0.0 and is_address(owner):
+            found[model_of(owner)].append((node, size))
+    return found

@@ -1,0 +1,1 @@
+"""Stick figures: robots in three dimensions with all joints at zero, and the findings on them."""
