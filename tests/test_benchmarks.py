@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import re
 import shutil
 import sys
 from collections import Counter
@@ -113,11 +112,25 @@ def test_a_fleet_is_linted_at_once_and_loaded_one_by_one(tmp_path, rules_cache, 
     monkeypatch.setattr(fleet, "find_spec", lambda _: True)
     monkeypatch.setattr(fleet, "CHECK_URDF", tmp_path / "absent" / "check_urdf")
 
-    each, together = Fleet(tmp_path).rows(1)
+    monkeypatch.setattr(fleet, "SMALL", 8)
+
+    each, together, *shared, files, small = Fleet(tmp_path).rows(1)
 
     assert each.ours == together.ours == "`kinlint`, 2 URDF files in one run"
     assert all(seconds > 0 for row in (each, together) for seconds in row.seconds)
     assert (each.target, together.target) == (20, None)
+    assert {row.ours for row in shared} <= {f"{each.ours}, two processors"}
+    assert [row.unit for row in (files, small)] == ["B", "B"]
+    assert small.ours == "`kinlint`, 8 small files, URDF and JSON-LD, memory"
+    assert 0 < small.seconds[1] < small.seconds[0]
+
+
+def test_memory_is_told_in_megabytes():
+    row = Row("many files, memory", "few files, memory", (3e8, 1e8), target=1.3, unit="B")
+
+    assert [*markdown([row])][-1].endswith(
+        "| 300 MB | 100 MB | 3.00 times as much | ≤ 1.3 **missed** |"
+    )
 
 
 @pytest.mark.skipif(not fleet.CHECK_URDF.exists(), reason="check_urdf is not installed")
@@ -166,7 +179,7 @@ def test_a_keystroke_in_an_editor_is_answered(tmp_path, rules_cache):
     shutil.copytree(rules_cache, tmp_path / "cache")
     place = Workplace(tmp_path)
 
-    with Editor(place, "leg.urdf", LEG, re.compile("thigh")) as editor:
+    with Editor(place, "leg.urdf", LEG, LEG.index("thigh") + len("thigh")) as editor:
         editor.press()
         assert editor.text == LEG.replace("thigh", "thigh1")
         editor.lint()

@@ -129,6 +129,7 @@ def test_a_context_is_read_as_the_one_that_was_meant(
     assert old.removeprefix("https://") in found.message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASCADES)
 def test_one_mistake_is_one_finding(name: str, lint_edited: Callable[..., Report]) -> None:
     edit, code = CASCADES[name]

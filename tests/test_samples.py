@@ -54,7 +54,7 @@ def files(name):
     return sorted(
         path
         for path in (SAMPLES / name).rglob("*")
-        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf", ".yaml"}
+        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf", ".yaml", ".rviz", ".py"}
     )
 
 
@@ -71,13 +71,16 @@ def report(*models):
 def broken(file):
     """What is found in *file*, where the rule that it is named for is made to speak.
 
-    A matter of taste is asked for, a rule for one consumer hears of that.
+    A matter of taste is asked for, a rule for one consumer hears of that, or of those in a comment.
     """
     rule = next((rule for rule in book().rules if rule.name == file.stem), None)
     assert rule, f"no rule is called {file.stem}"
     asked = (Choice(extend_select=(rule.code,)),) if rule.optional else ()
-    chosen = FileSettings(choices=asked, targets=rule.targets)
-    about = [COMPANION] if COMPANION.stem in file.read_text() else []
+    text = file.read_text()
+    named = re.search(r"<!-- target: (.+?) -->", text)
+    targets = (*rule.targets, *(named[1].split(",") if named else ()))
+    chosen = FileSettings(choices=asked, targets=targets)
+    about = [COMPANION] if COMPANION.stem in text else []
     companions = [replace(one, companion=True) for one in sources(*about)]
     return lint([*sources(file), *companions], default=chosen).findings
 
@@ -134,7 +137,7 @@ def test_a_good_sample_computes_by_it(term):
     assert f"https://comp-rob2b.github.io/metamodels/{term}" in vocabulary_in_use()
 
 
-@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.name)
 def test_a_broken_sample_is_found_broken_where_it_is(file):
     """The findings of a broken sample are those listed beside it, and no others."""
     found = []
@@ -142,16 +145,22 @@ def test_a_broken_sample_is_found_broken_where_it_is(file):
         start = finding.location.start
         found.append(f"{start.line}:{start.column} {finding.rule.code}")
 
-    assert found == file.with_suffix(".expected").read_text().splitlines()
+    assert found == expected(file).read_text().splitlines()
 
 
-@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+def expected(file):
+    """What is listed beside *file*, or beside the first sample of its rule."""
+    own = file.with_name(f"{file.name}.expected")
+    return own if own.exists() else file.with_suffix(".expected")
+
+
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.name)
 def test_a_broken_sample_is_found_by_the_rule_it_is_named_for(file):
     """Its own rule is among those that find it."""
     assert file.stem in {finding.rule.name for finding in broken(file)}
 
 
-@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.name)
 def test_a_broken_sample_can_be_taken_in_at_a_glance(file):
     """Sixty lines are enough for a fault."""
     assert len(file.read_text().splitlines()) <= 60

@@ -74,7 +74,7 @@ def test_every_rule_says_alone_what_it_says_among_all(code: str) -> None:
     assert _found(sources, code)[code] == _found(sources, "ALL")[code]
 
 
-@pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.name)
 def test_what_is_found_in_broken_samples_is_found_alone(path: Path) -> None:
     """Selecting one of the rules that speak moves nothing.
 

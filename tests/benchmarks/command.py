@@ -14,7 +14,7 @@ from pathlib import Path
 
 from benchmarks import editing, reading
 from benchmarks.fleet import Fleet
-from benchmarks.growth.measurement import growth_table, measured
+from benchmarks.growth.measurement import GROWTH_HEADING, measured
 from benchmarks.keystrokes import Keystrokes
 from benchmarks.processes import Workplace
 from benchmarks.proving import Proving
@@ -39,7 +39,8 @@ def main(arguments: Sequence[str]) -> int:
         sys.stderr.write(f"measured: {row.ours}\n")
         rows.append(row)
     joints = 70 if options.quick else 700
-    few = (options.fleet, options.starting, options.reading, options.keystrokes, options.proofs)
+    typed = options.keystrokes is not None
+    few = (options.fleet, options.starting, options.reading, typed, options.proofs)
     parts = [] if any(few) else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
     lines = [*markdown(rows), "", *parts, _made(arguments, catalogue)]
     sys.stdout.writelines(f"{line}\n" for line in lines)
@@ -62,11 +63,18 @@ def _parser() -> argparse.ArgumentParser:
         "--fleet", type=Path, metavar="DIR", help="only the robots below DIR, in one run"
     )
     parser.add_argument(
+        "--mjcf", type=Path, metavar="DIR", help="with --fleet: the models below DIR, per megabyte"
+    )
+    parser.add_argument(
         "--starting", action="store_true", help="only runs on small files, and recalled ones"
     )
     parser.add_argument("--reading", action="store_true", help="only reading JSON-LD")
     parser.add_argument(
-        "--keystrokes", action="store_true", help="only typing, alone and through the server"
+        "--keystrokes",
+        nargs="?",
+        const="",
+        metavar="TEXT",
+        help="only typing, alone and through the server, where the title contains TEXT",
     )
     parser.add_argument(
         "--proofs",
@@ -99,7 +107,10 @@ def _workplace() -> Iterator[Workplace]:
 
 def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
-        yield from Fleet(options.fleet).rows(options.runs)
+        if options.mjcf:
+            yield from Fleet(options.fleet).compared_by_size(options.mjcf, options.runs)
+        else:
+            yield from Fleet(options.fleet).rows(options.runs)
         return
     if options.reading:
         yield from reading.rows(options.runs)
@@ -108,10 +119,10 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
         with _workplace() as place:
             yield from Starting(place).rows(4 * options.runs)
         return
-    if options.keystrokes:
+    if options.keystrokes is not None:
         with _workplace() as place:
-            yield from Keystrokes(place).rows(4 * options.runs)
-            yield from editing.rows(place, options.runs)
+            yield from Keystrokes(place).rows(4 * options.runs, options.keystrokes)
+            yield from editing.rows(place, options.runs, options.keystrokes)
         return
     if options.proofs:
         fleet = None if options.proofs == Path() else options.proofs.absolute()
@@ -136,13 +147,14 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
 
 def _growth(arguments: Sequence[str], options: argparse.Namespace, catalogue: Rulebook) -> int:
     """Measure and print growth; 1 if anything grows too fast."""
-    rows = []
+    met = True
+    sys.stdout.write(f"{GROWTH_HEADING}\n")
     for row in measured(options.growth, catalogue, fixing=options.fixes):
-        sys.stderr.write(f"measured: {row.title}\n")
-        rows.append(row)
-    lines = [*growth_table(rows), "", _made(arguments, catalogue)]
-    sys.stdout.writelines(f"{line}\n" for line in lines)
-    return int(not all(row.met for row in rows))
+        sys.stdout.write(f"{row.line}\n")
+        sys.stdout.flush()
+        met = met and row.met
+    sys.stdout.write(f"\n{_made(arguments, catalogue)}\n")
+    return int(not met)
 
 
 def _shares(joints: int, seconds: Mapping[str, float]) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import subprocess
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -12,7 +11,7 @@ from itertools import count, cycle
 from pathlib import Path
 from typing import Any, Self
 
-from benchmarks.keystrokes import JOINTS, KEYSTROKES, MODELS
+from benchmarks.keystrokes import strokes
 from benchmarks.processes import KINLINT, Workplace
 from benchmarks.table import Row
 from benchmarks.timing import interleaved
@@ -22,29 +21,26 @@ SHARE = 0.1
 TOLD = "textDocument/publishDiagnostics"
 
 
-def rows(place: Workplace, runs: int) -> Iterator[Row]:
-    """A row for each robot and keystroke, against a process that lints the file as it is then."""
-    for form, (name, text) in MODELS.items():
-        for what, pattern in KEYSTROKES.items():
-            with Editor(place, name, text, pattern) as editor:
-                editor.press()
-                ours, theirs = interleaved([editor.press, editor.lint], 2 * runs)
-            yield Row(
-                f"{what} typed in an editor, {JOINTS} joints in {form}",
-                "`kinlint` on that file",
-                (ours, theirs),
-                target=SHARE,
-            )
+def rows(place: Workplace, runs: int, wanted: str = "") -> Iterator[Row]:
+    """A row for each keystroke, against a process that lints the file as it is then.
+
+    The titles have *wanted*.
+    """
+    for stroke in strokes("typed in an editor", wanted):
+        with Editor(place, stroke.name, stroke.text, stroke.at) as editor:
+            editor.press()
+            ours, theirs = interleaved([editor.press, editor.lint], 2 * runs)
+        yield Row(stroke.title, "`kinlint` on that file", (ours, theirs), target=SHARE)
 
 
 @dataclass
 class Editor:
-    """A file that is open in a server, and into which somebody types where `pattern` matches."""
+    """A file that is open in a server, and into which somebody types `at` an offset."""
 
     place: Workplace
     name: str
     text: str
-    pattern: re.Pattern[str]
+    at: int
     _versions: Iterator[int] = field(default_factory=lambda: count(2))
 
     def __enter__(self) -> Self:
@@ -93,12 +89,8 @@ class Editor:
         self.place.run([KINLINT, "--output-format=concise", self.name])
 
     def _both(self) -> Sequence[tuple[dict[str, Any], str]]:
-        """The change that types a character, and the one that deletes it, each with the text then.
-
-        It is typed after the middle one of all matches.
-        """
-        places = [match.end() for match in self.pattern.finditer(self.text)]
-        at = places[len(places) // 2]
+        """The changes that type a character and delete it, each with the text then."""
+        at = self.at
         line = self.text.count("\n", 0, at)
         column = at - self.text.rfind("\n", 0, at) - 1
         here, behind = ({"line": line, "character": column + more} for more in (0, 1))

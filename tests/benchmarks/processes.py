@@ -16,6 +16,7 @@ from benchmarks.timing import interleaved
 
 KINLINT = str(Path(sysconfig.get_path("scripts")) / "kinlint")
 PYTHON = sys.executable
+WARNING = "kinlint: warning: "
 PEERS = "import rdflib, pyshacl, owlrl, pyld"
 
 
@@ -66,7 +67,8 @@ class Workplace:
             text=True,
             check=False,
         )
-        if done.returncode not in (0, 1) or done.stderr:
+        told = [line for line in done.stderr.splitlines() if not line.startswith(WARNING)]
+        if done.returncode not in (0, 1) or told:
             raise RuntimeError(f"{' '.join(command)}: {done.stderr}")
 
     @property

@@ -7,6 +7,7 @@ from typing import Any
 
 from benchmarks import defects
 
+NAMESPACE = "https://example.org/chain#"
 METAMODELS = "https://comp-rob2b.github.io/metamodels/"
 CONTEXTS = (
     f"{METAMODELS}geometry/structural-entities.json",
@@ -52,7 +53,7 @@ def chain(joints: int, *, spoiled: bool = False) -> str:
     named = {node["@id"]: node for node in nodes}
     if spoiled:
         defects.inject(named, joints)
-    context = [*CONTEXTS, {"rob": "https://example.org/chain#"}]
+    context = [*CONTEXTS, {"rob": NAMESPACE}]
     return json.dumps(
         {"@context": context, "@id": "rob:model", "@graph": [*named.values()]}, indent=2
     )

@@ -34,11 +34,11 @@ def _links(joints: int) -> Iterator[str]:
 def _joints(joints: int) -> Iterator[str]:
     for number in range(1, joints + 1):
         parent = f"link{number - 1}" if number > 1 else "base"
-        effort = 80.0 - number / 2
+        effort = 80.0 - 30 * number / joints
         yield f'  <joint name="joint{number}" type="revolute">'
         yield f'    <origin xyz="0 0 {0.2 if number > 1 else 0.05}" rpy="0 0 0"/>'
         yield f'    <parent link="{parent}"/>'
         yield f'    <child link="link{number}"/>'
         yield f'    <axis xyz="{"0 0 1" if number % 2 else "0 1 0"}"/>'
-        yield f'    <limit lower="-2.5" upper="2.5" effort="{effort}" velocity="3.1"/>'
+        yield f'    <limit lower="-2.5" upper="2.5" effort="{effort:.2f}" velocity="3.1"/>'
         yield "  </joint>"

@@ -29,7 +29,7 @@ def book():
 def test_every_part_of_a_report_comes_back(book, fixing, drawn):
     """Findings with all that belongs to them, fixes, refusals, robots."""
     source = SourceText("a robot.urdf", ROBOT)
-    ((report, _),) = lint_shard([[source]], (), Job(Settings(drawn=drawn), book, fixing))
+    report = lint_shard([[source]], (), Job(Settings(drawn=drawn), book, fixing))[0].report
     assert report.findings
     assert any(one.fixes for one in report.findings) == fixing
     assert bool(report.structures) == drawn
@@ -46,7 +46,7 @@ def test_texts_that_were_not_given_come_along(book):
         original=b"x\x80",
     )
     given = SourceText("a.urdf", ROBOT)
-    ((report, _),) = lint_shard([[given]], (), Job(Settings(), book))
+    report = lint_shard([[given]], (), Job(Settings(), book))[0].report
     moved = [replace(one, location=replace(one.location, source=other)) for one in report.findings]
     report = replace(report, findings=tuple(moved))
     again = parse_report(serialize_report(report, [given]), [given], book)

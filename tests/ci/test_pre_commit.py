@@ -43,7 +43,7 @@ def test_files_are_those_that_are_read(hook):
     for suffix in SEARCHED:
         assert re.search(hook["files"], f"a b/arm{suffix}")
         assert re.search(hook["files"], f"ARM{suffix.upper()}")
-    for name in ("arm.xml", "arm.mjcf", "arm.urdf.bak", "jsonld", "arm.ttl", "README.md"):
+    for name in ("arm.stl", "arm.urdf.bak", "jsonld", "arm.ttl", "README.md"):
         assert not re.search(hook["files"], name)
 
 

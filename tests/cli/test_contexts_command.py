@@ -52,6 +52,16 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     server.server_close()
 
 
+@pytest.mark.parametrize("command", ["contexts", "version"])
+def test_an_untrusted_project_extends_nothing_elsewhere(kinlint, write, tmp_path, command) -> None:
+    """Messages would tell the keys of that file."""
+    (tmp_path.parent / "secret.toml").write_text('password = "open sesame"\n', "utf-8")
+    write("kinlint.toml", 'extend = "../secret.toml"\n')
+    code, out, err = kinlint(command)
+    assert code == 0
+    assert "password" not in out + err
+
+
 def test_what_is_known_is_listed(kinlint) -> None:
     """With the home of each; several releases are one."""
     code, out, _ = kinlint("contexts")
@@ -137,3 +147,22 @@ def test_what_cannot_be_added(kinlint, write, address, limit, arguments, cause) 
     assert cause in err
     assert not Path("kinlint.toml").exists()
     assert not Path("contexts").exists()
+
+
+@pytest.mark.parametrize("config", ['[extra-contexts]\n"%s" = "../other.json"\n', "", "list"])
+def test_nothing_is_written_outside_of_the_project(kinlint, here, config, monkeypatch) -> None:
+    """Neither where a configuration says so, nor by a link."""
+    outside = here / "outside"
+    (project := here / "project").mkdir()
+    outside.mkdir()
+    (project / "contexts").symlink_to(outside)
+    (project.parent / "other.json").write_text("{}")
+    text = 'extra-contexts = ["../outside"]\n' if config == "list" else config
+    (project / "kinlint.toml").write_text(text % GRIPPER if "%s" in text else text)
+    (project / "gripper.json").write_text(CONTEXT)
+    monkeypatch.chdir(project)
+    code, _, said = kinlint("contexts", "add", "gripper.json", "--for", GRIPPER)
+    assert code == 2
+    assert "is outside of the project" in said
+    assert (project.parent / "other.json").read_text() == "{}"
+    assert not list(outside.iterdir())

@@ -134,6 +134,22 @@ def test_a_file_without_known_vocabulary_is_told(kinlint, write):
     assert "x.jsonld: 0 rules applied" in kinlint("x.jsonld")[1]
 
 
+def test_yaml_that_names_no_part_of_a_robot_is_told_if_it_was_named(kinlint, write):
+    """Most YAML files below a directory are of something else."""
+    write("x.yaml", "camera: {rate: 30}\n")
+    write("y.yaml", "controller: {joints: [elbow]}\n")
+
+    code, out, _ = kinlint("x.yaml", "--output-format", "concise")
+    assert code == 0
+    assert out.splitlines() == [
+        "x.yaml: 0 rules applied: it names no joint, link, frame or planning group",
+        "Nothing was checked: no rule applies.",
+    ]
+    assert kinlint("x.yaml", "y.yaml")[1].startswith("x.yaml: 0 rules applied")
+    assert "applied" not in kinlint("y.yaml")[1]
+    assert "applied" not in kinlint(".")[1]
+
+
 def test_rules_of_ones_own_are_rules(kinlint, write):
     """They are selected, explained and tested as the built-in ones."""
     write(

@@ -13,7 +13,7 @@ from kinlint.cli.overrides import overrides
 from kinlint.cli.report_outputs import Outputs
 from kinlint.finding import Finding, Fix, TextEdit
 from kinlint.report import Report
-from kinlint.rule import Applicability
+from kinlint.rule import Applicability, Severity
 from kinlint.text import Location, SourceText, Span
 
 SOURCE = SourceText("arm.jsonld", '{"@id": "x"}')
@@ -148,6 +148,17 @@ def test_only_some_outputs_need_fixes(here):
     assert not Outputs("full", silent=True).tells_fixes
     assert Outputs("full", silent=True, copies=sarif).tells_fixes
     assert Outputs("full", silent=True, path=here / "out.txt").tells_fixes
+
+
+def test_only_what_is_shown_needs_fixes(here):
+    """A summary counts what can be fixed of that; tables and machines are told everything."""
+    shown = {"show": Severity.WARNING}
+
+    assert Outputs("full", **shown).fixes_from is Severity.WARNING
+    assert Outputs("full", **shown, quiet=True).fixes_from is Severity.WARNING
+    assert Outputs("full", **shown, statistics=True).fixes_from is Severity.INFO
+    assert Outputs("full", **shown, verbose=True).fixes_from is Severity.INFO
+    assert Outputs("full", **shown, copies=(("sarif", here / "s"),)).fixes_from is Severity.INFO
 
 
 def test_a_patch_has_the_byte_order_mark_of_its_file(capsys):

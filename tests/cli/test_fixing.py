@@ -81,8 +81,8 @@ def test_a_file_that_changed_meanwhile_is_not_overwritten(kinlint, arm, monkeypa
     """It is reported, with exit code 2."""
     mended = fix_files.fix_in_rounds
 
-    def meanwhile(*given):
-        outcome = mended(*given)
+    def meanwhile(*given, **more):
+        outcome = mended(*given, **more)
         arm.write_bytes(ARM.replace("base", "root").encode())
         return outcome
 

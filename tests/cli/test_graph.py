@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -63,6 +64,25 @@ def test_the_name_of_the_output_file_says_the_format(robot, capsys, name, first)
 def test_the_option_says_it_first(robot, capsys):
     graph(capsys, "arm.urdf", "-o", "arm.dot", "--output-format", "svg")
     assert Path("arm.dot").read_text("utf-8").startswith("<svg")
+
+
+def test_a_page_has_the_robot_and_its_findings(robot, capsys):
+    graph(capsys, "arm.urdf", "-o", "arm.html")
+    page = Path("arm.html").read_text("utf-8")
+    assert page.startswith("<!DOCTYPE html>")
+    assert 'class="robot"' in page
+    assert 'id="findings"' in page
+
+
+def test_svg_has_a_stick_figure_where_joints_are_placed(robot, capsys):
+    placed = ROBOT.replace('<child link="b"/>', '<child link="b"/><origin xyz="0 0 1"/>')
+    assert placed != ROBOT
+    (robot / "placed.urdf").write_text(placed, "utf-8")
+    for name, shown in (("arm", 0), ("placed", 1)):
+        graph(capsys, f"{name}.urdf", "-o", f"{name}.svg")
+        picture = Path(f"{name}.svg").read_text("utf-8")
+        assert picture.count('class="stick"') == shown
+        ET.fromstring(picture)  # noqa: S314  it is our own
 
 
 def test_standard_input_has_a_name(robot, capsys, monkeypatch):

@@ -1,6 +1,7 @@
 """The first minutes: `kinlint demo` explains findings, `kinlint init` sets up a project."""
 
 import io
+import os
 import tomllib
 
 import pytest
@@ -52,6 +53,35 @@ def test_a_project_is_set_up(kinlint, here):
     assert "has the hook already" in out
     assert {path: path.read_bytes() for path in before} == before
     assert kinlint("config", "fail-on")[0] == 0
+
+
+def test_links_out_of_the_project_are_not_followed(kinlint, here, tmp_path_factory):
+    """Neither those of directories nor those of files; what they lead to stays as it is."""
+    elsewhere = tmp_path_factory.mktemp("elsewhere")
+    (elsewhere / "hooks.yaml").write_text(HOOKS, "utf-8")
+    (here / ".github").symlink_to(elsewhere)
+    (here / "kinlint.toml").symlink_to(elsewhere / "new.toml")
+    (here / ".pre-commit-config.yaml").symlink_to(elsewhere / "hooks.yaml")
+
+    code, out, _ = kinlint("init", "--yes", *REPOSITORY)
+
+    assert code == 0
+    assert "links lead out of the project" in out
+    assert [path.name for path in elsewhere.iterdir()] == ["hooks.yaml"]
+    assert (elsewhere / "hooks.yaml").read_text("utf-8") == HOOKS
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+def test_pipes_are_not_read(kinlint, here):
+    """Nobody may ever write to them."""
+    os.mkfifo(here / ".pre-commit-config.yaml")
+    os.mkfifo(here / "kinlint.toml")
+
+    code, out, _ = kinlint("init", "--yes", *REPOSITORY)
+
+    assert code == 0
+    assert ".pre-commit-config.yaml is not a file of the project" in out
+    assert "kinlint.toml is there already" in out
 
 
 def test_a_user_who_is_asked_may_say_no(kinlint, here, monkeypatch):

@@ -128,3 +128,12 @@ def test_the_graph_in_a_file(kinlint, here):
     """Whose name says what it is."""
     assert kinlint("graph", "arm.urdf", "-o", "arm.ttl")[0] == 0
     assert list(ox.parse((here / "arm.ttl").read_text("utf-8"), ox.RdfFormat.TURTLE))
+
+
+def test_names_of_files_are_neutralised(kinlint, write):
+    """They are no formulas, and move no cursor."""
+    write("=1+1.urdf", ROBOT)
+    write("a\x1b[2J.urdf", ROBOT)
+    out = kinlint("query", JOINTS, "=1+1.urdf", "--output-format", "csv")[1]
+    assert list(csv.reader(io.StringIO(out)))[1][2] == "'=1+1.urdf:4:16"
+    assert "\x1b" not in kinlint("query", JOINTS, "a\x1b[2J.urdf")[1]

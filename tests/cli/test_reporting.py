@@ -235,3 +235,23 @@ def test_color(kinlint, pipeline, write, monkeypatch):
 
     assert "\x1b[" not in kinlint("arm.jsonld")[1]
     assert "\x1b[" in kinlint("arm.jsonld", "--color", "always")[1]
+
+
+def test_verbose_runs_tell_what_pyld_expanded_and_why(kinlint, here):
+    context = {"ex": "https://words.example/"}
+    known, unknown = {"@id": "ex:a", "ex:size": 1}, {"@id": "ex:b", "word": 2}
+    models = {
+        "all.jsonld": {"@context": context, "@graph": [known]},
+        "some.jsonld": {"@context": context, "@graph": [known, unknown]},
+        "none.jsonld": {"@context": context, **known},
+    }
+    for name, model in models.items():
+        (here / name).write_text(json.dumps(model), "utf-8")
+
+    told = [line for line in kinlint("-v", *models)[2].splitlines() if "PyLD" in line]
+
+    whole = "no object with a context and a graph of objects"
+    assert sorted(told) == [
+        f"kinlint: expanded by PyLD: 1 part of none.jsonld, because of {whole} (1)",
+        "kinlint: expanded by PyLD: 1 part of some.jsonld, because of 'word' (1)",
+    ]

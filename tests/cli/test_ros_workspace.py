@@ -284,3 +284,33 @@ def test_hostile_yaml(configured, kinlint):
     code, out, _ = kinlint(*FLAGS)
     assert code == 2
     assert out.endswith("deep.yaml:1:1: error: nested too deeply\n")
+
+
+LAUNCHED = """from launch.substitutions import Command, PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+share = FindPackageShare("my_arm_description")
+robot = Command(["xacro ", PathJoinSubstitution([share, "urdf", "my_arm.urdf.xacro"]), " sde:=l"])
+params = "config/nav.yaml"
+"""
+NAVIGATION = """/**:
+  ros__parameters:
+    global_frame: map
+    robot_base_frame: bsae
+    # kinlint: ignore[CMP001] mounted at run time
+    base_frame_id: bsse
+"""
+
+
+def test_a_launch_file_tells_the_robot_and_passes_arguments(configured, kinlint):
+    """In a package that depends on nothing; frames of others and ignored names are not told."""
+    home = "src/arm_repo/my_arm_bringup/"
+    configured.write(f"{home}package.xml", "<package><name>my_arm_bringup</name></package>")
+    launch = configured.write(f"{home}launch/arm.launch.py", LAUNCHED)
+    configured.write(f"{home}config/nav.yaml", NAVIGATION)
+    out = kinlint("--output-format", "concise", "-q", "--select", "CMP,SRC026")[1]
+    assert f"{home}config/nav.yaml:4:23: error: The robot has no link named 'bsae'" in out
+    assert f"{home}launch/arm.launch.py:5:90: warning: Argument 'sde' is not declared" in out
+    assert out.count("nav.yaml") == 1
+    launch.write_text(LAUNCHED.replace("sde", "prefix"), "utf-8")
+    assert "SRC026" not in kinlint("--output-format", "concise", "-q", "--select", "SRC026")[1]

@@ -34,6 +34,9 @@ YAML = {
     "joint": "controller:\n  joints: [{}]\n  command_joints: [goal]\n",
     "joint_limit": "joint_limits:\n  {}: {{max_velocity: 1}}\njoints: [goal]\n",
     "initial_position": "initial_positions:\n  {}: 0.5\njoints: [goal]\n",
+    "link": "controller:\n  tip_link: {}\n  base_link: goal\n",
+    "frame": "planner:\n  octomap_frame: {}\n  base_link: goal\n",
+    "group": "servo:\n  move_group_name: {}\n  planning_group: goal\n",
 }
 """Files of YAML for each kind of entry, which name `GOAL` besides."""
 
@@ -115,7 +118,12 @@ class ReferenceKind:
 
     def _element(self, depth: int, scope: int, name: str) -> str:
         type_ = self.path[depth]
-        inner = _element(type_.children[self.tag], name=GOAL) if depth == scope else ""
+        inner = ""
+        if depth == scope:
+            *around, goal = _way(self.form, type_, self.tag)
+            inner = _element(goal, name=GOAL)
+            for each in reversed(around):
+                inner = _element(each, inner)
         said = {} if depth else {"name": "arm"}
         if depth + 1 < len(self.path):
             inner += self._element(depth + 1, scope, name)
@@ -144,13 +152,20 @@ def _element(type_: ElementType, inner: str = "", **said: str) -> str:
 
 
 def reference_kinds(form: Format) -> Iterator[ReferenceKind]:
-    """Yield each kind of reference that the schema of *form* tells of, once for each target."""
+    """Yield each kind of reference that the schema of *form* tells of, once for each target.
+
+    Where names are by kind, one element for each attribute and target stands for all.
+    """
     table = schema(form.name)
+    seen: set[tuple[str, str]] = set()
     for path in _paths(table):
         for property_, reference in path[-1].references.items():
             attribute = "" if property_ == TEXT else iri_value(property_).rpartition("#")[2]
             for namespace, tag in reference.targets:
                 kind = ReferenceKind(form, path, attribute, reference, namespace, tag)
+                if table.nested and (attribute, tag) in seen:
+                    continue
+                seen.add((attribute, tag))
                 if (form.name, tag) not in BY_WORD and (not kind.own or _scope(kind) >= 0):
                     yield kind
 
@@ -166,8 +181,27 @@ def _scope(kind: ReferenceKind) -> int:
     if not scopes or ends in OUTSIDE:
         return -1
     around = kind.path[scopes[-1]]
-    known = kind.tag in around.scope and kind.tag in around.children
+    known = kind.tag in around.scope and _way(kind.form, around, kind.tag)
     return scopes[-1] if known else -1
+
+
+def _way(form: Format, around: ElementType, tag: str) -> list[ElementType]:
+    """Return a shortest path to elements with *tag* and a name in elements of the type *around*.
+
+    Where names are by kind, elements are passed over that have the tag of another kind.
+    """
+    own_kind = any(each.kind == tag for each in schema(form.name).types.get(tag, ()))
+    queue = [[each] for each in around.children.values()]
+    seen: set[int] = set()
+    while queue:
+        path = queue.pop(0)
+        known = path[-1].kind == tag or not own_kind
+        if path[-1].tag == tag and "name" in path[-1].attributes and known:
+            return path
+        if id(path[-1]) not in seen:
+            seen.add(id(path[-1]))
+            queue += [[*path, each] for each in path[-1].children.values() if each.tag != "include"]
+    return []
 
 
 def _paths(table: Schema) -> Iterator[tuple[ElementType, ...]]:

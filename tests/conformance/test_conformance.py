@@ -29,6 +29,7 @@ from kinlint.findings.locator import Locator
 from kinlint.formats.recognition import recognise
 from kinlint.formats.records import FORMATS, LIFTED
 from kinlint.navigation.navigator import Navigator
+from kinlint.pipeline.analyzer import Analyzer
 from kinlint.terms import NUMERIC, Triple, is_blank, literal_datatype, literal_value
 
 WRITTEN = [each for each in FORMATS if each.editor is not None]
@@ -181,7 +182,7 @@ def test_a_reference_leads_to_what_it_names(kind: ReferenceKind, tmp_path: Path)
     files = kind.texts()
     paths = {name: str(tmp_path / name) for name in files}
     sources = [source(text, paths[name]) for name, text in files.items()]
-    examination = pipeline.examine(sources, [], Settings(), book())
+    examination = Analyzer(Settings(), book(), repeated=True).examine(sources)
     navigator = Navigator(examination, book(), {})
     name, offset = kind.place()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -24,6 +25,7 @@ APART = {
     "LNT003": "comments are not converted",
     "LNT004": "comments are not converted",
     "UNI009": "an actuator of the metamodels may have a gear, that of a file in XML has none",
+    "UNI025": "an actuator of the metamodels may have a gear, that of a file in XML has none",
     "TOP009": "the frames of SDF are resolved when a file is read",
 }
 """Why some rules find other things in a composable model."""
@@ -74,7 +76,7 @@ BROKEN = """
   <link name="arm">
     <inertial>
       <origin xyz="0 0 0.1" rpy="0 0 90"/>
-      <mass value="1.5"/>
+      <mass value="1500"/>
       <inertia ixx="1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.1"/>
     </inertial>
   </link>
@@ -108,7 +110,18 @@ BROKEN = """
 
 @pytest.mark.parametrize(
     "code",
-    ["CMP007", "GEO004", "INE001", "INE002", "INE003", "LIM001", "LIM002", "LIM007", "UNI003"],
+    [
+        "CMP007",
+        "GEO004",
+        "INE001",
+        "INE002",
+        "INE003",
+        "LIM001",
+        "LIM002",
+        "LIM007",
+        "UNI003",
+        "UNI009",
+    ],
 )
 def test_one_robot_with_many_faults(code):
     robot = SourceText("broken.urdf", BROKEN.strip())
@@ -158,3 +171,40 @@ def test_every_body_of_nested_models_is_somewhere():
     """The canonical link is free; others are seen from it, from a link and from a joint."""
     composed = converted(SourceText("cell.sdf", NESTED))
     assert "TOP018" not in codes([composed])
+
+
+WORLD = """<sdf version="1.9">
+  <world name="yard">
+    <model name="arm">
+      <pose degrees="true">1 2 0 0 0 90</pose>
+      <link name="base"/>
+      <link name="hand"><pose>0 0 1 0 0 0</pose></link>
+      <joint name="lift" type="revolute">
+        <parent>base</parent><child>hand</child><axis><xyz>0 0 1</xyz></axis>
+      </joint>
+    </model>
+    <model name="crate"><link name="box"><pose>0 0 0.5 0 0 0</pose></link></model>
+  </world>
+</sdf>"""
+
+
+def test_the_models_of_a_world_are_somewhere():
+    """A pose in the world, with the numbers of the model; without any it is at the origin."""
+    composed = converted(SourceText("yard.sdf", WORLD))
+    nodes = {each["@id"]: each for each in json.loads(composed.text)["@graph"]}
+
+    assert "TOP018" not in codes([composed])
+    arm, crate = (f"robot:world/yard/model/{name}/placement" for name in ("arm", "crate"))
+    assert nodes[arm]["with-respect-to"] == nodes[crate]["with-respect-to"]
+    assert nodes[arm]["with-respect-to"] == "robot:world/yard/frame"
+    assert [nodes[f"{arm}/coordinates"][axis] for axis in "xyz"] == [1, 2, 0]
+    assert [nodes[f"{crate}/coordinates"][axis] for axis in "xyz"] == [0, 0, 0]
+
+
+def test_the_only_model_of_a_world_needs_no_place():
+    """How a robot stands in the world is no part of it."""
+    alone = WORLD.replace(
+        '<model name="crate"><link name="box"><pose>0 0 0.5 0 0 0</pose></link></model>', ""
+    )
+
+    assert "placement" not in converted(SourceText("yard.sdf", alone)).text

@@ -14,6 +14,7 @@ NAMED = {
     "old.jsonld": "samples/six-axis/arm.jsonld",
     "robot.jsonld": "samples/six-axis/arm.jsonld",
     "gripper.jsonld": "samples/gripper/skeleton.jsonld",
+    "old.urdf": "samples/urdf/six-axis.urdf",
     "robot.urdf": "samples/urdf/six-axis.urdf",
     "robot.srdf": "samples/urdf/six-axis.srdf",
     "my-shapes.ttl": "samples/shapes/position-reference.ttl",

@@ -10,7 +10,16 @@ from tempfile import TemporaryDirectory
 
 import pytest
 from fenced import ROOT, blocks
-from pictures import HOME, PICTURES, ROBOT
+from pictures import (
+    HOME,
+    REPORT,
+    ROBOT,
+    TERMINAL,
+    digest_of,
+    report,
+    report_digest,
+    terminal,
+)
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
@@ -28,6 +37,7 @@ ELSEWHERE = {
     (SERVING, "elisp"): "tests/server",
     (SERVING, "toml"): "tests/server",
     (SERVING, "json"): "tests/server",
+    ("shapes/targets/README.md", "turtle"): "tests/targets",
 }
 """Where other examples are tried: by their page, and their language or what they contain."""
 HERE = {
@@ -87,10 +97,26 @@ def test_the_readme_opens_with_a_robot_and_what_is_found_in_it(capsys, monkeypat
     assert (code, capsys.readouterr().out) == (1, shown)
 
 
-@pytest.mark.parametrize("name", PICTURES)
-def test_pictures_are_fresh(name):
-    """`python tests/documents/pictures.py` makes them."""
-    assert (HOME / name).read_text("utf-8") == PICTURES[name]()
+def test_the_picture_of_the_terminal_is_fresh():
+    """`python tests/documents/pictures.py` makes it."""
+    assert TERMINAL.read_text("utf-8") == terminal()
+
+
+def test_the_picture_of_the_report_is_fresh():
+    """`python tests/documents/pictures.py` makes it, with the digest of the page that it shows."""
+    picture = REPORT.read_bytes()
+    assert picture.startswith(b"\x89PNG")
+    assert len(picture) < 300_000
+    assert digest_of(picture) == report_digest(report())
+
+
+def test_the_digest_of_a_report_tells_what_its_picture_shows():
+    page = report()
+    assert report_digest(page.replace("upper_arm", "lower_arm")) != report_digest(page)
+    assert report_digest(page.replace("--paper: #ffffff", "--paper: #fffffe")) != report_digest(
+        page
+    )
+    assert report_digest(page.replace("<footer>", "<footer>1")) == report_digest(page)
 
 
 def test_what_the_readme_says_of_check_urdf():

@@ -166,6 +166,24 @@ def test_a_contradiction_shows_its_premises_in_every_file():
     ]
 
 
+@pytest.mark.parametrize(
+    ("types", "told"),
+    [
+        ('"UnitLength"', "UnitLength"),
+        ('"Vector"', "Vector"),
+        ('"UnitLength", "BoundVector"', "BoundVector"),
+    ],
+)
+def test_disjoint_types_are_those_that_are_written(types: str, told: str) -> None:
+    """Who writes `UnitLength` does not know that it is a vector."""
+    context = '"@context": ["https://w3id.org/kinlint/composable.json", {"ex": "https://e.org/#"}]'
+
+    report = lint(f'{{ {context}, "@id": "ex:tool", "@type": ["Frame", {types}] }}', "a.jsonld")
+
+    (finding,) = (each for each in report.findings if each.rule.code == "LD012")
+    assert f"is of type '{told}' and of type" in finding.message
+
+
 def test_what_nobody_describes_is_shown_where_it_is_mentioned(tmp_path):
     """An axiom may say what it is, and a rule complain about that."""
     axioms = tmp_path / "axioms.ttl"

@@ -27,6 +27,12 @@ SHAPE = (
     PREFIXES
     + 'ex:S a sh:NodeShape ; sh:targetClass geom:RigidBody ; sh:sparql [ sh:select """%s""" ] .'
 )
+COUNT = (
+    PREFIXES
+    + """@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .
+ex:S a sh:NodeShape ; sh:targetClass geom:RigidBody ;
+    sh:property [ sh:path ex:p ; sh:minCount %s ] ."""
+)
 TARGET = (
     PREFIXES
     + """
@@ -153,8 +159,11 @@ def refused(
 
 
 FORMS = {"constraint": SHAPE, "target": TARGET, "function": FUNCTION, "component": VALIDATOR}
-PLACES = [pytest.param(SHAPE, "pyshacl", id="pyshacl")]
-PLACES += [pytest.param(form, "oxigraph", id=name) for name, form in FORMS.items()]
+PLACES = [pytest.param(SHAPE, "pyshacl", id="pyshacl", marks=pytest.mark.slow)]
+PLACES += [
+    pytest.param(form, "oxigraph", id=name, marks=pytest.mark.slow if number else ())
+    for number, (name, form) in enumerate(FORMS.items())
+]
 
 
 @pytest.mark.parametrize(("form", "engine"), PLACES)
@@ -232,3 +241,19 @@ def test_casts_and_functions_of_the_file_may_be_called(
     text = FUNCTION.replace("<https://example.org/#f>()", call) % "ASK { FILTER (1 > 2) }"
     shapes.write_text(text, "utf-8")
     assert main([str(robot), "--shapes", str(shapes), "--isolated"]) == code
+
+
+@pytest.mark.parametrize(
+    ("shape", "cause"),
+    [
+        (SHAPE % "SELECT $this { $this ?p '\\\\UFFFFFFFF' }", "no character of Unicode"),
+        (COUNT % '"x"^^xsd:integer', "sh:minCount is not a whole number"),
+        (COUNT % f'"1 {CALL % "http://a"}"^^xsd:integer', "sh:minCount is not a whole number"),
+        (COUNT % ("1" * 5_000), "sh:minCount is not a whole number"),
+    ],
+    ids=["escape", "word", "injection", "digits"],
+)
+def test_what_is_no_number_and_no_character_is_refused(
+    shape: str, cause: str, refused: Callable[..., str]
+) -> None:
+    assert cause in refused("--shapes", shape)

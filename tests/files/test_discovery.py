@@ -46,6 +46,16 @@ def test_directories_hold_json_ld(here):
     assert names(".") == names("m")
 
 
+def test_directories_hold_robots_in_files_called_xml(here):
+    """Their root element tells; parts that only others include are no models."""
+    files(here, "m/arm.xml", text='<?xml version="1.0"?>\n<!-- an arm -->\n<mujoco model="arm"/>')
+    files(here, "m/part.xml", text="<mujocoinclude/>")
+    files(here, "m/package.xml", text="<package format='3'><name>mujoco</name></package>")
+    files(here, "m/note.xml", text="mujoco")
+
+    assert names("m") == names("m/*") == ["m/arm.xml"]
+
+
 @pytest.mark.parametrize(
     "folder", [".git", ".venv", "node_modules", "build", "dist", "venv", "a/.hidden", "__pycache__"]
 )

@@ -131,8 +131,8 @@ def test_a_file_that_others_change_meanwhile(arm, monkeypatch, capsys):
     rounds = fix_files.fix_in_rounds
     theirs = arm.read_bytes() + b"\n"
 
-    def meanwhile(*given):
-        outcome = rounds(*given)
+    def meanwhile(*given, **more):
+        outcome = rounds(*given, **more)
         arm.write_bytes(theirs)
         return outcome
 
@@ -146,8 +146,8 @@ def test_a_file_that_others_change_meanwhile(arm, monkeypatch, capsys):
 def test_a_file_that_others_remove_meanwhile(arm, monkeypatch, capsys):
     rounds = fix_files.fix_in_rounds
 
-    def meanwhile(*given):
-        outcome = rounds(*given)
+    def meanwhile(*given, **more):
+        outcome = rounds(*given, **more)
         arm.unlink()
         return outcome
 

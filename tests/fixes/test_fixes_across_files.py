@@ -191,11 +191,12 @@ def test_a_model_that_is_included_twice_is_mended_once(here, tmp_path):
     report, changed = fix(rules, "world.sdf")
 
     assert (changed, report.findings) == (["part/model.sdf"], ())
-    assert (here / "part/model.sdf").read_text() == PART.replace("-1.50", "1.5")
+    assert (here / "part/model.sdf").read_text() == PART.replace("-1.50", "1.50")
 
 
 def test_files_of_others_stay(here, limits):
     """Those that lie neither below what is linted nor where kinlint runs."""
+    (here.parent / ".git").mkdir()
     put(arm__xacro=ROBOT.format(included="../other/macros.xacro"))
     put(**{"../other/macros__xacro": MACROS})
     reason = "it is written in ../other/macros.xacro, which is not among the linted files"

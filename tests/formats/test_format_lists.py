@@ -8,13 +8,22 @@ from pathlib import Path
 import pytest
 import yaml
 
-from kinlint.formats.records import FORMATS, GLOBBED, SEARCHED
+from kinlint.formats.records import BY_SUFFIX, FORMATS, SEARCHED
 
 ROOT = Path(__file__).parents[2]
 SEARCHED_FORMATS = [each for each in FORMATS if each.searched]
-TITLES = ", ".join(each.title for each in SEARCHED_FORMATS)
+HOOKED_FORMATS = [each for each in FORMATS if each.searched or each.name in ("collada", "usd")]
+"""Formats of changed files that hooks lint: directories are not searched for COLLADA and USD, as
+most of their files are meshes, but a robot depends on those, too."""
+HOOKED = {*SEARCHED, ".dae", ".zae", ".usda"}
+"""Suffixes of these files: other layers of USD may be binary, which not everybody can read."""
+TITLES = ", ".join(each.title for each in HOOKED_FORMATS)
+KNOWN_TO_EDITORS = ("yaml", "python")
 UNKNOWN_TO_EDITORS = {
-    suffix for each in SEARCHED_FORMATS if each.fence != "yaml" for suffix in each.suffixes
+    suffix
+    for each in SEARCHED_FORMATS
+    if each.fence not in KNOWN_TO_EDITORS
+    for suffix in each.suffixes
 }
 """Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`."""
 
@@ -30,19 +39,22 @@ def parsed(name: str):
 
 def suffixes(text: str) -> set[str]:
     """The suffixes of formats that are words of *text*."""
-    return {each for each in GLOBBED if re.search(rf"(?<!\w){each[1:]}(?!\w)", text)}
+    return {each for each in BY_SUFFIX if re.search(rf"(?<!\w){each[1:]}(?!\w)", text)}
 
 
 @pytest.mark.parametrize("hook", parsed(".pre-commit-hooks.yaml"), ids=lambda hook: hook["id"])
 def test_hooks_of_pre_commit(hook):
-    """The pattern of files has each suffix that a search looks for, and no other."""
-    alternatives = re.fullmatch(r"\(\?i\)\\\.\((.*)\)\$", hook["files"])[1].split("|")
-    assert sorted(alternatives) == sorted(suffix[1:] for suffix in SEARCHED)
+    """The pattern of files has each suffix that a search looks for, those of meshes, no other."""
+    parts = re.fullmatch(r"\(\?i\)\(\\\.\((.*?)\)\|(.*)\)\$", hook["files"])
+    dotted = [f".{each}" for each in parts[1].split("|")]
+    found = [each.replace("\\.", ".") for each in (*dotted, *parts[2].split("|"))]
+    assert sorted(found) == sorted(HOOKED)
 
 
 def test_descriptor_of_megalinter():
-    """Its extensions are the suffixes that a search looks for."""
-    assert sorted(parsed(MEGALINTER)["file_extensions"]) == sorted(SEARCHED)
+    """Its extensions are the last parts of what a search looks for: MegaLinter knows no others."""
+    last = {f".{each.rpartition('.')[2]}" for each in SEARCHED}
+    assert sorted(parsed(MEGALINTER)["file_extensions"]) == sorted(last)
 
 
 @pytest.mark.parametrize(

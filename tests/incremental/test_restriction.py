@@ -12,9 +12,8 @@ from kinlint.engine.lifting import queries
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.incremental.restriction import find_restriction
+from kinlint.incremental.restriction import GIVEN, find_restriction
 from kinlint.incremental.tracked_lifting import Unit
-from kinlint.sparql.given_values import with_values
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
 from kinlint.terms import iri_value, is_iri
@@ -46,7 +45,7 @@ def test_nothing_else_is_found(form):
             meant = solutions(store, unit.select, unit.names)
             roots = sorted({row[-1] for row in meant if is_iri(row[-1])})
             for some in (roots[:1], roots[1:3]):
-                select = with_values(unit.select, unit.narrow.root, some)
+                select = unit.restricted.replace(GIVEN, " ".join(some))
                 found = solutions(store, select, unit.names)
                 assert found == {row: n for row, n in meant.items() if row[-1] in some}
                 narrowed += bool(some)

@@ -122,6 +122,10 @@ class Robot:
             self.out[s][p].append(o)
             self.into[p][o].append(s)
 
+    def key(self, node: Term) -> str:
+        """What a body or a joint is called here."""
+        return name(node)
+
     def instances(self, kind: str) -> list[Term]:
         return self.into[RDF_TYPE][iri(kind)]
 
@@ -158,7 +162,7 @@ class Robot:
     @cached_property
     def bodies(self) -> dict[str, Term]:
         """Each body by its name."""
-        return {name(node): node for node in self.instances(f"{GEOM}RigidBody")}
+        return {self.key(node): node for node in self.instances(f"{GEOM}RigidBody")}
 
     @cached_property
     def body_of(self) -> Mapping[Term, Term]:
@@ -213,7 +217,7 @@ class Robot:
     def joints(self) -> dict[str, Joint]:
         """Each joint with two attachments, by its name."""
         return {
-            name(node): joint
+            self.key(node): joint
             for node in self.instances(f"{KC}Joint")
             if (joint := self._joint(node)) is not None
         }
@@ -283,7 +287,7 @@ class Robot:
             tensor = self._tensor(tensors[0]) if tensors else (ZERO, ZERO, ZERO)
             own = Inertia(self.number(masses[0], f"{INERTIA}mass"), ZERO, tensor)
             centre = centres.get(self.value(node, f"{BODY}about"), ZERO)
-            yield name(self.value(node, f"{BODY}of-body")), own.seen(Motion(turn, centre))
+            yield self.key(self.value(node, f"{BODY}of-body")), own.seen(Motion(turn, centre))
 
     def _tensor(self, node: Term) -> Matrix:
         self.in_unit(node, "KiloGM-M2")

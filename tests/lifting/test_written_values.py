@@ -30,13 +30,16 @@ from kinlint.terms import (
     literal_value,
 )
 from kinlint.text import SourceText
+from kinlint.vocabulary import SRC
 
 pytestmark = pytest.mark.corpus
 
 CONSTANT = {"0", "1", "xyz"}
 """What queries state of their own: nothing, one of something, and the order of angles."""
-COMPOSED = ("parent-", "placed-")
-"""How the properties begin that readers of SDF compose of several poses."""
+COMPOSED = ("parent-", "placed-", "child-", "centre-", "mass", "i", "size-")
+"""How the properties begin that readers compose of several poses, or compute of several shapes."""
+UNTOLD = {"mjcf": (".xml",)}
+"""Ends of the names of files in the data that tell no format, by format."""
 ATTRIBUTES = {
     "urdf": {
         ("JointPositionLimit", "lower"): "lower",
@@ -68,7 +71,8 @@ ATTRIBUTES = {
 def texts(form: Format) -> Iterator[SourceText]:
     """Yield the files of a format."""
     folder = locate_data("robots", form.name)
-    for path in sorted(each for each in folder.rglob("*") if each.suffix in form.suffixes):
+    suffixes = UNTOLD.get(form.name, form.suffixes)
+    for path in sorted(each for each in folder.rglob("*") if each.suffix in suffixes):
         yield decode(str(path), path.read_bytes())
 
 
@@ -149,7 +153,7 @@ class Lifted:
         subject, _, value = triple
         elements = list(self.store.values(subject, FROM))
         composed = any(
-            said == value and local(way).startswith(COMPOSED)
+            said == value and way.startswith(f"<{SRC}") and local(way).startswith(COMPOSED)
             for element in elements
             for way, said in self.store.predicate_objects(element)
         )

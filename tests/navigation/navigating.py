@@ -6,9 +6,9 @@ from pathlib import Path
 
 from support.linting import book
 
-from kinlint import lint
 from kinlint.configuration.settings import Settings
 from kinlint.navigation.navigator import Navigator
+from kinlint.pipeline.analyzer import Analyzer
 from kinlint.text import Location, SourceText
 
 NON_BMP = "\U0001f916\U0001d538"
@@ -27,7 +27,7 @@ class Model:
         names = given or files
         texts = [SourceText(str(folder / name), files[name]) for name in names]
         settings = Settings(**settings)
-        self.examination = lint.examine(texts, [], settings, book())
+        self.examination = Analyzer(settings, book(), repeated=True).examine(texts)
         self.navigator = Navigator(self.examination, book(), settings.extra_contexts)
 
     def _asked(self, where: str) -> tuple[str, int]:

@@ -10,7 +10,7 @@ from reported import report, unit_finding
 from kinlint.finding import Finding
 from kinlint.report import Report
 from kinlint.rule import Severity
-from kinlint.structure import Coupling, Frame, Joint, Link, Origin, Structure
+from kinlint.structure import Coupling, Frame, Joint, Link, Origin, Structure, Vector
 from kinlint.text import Location, SourceText, Span
 
 TEXT = SourceText("arm.urdf", '<robot name="arm">' + " " * 200 + "</robot>")
@@ -71,6 +71,23 @@ def chain(*names: str, close: bool = False) -> Structure:
         ("arm.urdf",),
         owners=owners,
     )
+
+
+def standing(structure: Structure, step: Vector = (0.1, 0.0, 0.3), **changes: object) -> Structure:
+    """A robot whose joints are placed one behind the other."""
+
+    def at(number: int) -> Vector:
+        x, y, z = step
+        return x * number, y * number, z * number
+
+    links = tuple(replace(each, point=at(n)) for n, each in enumerate(structure.links))
+    joints = tuple(
+        replace(
+            each, point=at(n + 1), end=at(n + 1), direction=(0.0, 1.0, 0.0), placed=True, **changes
+        )
+        for n, each in enumerate(structure.joints)
+    )
+    return replace(structure, links=links, joints=joints)
 
 
 def about(iri: str, severity: Severity = Severity.ERROR, **changes: Any) -> Finding:

@@ -25,8 +25,9 @@ BROKEN = Path(__file__).parents[2] / "samples" / "broken"
 
 def samples() -> list[tuple[Path, Rule]]:
     """The broken samples whose rule knows how to mend them."""
-    files = {file.stem: file for file in BROKEN.iterdir() if file.suffix != ".expected"}
-    return [(files[one.name], one) for one in book().rules if one.repairs and one.name in files]
+    files = [file for file in sorted(BROKEN.iterdir()) if file.suffix != ".expected"]
+    rules = [one for one in book().rules if one.repairs]
+    return [(file, one) for one in rules for file in files if file.stem == one.name]
 
 
 def by_edits(source: SourceText, edits: list[dict[str, Any]]) -> str:
@@ -50,7 +51,8 @@ def by_lines(text: str, suggestion: dict[str, Any]) -> str:
 
 @pytest.mark.usefixtures("rules_cache")
 @pytest.mark.parametrize(
-    ("file", "rule"), [pytest.param(*one, id=one[1].code) for one in samples()]
+    ("file", "rule"),
+    [pytest.param(*one, id=f"{one[1].code}-{one[0].suffix[1:]}") for one in samples()],
 )
 def test_a_fix_is_the_same_in_every_channel(
     file: Path, rule: Rule, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from drawn import HOSTILE, about, chain, picture
+from drawn import HOSTILE, about, chain, picture, standing
 from reported import INERTIA_FINDING, UNIT_FINDING, UNSAFE, unit_finding
 
 from kinlint.report import Report
@@ -103,7 +103,7 @@ def test_an_address_unfolds_what_it_leads_to(tmp_path: Path) -> None:
 
 
 def test_names_are_text_in_a_browser(tmp_path: Path) -> None:
-    robot = chain(*HOSTILE, close=True)
+    robot = standing(chain(*HOSTILE, close=True))
     found = [about(f"urn:l{index}", message=name) for index, name in enumerate(HOSTILE)]
     dom, logged = browse(page(tmp_path, picture(*found, robots=(robot,))), "--dump-dom")
     assert console(logged) == []
@@ -117,6 +117,55 @@ def test_a_screenshot_has_colours(tmp_path: Path, *, dark: bool) -> None:
     browse(page(tmp_path, MADE), *arguments)
     assert shot.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
     assert shot.stat().st_size > 20_000
+
+
+STANDING = standing(chain("base", "upper", "lower", "hand"), (0.1, 0.05, 0.3))
+FIGURE = picture(about("urn:l1"), about("urn:j1"), about("urn:l3"), robots=(STANDING,))
+TURNS = f"<script>{Path(__file__).with_name('turning_probe.js').read_text('utf-8')}</script>"
+
+
+def places(ways: list[str]) -> list[float]:
+    return [float(each) for way in ways for each in re.findall(r"-?[\d.]+", way)]
+
+
+@pytest.mark.parametrize("size", ["1280,900", "420,900"])
+def test_a_figure_turns_moves_and_zooms(tmp_path: Path, size: str) -> None:
+    """By keyboard, mouse and wheel; its tags keep apart, and it returns to what is written."""
+    file = page(tmp_path, FIGURE, TURNS)
+    file.write_text(re.sub(r"<meta http-equiv[^>]*>", "", file.read_text("utf-8")), "utf-8")
+    dom, logged = browse(file, "--dump-dom", f"--window-size={size}")
+    assert console(logged) == []
+    (title,) = re.findall(r"<title>(\{.*?\})</title>", dom)
+    said = json.loads(title)
+    assert said["reset"] != said["turned"]
+    drawn = places(said["drawn"])
+    assert drawn == pytest.approx(places(said["reset"]), abs=0.11)
+    for each in ("turned", "moved", "zoomed", "dragged", "wheeled"):
+        assert places(said[each]) != pytest.approx(drawn, abs=1.0), each
+    assert not said["crossed"], "a tag lies over another or outside"
+    assert said["tree"][0] != said["tree"][1]
+    assert said["aimed"].startswith("robot0-figure-")
+
+
+def test_a_large_robot_folds(tmp_path: Path) -> None:
+    robot = standing(chain(*(f"link_{n}" for n in range(300))))
+    made = picture(about("urn:l200"), robots=(robot,))
+    probe = """<script>
+    const seen = (each) => each.checkVisibility();
+    const rows = () => [...document.querySelectorAll(".outline li")].filter(seen).length;
+    const before = rows();
+    document.querySelector(".outline .unfold").click();
+    document.title = JSON.stringify([before, rows(), document.querySelector(".canvas") === null]);
+    </script>"""
+    file = page(tmp_path, made, probe)
+    file.write_text(re.sub(r"<meta http-equiv[^>]*>", "", file.read_text("utf-8")), "utf-8")
+    assert file.stat().st_size < 1_500_000
+    dom, _ = browse(file, "--dump-dom")
+    (title,) = re.findall(r"<title>(\[.*?\])</title>", dom)
+    folded, unfolded, outlined = json.loads(title)
+    assert folded < 20
+    assert unfolded >= 300
+    assert outlined
 
 
 def test_a_picture_alone_is_sound(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from drawn import HOSTILE, about, chain, picture
+from drawn import HOSTILE, about, chain, picture, standing
 from reported import (
     BOTH,
     DYNAMICS,
@@ -33,6 +33,7 @@ from kinlint.report import Report
 from kinlint.reporters.html.page import render
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import Severity
+from kinlint.structure import Joint, Structure
 from kinlint.text import Location, SourceText, Span
 
 VOID = {"meta", "input", "br", "hr"}
@@ -240,7 +241,7 @@ def test_names_are_text_wherever_they_stand(*, unicode: bool) -> None:
         finding = unit_finding(
             location, name, message=f"It is {name}.", iri=f"urn:{name}", severity=Severity.WARNING
         )
-        robot = chain(name, f"{name} 2", close=True)
+        robot = standing(chain(name, f"{name} 2", close=True))
         made = picture(finding, about("urn:l1", message=name), robots=(robot,))
         text = "".join(render(made, Style(unicode=unicode)))
         assert unicode or text.isascii()
@@ -252,6 +253,52 @@ def test_names_are_text_wherever_they_stand(*, unicode: bool) -> None:
         for _, attributes in parsed.elements:
             assert not any(each.startswith("on") for each in attributes)
             assert not str(attributes.get("href", "#")).lower().startswith("javascript")
+
+
+def test_names_are_text_in_the_outline_of_a_large_robot() -> None:
+    names = [f"{name} {number}" for number in range(3) for name in HOSTILE]
+    robot = standing(chain(*names, close=True))
+    found = [about(f"urn:l{index}", message=name) for index, name in enumerate(names[::7])]
+    parsed = page(picture(*found, robots=(robot,)))
+    assert {tag for tag, _ in parsed.elements} <= ALLOWED
+    assert len(parsed.all("script")) == 1
+    assert {"class": "outline"} in parsed.all("div")
+
+
+def test_findings_and_the_figure_lead_to_each_other() -> None:
+    made = page(picture(about("urn:l1"), robots=(standing(ARM),)))
+    ids = {attributes.get("id") for _, attributes in made.elements}
+    (shown,) = (
+        str(each["href"])
+        for each in made.all("a")
+        if str(each["href"]).startswith("#robot0-figure")
+    )
+    assert shown[1:] in ids
+    flags = [each for each in made.all("a") if "aria-label" in each]
+    assert [each["href"] for each in flags] == ["#f-1", "#f-1"]
+    assert "All joints at zero." in made.words
+
+
+def test_infos_are_listed_and_not_drawn() -> None:
+    made = page(picture(about("urn:l1", Severity.INFO), robots=(standing(ARM),)))
+    assert not [each for each in made.all("a") if "aria-label" in each]
+    assert "UNI002" in made.words
+
+
+def test_a_tree_deeper_than_browsers_nest_is_outlined() -> None:
+    links = chain(*(f"link {n}" for n in range(400))).links
+    joints = tuple(
+        Joint(f"urn:j{n}", f"joint {n}", "fixed", f"urn:l{n // 2 * 2}", f"urn:l{n + 1}")
+        for n in range(399)
+    )
+    robot = Structure("urn:arm", "arm", links, joints, roots=("urn:l0",))
+    text = "".join(render(picture(about("urn:l399"), robots=(robot,)), Style()))
+    depth = deepest = 0
+    for tag in re.findall(r"<(/?)(?:ul|details)\b", text):
+        depth += -1 if tag else 1
+        deepest = max(deepest, depth)
+    assert 20 < deepest < 60
+    assert text.count('class="link-name"') == 400
 
 
 ALLOWED = {
@@ -293,6 +340,8 @@ ALLOWED = {
         "svg",
         "g",
         "rect",
+        "circle",
+        "figcaption",
         "ellipse",
         "path",
         "text",

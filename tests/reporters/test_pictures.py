@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -141,6 +142,49 @@ def test_no_two_shapes_lie_on_each_other() -> None:
     for index, (a, b, c, d) in enumerate(boxes):
         for e, f, g, h in boxes[:index]:
             assert c <= e or g <= a or d <= f or h <= b
+
+
+def test_badges_lie_in_their_shapes() -> None:
+    """Also where the name is short and the codes are many."""
+    finding = about("urn:l0").rule
+    told = [
+        about(f"urn:{part}{n}", rule=replace(finding, code=f"RULE00{code}"))
+        for part, count in (("l", 3), ("j", 2))
+        for n in range(count)
+        for code in range(4)
+    ]
+    made = picture(*told, robots=(chain("a", "b", "c"),))
+    root = parsed("".join(pieces(made, "svg", Style())))
+    count = 0
+    for group in root.iter(f"{SVG}g"):
+        badge_ = group.find(f"{SVG}g[@class='badge error']/{SVG}rect")
+        if badge_ is None:
+            continue
+        count += 1
+        x, y, w, h = (float(badge_.get(each, "0")) for each in ("x", "y", "width", "height"))
+        if (shape := group.find(f"{SVG}rect")) is not None and "link" in group.get("class", ""):
+            a, b, c, d = (float(shape.get(each, "0")) for each in ("x", "y", "width", "height"))
+            assert a <= x
+            assert x + w <= a + c
+            assert b <= y
+            assert y + h <= b + d
+        elif (shape := group.find(f"{SVG}ellipse")) is not None:
+            a, b, c, d = (float(shape.get(each, "0")) for each in ("cx", "cy", "rx", "ry"))
+            assert a - c <= x
+            assert x + w <= a + c
+            assert b - d <= y
+            assert y + h <= b + d
+    assert count == 5
+
+
+@pytest.mark.parametrize("form", sorted({*FORMATS} - {"text"}))
+def test_infos_are_not_marked(form: str) -> None:
+    made = picture(about("urn:l1", Severity.INFO), robots=(ARM,))
+    drawn_ = "".join(pieces(made, form, Style()))
+    assert 'class="badge' not in drawn_
+    assert ":::info" not in drawn_
+    if form != "svg":
+        assert "UNI002" not in drawn_
 
 
 def test_a_badge_names_the_worst_codes_first() -> None:

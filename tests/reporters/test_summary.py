@@ -43,8 +43,7 @@ def test_hidden_findings_are_counted_with_the_option_that_shows_them() -> None:
     info = replace(WARNING, severity=Severity.INFO, fixes=(SAFE,))
     made = report(ERROR, WARNING, info, info, files=("a", "b"))
     assert said(made.shown_from(Severity.WARNING)) == (
-        "Found 2 findings (1 error, 1 warning) in 1 of 2 files; 2 can be fixed with --fix [*]; "
-        "2 infos not shown (--show info).\n"
+        "Found 2 findings (1 error, 1 warning) in 1 of 2 files; 2 infos not shown (--show info).\n"
     )
     assert said(made.shown_from(Severity.ERROR)).endswith(
         "; 1 warning and 2 infos not shown (--show info).\n"
@@ -99,6 +98,13 @@ def test_what_is_shown_though_suppressed_is_no_finding() -> None:
         (
             Report(files=("x.jsonld", "y.jsonld"), unapplied=("x.jsonld",), rules=RULES),
             "x.jsonld: 0 rules applied: no known vocabulary\nAll checks passed!",
+        ),
+        (
+            Report(files=("x.yaml",), unapplied=("x.yaml",), rules=RULES),
+            (
+                "x.yaml: 0 rules applied: it names no joint, link, frame or planning group\n"
+                "Nothing was checked: no rule applies."
+            ),
         ),
     ],
 )

@@ -192,6 +192,24 @@ async def test_debug_information_and_graph(editor):
     assert "knee" in picture
 
 
+async def test_the_page_of_a_robot_has_the_theme_of_the_editor(editor):
+    """Webviews of editors do not tell pages which one they have."""
+    editor.open("leg.urdf", LEG)
+    pages = {
+        theme: await editor.command("kinlint.showRobotPage", editor.uri("leg.urdf"), theme)
+        for theme in ("dark", "light", "<none>")
+    }
+    assert all("LIM001" in page for page in pages.values())
+    for theme, query in (("dark", "@media screen {"), ("light", "@media not all {")):
+        assert f'<meta name="color-scheme" content="{theme}">' in pages[theme]
+        assert query in pages[theme]
+        assert "prefers-color-scheme" not in pages[theme]
+    assert "prefers-color-scheme" in pages["<none>"]
+    assert "<none>" not in pages["<none>"]
+    nothing = await editor.command("kinlint.showRobotPage", editor.uri("nothing.urdf"))
+    assert nothing is None
+
+
 async def test_clients_without_versions_get_plain_changes(stranger):
     """As the protocol has it."""
     edits = types.WorkspaceEditClientCapabilities(document_changes=False)

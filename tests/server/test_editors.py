@@ -27,10 +27,10 @@ SCRIPTS = sysconfig.get_path("scripts")
 SUFFIXES = {
     suffix[1:]
     for each in FORMATS
-    if each.searched and each.fence != "yaml"
+    if each.searched and each.fence not in ("yaml", "python")
     for suffix in each.suffixes
 }
-"""Suffixes for which editors start the server; YAML is checked from the command line."""
+"""Suffixes that editors are told of; YAML and launch files are checked from the command line."""
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

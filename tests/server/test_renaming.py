@@ -75,6 +75,8 @@ async def test_a_reason_is_given_where_nothing_is_renamed(editor):
 
 
 async def test_a_file_outside_of_the_workspace(stranger):
+    """It is read, as it is in the same working copy, but not changed."""
+    (stranger.here / ".git").mkdir()
     inside = stranger.here / "inside"
     inside.mkdir()
     editor = await stranger.begin([inside])

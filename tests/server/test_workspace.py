@@ -42,6 +42,19 @@ async def test_a_change_reaches_the_other_files_of_the_robot(editor):
     assert await editor.codes("leg.srdf", lambda codes: not codes) == []
 
 
+async def test_limits_in_yaml_beside_the_only_robot(editor):
+    """They are held against the robot as it is in its buffer, though nothing names both files."""
+    limits = "joint_limits:\n  knee: {has_velocity_limits: true, max_velocity: 3.0}\n"
+    editor.write("leg.urdf", GOOD)
+    editor.write("limits.yaml", limits)
+    editor.open("leg.urdf")
+    editor.open("limits.yaml")
+    assert await editor.codes("limits.yaml", bool) == ["CMP009"]
+
+    editor.replace("leg.urdf", 'velocity="1"', 'velocity="5"')
+    assert await editor.codes("limits.yaml", lambda codes: not codes) == []
+
+
 async def test_the_buffer_counts_and_then_the_disk(editor):
     """What is included is read from where it was changed last."""
     main, macro = XACRO

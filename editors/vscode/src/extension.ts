@@ -3,20 +3,25 @@
 import * as vscode from "vscode";
 import { LanguageClient, type LanguageClientOptions } from "vscode-languageclient/node";
 
-import { robotPage } from "./robotPage";
+import { themeOf, type Theme } from "./robotPage";
+import { RobotViews } from "./robotView";
 import { rulePages } from "./rulePages";
 import { SECTION, serverCommand, serverSettings } from "./settings";
 
-const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml}";
+const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml,rviz,launch,launch.py,launch.xml}";
 const CONFIGURATION = "**/{kinlint.toml,.kinlint.toml,pyproject.toml,package.xml}";
 
 let client: LanguageClient | undefined;
+let watchers: vscode.FileSystemWatcher[] = [];
+const robots = new RobotViews(askForRobot, robotPanel, () => themeOf(vscode.window.activeColorTheme.kind));
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   context.subscriptions.push(
     vscode.commands.registerCommand("kinlint.openRobot", openRobot),
     vscode.commands.registerCommand("kinlint.openRulePage", openRulePage),
     vscode.commands.registerCommand("kinlint.restart", restart),
+    vscode.workspace.onDidSaveTextDocument(() => robots.drawAll()),
+    vscode.window.onDidChangeActiveColorTheme(() => robots.drawAll()),
     vscode.workspace.onDidChangeConfiguration(async (event) => {
       if (event.affectsConfiguration(`${SECTION}.command`)) {
         await restart();
@@ -27,7 +32,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
 }
 
 export async function deactivate(): Promise<void> {
-  await client?.stop();
+  await stop();
 }
 
 async function start(): Promise<void> {
@@ -42,14 +47,23 @@ async function start(): Promise<void> {
   }
 }
 
+/** Stop the server; one that never started cannot be stopped, which is no fault. */
+async function stop(): Promise<void> {
+  const running = client;
+  client = undefined;
+  await running?.stop().catch(() => undefined);
+  watchers.forEach((each) => each.dispose());
+  watchers = [];
+}
+
 async function restart(): Promise<void> {
-  await client?.stop().catch(() => undefined);
+  await stop();
   await start();
 }
 
 function newClient(): LanguageClient {
   const { command, args } = serverCommand(vscode.workspace.getConfiguration(SECTION).get("command"));
-  const patterns = [FILES, CONFIGURATION];
+  watchers = [FILES, CONFIGURATION].map((each) => vscode.workspace.createFileSystemWatcher(each));
   const options: LanguageClientOptions = {
     documentSelector: [
       { language: "xml" },
@@ -61,7 +75,7 @@ function newClient(): LanguageClient {
     initializationOptions: settings(),
     synchronize: {
       configurationSection: SECTION,
-      fileEvents: patterns.map((each) => vscode.workspace.createFileSystemWatcher(each)),
+      fileEvents: watchers,
     },
     middleware: {
       workspace: {
@@ -88,27 +102,33 @@ function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-/** Show the robot of the active file beside it, and again whenever the file is saved. */
+/** Show the robot of the active file beside it. */
 async function openRobot(): Promise<void> {
   const document = vscode.window.activeTextEditor?.document;
-  if (document === undefined || client === undefined) {
+  if (document === undefined) {
+    void vscode.window.showInformationMessage("Open the file of a robot to show it.");
     return;
   }
-  const name = vscode.workspace.asRelativePath(document.uri);
-  const panel = vscode.window.createWebviewPanel("kinlint.robot", name, {
-    viewColumn: vscode.ViewColumn.Beside,
-    preserveFocus: true,
+  await robots.show({ uri: document.uri.toString(), name: vscode.workspace.asRelativePath(document.uri) });
+}
+
+function robotPanel(name: string): vscode.WebviewPanel {
+  return vscode.window.createWebviewPanel(
+    "kinlint.robot",
+    name,
+    { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+    { enableScripts: true, enableFindWidget: true, localResourceRoots: [] },
+  );
+}
+
+async function askForRobot(uri: string, theme: Theme): Promise<string | null> {
+  if (client === undefined) {
+    throw new Error("the server of kinlint does not run");
+  }
+  return client.sendRequest<string | null>("workspace/executeCommand", {
+    command: "kinlint.showRobotPage",
+    arguments: [uri, theme],
   });
-  const draw = async (): Promise<void> => {
-    const svg = await client?.sendRequest<string | null>("workspace/executeCommand", {
-      command: "kinlint.showRobot",
-      arguments: [document.uri.toString()],
-    });
-    panel.webview.html = robotPage(name, svg);
-  };
-  const saving = vscode.workspace.onDidSaveTextDocument(draw);
-  panel.onDidDispose(() => saving.dispose());
-  await draw();
 }
 
 /** Open the page of a rule of which something was found in the active file. */

@@ -1,26 +1,34 @@
-/** Page that shows the picture of a robot. */
+/** Pages of the view of a robot. */
 
-/** Return the page of the robot in `name`, whose picture is the text of an SVG, or undefined. */
-export function robotPage(name: string, svg: string | null | undefined): string {
-  const shown = svg ? withoutProlog(svg) : `<p>${escaped(name)} describes no robot.</p>`;
-  return `<!DOCTYPE html>
+/** Theme of a page of the server. */
+export type Theme = "dark" | "light";
+
+/** Number of each kind of theme of VS Code, as `vscode.ColorThemeKind` has it. */
+const DARK = 2;
+const HIGH_CONTRAST = 3;
+
+/** Return the theme that a page has in a window of the colour theme `kind`. */
+export function themeOf(kind: number): Theme {
+  return kind === DARK || kind === HIGH_CONTRAST ? "dark" : "light";
+}
+
+/** Return `page` of the server as it is, which brings a policy of its own, or one that says why there is none. */
+export function robotPage(name: string, page: string | null | undefined, error?: string): string {
+  const reason = error === undefined ? `${name} describes no robot.` : `${name} cannot be shown: ${error}`;
+  return page
+    ? page
+    : `<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'">
 <title>${escaped(name)}</title>
-<style>body { background: white; color: black } svg { max-width: 100%; height: auto }</style>
 </head>
 <body>
-${shown}
+<p>${escaped(reason)}</p>
 </body>
 </html>
 `;
-}
-
-function withoutProlog(svg: string): string {
-  const start = svg.indexOf("<svg");
-  return start < 0 ? svg : svg.slice(start);
 }
 
 /** Return `text` with the characters replaced that mean something in HTML. */

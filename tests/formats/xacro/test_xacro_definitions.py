@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from expanding import document, project, robot, said
 
+from kinlint.vocabulary import SRC
+
 UNUSED = {
     "unused": ('<xacro:macro name="m" params="a b"><link name="${a}"/></xacro:macro>', ["b"]),
     "in a string": ('<xacro:macro name="m" params="a"><link name="a"/></xacro:macro>', ["a"]),
@@ -91,3 +93,23 @@ def test_a_property_that_hides_one_of_another_file(tmp_path: Path) -> None:
     assert said(found, "ShadowedProperty", "property") == [("w", "main.xacro:4:25 w")]
     ((outer, _),) = said(found, "ShadowedProperty", "outer")
     assert outer == f"{tmp_path / 'parts.xacro'}:2"
+
+
+@pytest.mark.parametrize(
+    ("called", "inside", "is_robot"),
+    [
+        (True, '<lnik name="${side}"/>', True),
+        (True, '<jont name="${side}"/>', True),
+        (True, '<material name="${side}"/>', False),
+        (True, '<plugin name="${side}"/>', False),
+        (False, '<lnik name="${side}"/>', False),
+    ],
+    ids=["link", "joint", "material", "other", "uncalled"],
+)
+def test_misspelt_elements_make_a_robot(
+    tmp_path: Path, *, called: bool, inside: str, is_robot: bool
+) -> None:
+    macro = f'<xacro:macro name="leg" params="side">{inside}</xacro:macro>'
+    calls = ['<xacro:leg side="left"/>'] if called else []
+    found = document(project(tmp_path, arm=robot(macro, *calls)))
+    assert (f"<{SRC}UndeclaredElement>" in {o for _, _, o in found.statements}) is is_robot
