@@ -13,6 +13,7 @@ import time
 from ast import literal_eval
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -30,8 +31,6 @@ pytestmark = [
 KILLS = int(os.environ.get("KINLINT_KILLS", "100"))
 RUNS = 6
 """Number of runs that are killed anywhere, not only while they write."""
-LINES = 150
-"""Number of lines of Python, at least, that are run to write a file."""
 
 
 def read(directory: Path) -> dict[str, bytes]:
@@ -62,16 +61,39 @@ def fixed(directory: Path, begin: Callable[[], None] = lambda: None) -> int:
     os._exit(0)
 
 
+def written_lines(
+    directory: Path, before: Mapping[str, bytes], write: Callable[..., object], arguments: tuple
+) -> int:
+    """The number of lines of Python that write all files, counted in a process of its own."""
+    put(directory, before)
+    reading, writing = os.pipe()
+    if not os.fork():
+        passed = count()
+
+        def line(_frame, _event, _argument):
+            next(passed)
+            return line
+
+        sys.settrace(line)
+        write(*arguments)
+        sys.settrace(None)
+        os.write(writing, str(next(passed)).encode())
+        os._exit(0)
+    os.wait()
+    return int(os.read(reading, 20))
+
+
 def kill_writers(directory: Path, before: Mapping[str, bytes], record: Path) -> None:
     """Let this process write its fixes in many others, which are killed; *record* what they leave.
 
-    Every other one is killed at a line of the writing, the rest after a random part of the time.
+    Every other one is killed at a line of the writing, these lines evenly apart, so that each step
+    is met whatever the machine is busy with; the rest after a random part of the time.
     """
     write = fix_files.write_fixes
 
     def many(*arguments):
         left: dict[tuple[tuple[str, bytes], ...], int] = {}
-        interrupted, seconds = 0, 0.0
+        interrupted, seconds, lines = 0, 0.0, written_lines(directory, before, write, arguments)
         for seed in range(KILLS + 1):
             chance = random.Random(seed)  # noqa: S311
             put(directory, before)
@@ -79,7 +101,7 @@ def kill_writers(directory: Path, before: Mapping[str, bytes], record: Path) -> 
             child = os.fork()
             if not child:
                 if seed % 2:
-                    sys.settrace(killer(chance.randrange(LINES * len(before))))
+                    sys.settrace(killer(lines * seed // KILLS))
                 write(*arguments)
                 os._exit(0)
             if seed and not seed % 2:
