@@ -95,6 +95,17 @@ def one_of(
 _choices: dict[object, tuple[str, ...]] = {}
 
 
+def add_color(add: Callable[..., object]) -> None:
+    """Add the option that says whether text is coloured."""
+    add(
+        "--color",
+        type=one_of(("auto", "always", "never")),
+        default="auto",
+        metavar="WHEN",
+        help="colour text: auto (on a terminal), always or never",
+    )
+
+
 def choices(kind: object) -> tuple[str, ...]:
     """Return the values that arguments of *kind* may have; empty if *kind* is no such type."""
     return _choices.get(kind, ())

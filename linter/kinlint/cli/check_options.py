@@ -6,7 +6,15 @@ from argparse import SUPPRESS, BooleanOptionalAction
 from collections.abc import Callable
 from typing import Any
 
-from kinlint.cli.argument_parser import Parser, comma_list, count, non_empty, one_of, seconds
+from kinlint.cli.argument_parser import (
+    Parser,
+    add_color,
+    comma_list,
+    count,
+    non_empty,
+    one_of,
+    seconds,
+)
 from kinlint.configuration.keys import (
     ENGINES,
     OUTPUT_FORMATS,
@@ -250,13 +258,7 @@ def _output(made: Parser) -> None:
         default=0,
         help="print what was read and how, and derivations; -vv with --statistics: time by rule",
     )
-    add(
-        "--color",
-        type=one_of(("auto", "always", "never")),
-        default="auto",
-        metavar="WHEN",
-        help="auto, always or never",
-    )
+    add_color(add)
 
 
 def add_reading_options(add: Callable[..., object]) -> None:

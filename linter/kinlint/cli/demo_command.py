@@ -9,7 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kinlint.cli import check_command
-from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.argument_parser import Parser, add_color
 from kinlint.cli.check_options import STDOUT, add_output_file
 from kinlint.errors import UsageError
 
@@ -47,7 +47,7 @@ def parser() -> Parser:
         epilog="Exit code: 0.",
     )
     add_output_file(made, way="write the robot to FILE, and lint nothing")
-    made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
+    add_color(made.add_argument)
     return made
 
 

@@ -10,7 +10,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.argument_parser import Parser, add_color, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import add_input_options
 from kinlint.cli.report_outputs import replacing
@@ -66,13 +66,7 @@ def parser() -> Parser:
         "1 mm and 2 mrad do not (default for two formats)",
     )
     add_input_options(add, "add the vocabulary of the rules in DIR")
-    add(
-        "--color",
-        type=one_of(("auto", "always", "never")),
-        metavar="auto|always|never",
-        default="auto",
-        help="colour text (default: on a terminal)",
-    )
+    add_color(add)
     return made
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from kinlint.cli import check_options as linting
-from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.argument_parser import Parser, add_color, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import add_input_options, find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
@@ -69,13 +69,7 @@ def parser() -> Parser:
     add("--ignore", metavar="R", **linting.LISTS, help="do not mark findings of these rules")
     add("--target", metavar="NAME", **linting.LISTS, help="also check for this consumer")
     add_input_options(add, "add the rule files in DIR")
-    add(
-        "--color",
-        type=one_of(("auto", "always", "never")),
-        metavar="auto|always|never",
-        default="auto",
-        help="colour text (default: on a terminal)",
-    )
+    add_color(add)
     return made
 
 

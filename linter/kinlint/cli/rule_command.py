@@ -10,7 +10,7 @@ from pathlib import Path
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.shacl_export import shacl
-from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.argument_parser import Parser, add_color, one_of
 from kinlint.cli.project_rules import project_rules
 from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
@@ -41,7 +41,7 @@ def parser() -> Parser:
     )
     made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
     made.add_argument("--trust", action="store_true", help="add the project's own rules")
-    made.add_argument("--color", type=one_of(("auto", "always", "never")), default="auto")
+    add_color(made.add_argument)
     return made
 
 

@@ -15,7 +15,7 @@ from kinlint.errors import UsageError
 from kinlint.reporters.reporter_registry import put
 from kinlint.suggestion import did_you_mean
 from kinlint.targets.chosen_target import chosen_targets, read_target
-from kinlint.targets.consumer import Cell, Consumer, ConsumerTable
+from kinlint.targets.consumer import Consumer, ConsumerTable
 from kinlint.targets.consumer_files import consumer_table
 
 FORMATS = ("text", "json", "html")
@@ -96,20 +96,7 @@ def consumer_object(consumer: Consumer) -> dict[str, Any]:
             for each in consumer.parsers
         ],
         "links": list(consumer.links),
-        "features": [cell_object(cell) for cell in consumer.cells],
-    }
-
-
-def cell_object(cell: Cell) -> dict[str, Any]:
-    """Return *cell* as an object for JSON."""
-    return {
-        "feature": cell.feature,
-        "behaviour": cell.behaviour.name,
-        "outcome": cell.clause,
-        "since": cell.versions.since or None,
-        "until": cell.versions.until or None,
-        "measured": list(cell.measured),
-        "sources": list(cell.sources),
+        "features": [{"feature": each.feature, **each.to_json()} for each in consumer.cells],
     }
 
 

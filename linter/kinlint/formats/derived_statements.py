@@ -16,14 +16,14 @@ COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 class DerivedStatements:
     """Statements so far."""
 
-    triples: dict[Triple, None] = field(default_factory=dict)
-    """The statements, in order."""
+    triples: dict[Triple, Triple | None] = field(default_factory=dict)
+    """The statements, in order; those that repeat a value, with the one in which it is written."""
     made_of: dict[Term, Term] = field(default_factory=dict)
-    """Elements of the nodes that are none themselves."""
+    """Elements of the nodes that are none themselves, such as copies."""
 
-    def state(self, node: Term, name: str, value: Term) -> None:
-        """State that *value* is the property *name* of *node*."""
-        self.triples[node, src(name), value] = None
+    def state(self, node: Term, name: str, value: Term, of: Triple | None = None) -> None:
+        """State that *value* is the property *name* of *node*, which *of* says, if it is given."""
+        self.triples.setdefault((node, src(name), value), of)
 
     def word(self, node: Term, name: str, word: str) -> None:
         """State a *word*."""
@@ -31,7 +31,7 @@ class DerivedStatements:
 
     def number(self, node: Term, name: str, value: float) -> None:
         """State a number."""
-        self.state(node, name, literal(repr(value), f"{XSD}double"))
+        self.state(node, name, number(value))
 
     def numbers(self, node: Term, names: Iterable[str], values: Sequence[float]) -> None:
         """State several numbers, without rounding errors of the arithmetic."""
@@ -42,3 +42,11 @@ class DerivedStatements:
         """State a pose, if it is known, by properties that begin with *stem*."""
         if place is not None:
             self.numbers(node, (f"{stem}-{c}" for c in COMPONENTS), (*place[0], *place[1]))
+
+
+def number(value: float) -> Term:
+    """Return the literal of *value*."""
+    spelled = repr(value)
+    return literal(
+        {"inf": "INF", "-inf": "-INF", "nan": "NaN"}.get(spelled, spelled), f"{XSD}double"
+    )

@@ -67,7 +67,7 @@ class FeatureMatrix(NamedTuple):
                     "alike": row.alike,
                     "advice": row.advice or None,
                     "targets": {
-                        target.text: None if cell is None else _cell(cell)
+                        target.text: None if cell is None else cell.to_json()
                         for target, cell in zip(self.targets, row.cells, strict=True)
                     },
                 }
@@ -89,14 +89,3 @@ def _row(
         alike,
         "" if alike else portability.advice,
     )
-
-
-def _cell(cell: Cell) -> dict[str, Any]:
-    return {
-        "behaviour": cell.behaviour.name,
-        "outcome": cell.clause,
-        "since": cell.versions.since or None,
-        "until": cell.versions.until or None,
-        "measured": list(cell.measured),
-        "sources": list(cell.sources),
-    }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.rule import Severity
@@ -81,6 +82,17 @@ class Cell:
     def clause(self) -> str:
         """Return the clause that says what becomes of the feature."""
         return self.outcome or self.behaviour.outcome
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the treatment as JSON values."""
+        return {
+            "behaviour": self.behaviour.name,
+            "outcome": self.clause,
+            "since": self.versions.since or None,
+            "until": self.versions.until or None,
+            "measured": list(self.measured),
+            "sources": list(self.sources),
+        }
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from pathlib import Path
 
 import pytest
 from data import locate_data
-from support.linting import lint
-
-from kinlint.configuration.settings import Choice, FileSettings
-from kinlint.formats.registry import decode
+from support.defect_tables import found, rows
 
 TABLE = Path(__file__).with_name("mjcf_defects.tsv")
 """What is found in each robot with one defect: a line and a code, or why nothing is.
@@ -22,24 +18,8 @@ MOST_WITH_ERRORS = 0.15
 """The share of public models that may have errors, each of which has been looked at."""
 
 
-def rows() -> list[list[str]]:
-    return [line.split("\t") for line in TABLE.read_text().splitlines()[1:]]
-
-
-@cache
-def found(path: Path, selected: tuple[str, ...] = ()) -> frozenset[tuple[int, str, str]]:
-    """The line, code and severity of each finding in *path*, of rules that are on or *selected*."""
-    chosen = FileSettings((Choice(extend_select=selected),))
-    report = lint([decode(str(path), path.read_bytes())], default=chosen)
-    assert report.errors == () or path.stem == "unclosed-element", report.errors
-    return frozenset(
-        (each.location.start.line, each.rule.code, each.severity.name.lower())
-        for each in report.findings
-    )
-
-
 @pytest.mark.corpus
-@pytest.mark.parametrize("row", rows(), ids=lambda row: row[0])
+@pytest.mark.parametrize("row", rows(TABLE), ids=lambda row: row[0])
 def test_a_defect_is_found_at_its_line(row: list[str]) -> None:
     file, line, code, reason = row
     selected = (code,) if reason and code != "-" else ()
@@ -54,7 +34,7 @@ def test_a_defect_is_found_at_its_line(row: list[str]) -> None:
 @pytest.mark.corpus
 def test_the_table_has_each_defect() -> None:
     folder = locate_data("defects", "mjcf")
-    assert {row[0] for row in rows()} == {path.name for path in folder.glob("*.xml")}
+    assert {row[0] for row in rows(TABLE)} == {path.name for path in folder.glob("*.xml")}
 
 
 @pytest.mark.corpus

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
 import pytest
 from data import locate_data
-from support.linting import lint
-
-from kinlint.formats.registry import decode
+from support.defect_tables import found, rows
 
 TABLE = Path(__file__).with_name("usd_defects.tsv")
 """What is found in each stage with one defect: a line and a code, or why nothing is."""
@@ -17,23 +14,8 @@ WITH_ERRORS = {"usdPhysicsDistanceJoint.usda"}
 """Public examples with an error: one with a type that no schema has."""
 
 
-def rows() -> list[list[str]]:
-    return [line.split("\t") for line in TABLE.read_text().splitlines()[1:]]
-
-
-@cache
-def found(path: Path) -> frozenset[tuple[int, str, str]]:
-    """The line, code and severity of each finding in *path*."""
-    report = lint([decode(str(path), path.read_bytes())])
-    assert report.errors == (), report.errors
-    return frozenset(
-        (each.location.start.line, each.rule.code, each.severity.name.lower())
-        for each in report.findings
-    )
-
-
 @pytest.mark.corpus
-@pytest.mark.parametrize("row", rows(), ids=lambda row: row[0])
+@pytest.mark.parametrize("row", rows(TABLE), ids=lambda row: row[0])
 def test_a_defect_is_found_at_its_line(row: list[str]) -> None:
     file, line, code, reason = row
     places = found(locate_data("defects", "usd") / file)
@@ -48,7 +30,7 @@ def test_a_defect_is_found_at_its_line(row: list[str]) -> None:
 def test_the_table_has_each_defect() -> None:
     folder = locate_data("defects", "usd")
     names = {path.name for path in folder.glob("*.usda") if not path.name.startswith("clean")}
-    assert {row[0] for row in rows()} == names
+    assert {row[0] for row in rows(TABLE)} == names
 
 
 @pytest.mark.corpus

@@ -65,7 +65,8 @@ class KeyframeStatements:
             if size == 1:
                 self._position(node, joint, key, at, said[at][2])
             elif not hypot(*turn):
-                self.said.number(node, "quaternionNorm", 0.0, said[at + size - QUATERNION])
+                of = said[at + size - QUATERNION]
+                self.said.state(node, "quaternionNorm", of[2], of)
             at += size
 
     def _position(

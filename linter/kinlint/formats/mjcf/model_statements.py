@@ -2,55 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-
+from kinlint.formats.derived_statements import DerivedStatements
 from kinlint.formats.mjcf.compiled_model import CompiledBody, CompiledPart
 from kinlint.formats.mjcf.compiler_settings import CompilerSettings
 from kinlint.formats.mjcf.mjcf_elements import MjcfElement
-from kinlint.formats.rigid_transform import Transform, rounded
-from kinlint.formats.source_layer import src
-from kinlint.light_dataclasses import dataclass, field
+from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, Triple, iri, literal
 from kinlint.vocabulary import ATTRIBUTE, INHERITED
 
-COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
-
 
 @dataclass
-class ModelStatements:
+class ModelStatements(DerivedStatements):
     """Statements of a model so far."""
-
-    triples: dict[Triple, Triple | None] = field(default_factory=dict)
-    """The statements; those that repeat a value, with the one in which it is written."""
-    made_of: dict[Term, Term] = field(default_factory=dict)
-    """Elements of the nodes that are none themselves, such as copies."""
-
-    def state(self, node: Term, name: str, value: Term, of: Triple | None = None) -> None:
-        """State that *value* is the property *name*, of the source layer, of *node*."""
-        self.triples.setdefault((node, src(name), value), of)
-
-    def word(self, node: Term, name: str, word: str) -> None:
-        """State a *word*."""
-        self.state(node, name, literal(word))
 
     def truth(self, node: Term, name: str, *, value: bool) -> None:
         """State a truth value."""
         self.state(node, name, literal("true" if value else "false", f"{XSD}boolean"))
-
-    def number(self, node: Term, name: str, value: float, of: Triple | None = None) -> None:
-        """State a number; where *of* is given, as it is spelled there."""
-        spelled = of[2] if of is not None else number(value)
-        self.state(node, name, spelled, of)
-
-    def numbers(self, node: Term, names: Iterable[str], values: Sequence[float]) -> None:
-        """State several numbers, without rounding errors of the arithmetic."""
-        for name, value in zip(names, rounded(values), strict=True):
-            self.number(node, name, value)
-
-    def pose(self, node: Term, stem: str, place: Transform | None) -> None:
-        """State a pose, if it is known, by properties that begin with *stem*."""
-        if place is not None:
-            self.numbers(node, (f"{stem}-{c}" for c in COMPONENTS), (*place[0], *place[1]))
 
     def undecided(
         self,
@@ -85,11 +52,3 @@ class ModelStatements:
     def _inherit(self, node: Term, said: Triple) -> None:
         predicate = iri(f"{INHERITED}{said[1][len(ATTRIBUTE) + 1 : -1]}")
         self.triples.setdefault((node, predicate, said[2]), said)
-
-
-def number(value: float) -> Term:
-    """Return the literal of *value*."""
-    spelled = repr(value)
-    return literal(
-        {"inf": "INF", "-inf": "-INF", "nan": "NaN"}.get(spelled, spelled), f"{XSD}double"
-    )

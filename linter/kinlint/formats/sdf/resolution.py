@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from kinlint.formats.derived_statements import COMPONENTS, number
 from kinlint.formats.rigid_transform import Transform, between, composed, rounded
 from kinlint.formats.sdf.axis import AXES, direction
 from kinlint.formats.sdf.format import SDF
@@ -20,10 +21,9 @@ from kinlint.formats.sdf.sdf_elements import SdfElement
 from kinlint.formats.source_layer import src
 from kinlint.formats.xml.references import names
 from kinlint.formats.xml.schema import schema
-from kinlint.terms import XSD, Term, Triple, literal
+from kinlint.terms import Term, Triple
 
 ENTITIES = ("model", "actor", "light")
-COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
 def resolve_names(
@@ -73,7 +73,7 @@ class _Resolution:
         for box, leader, follower, sense in gears(self.frames, joints):
             yield box.node, src("leader"), leader.node
             yield box.node, src("follower"), follower.node
-            yield box.node, src("sense"), _number(sense)
+            yield box.node, src("sense"), number(sense)
 
     def _left_out(self) -> Iterator[Triple]:
         """Yield the entities that readers ignore.
@@ -163,7 +163,7 @@ class _Resolution:
             xyz, own = axis.first("xyz"), direction(self.frames, joint, axis)
             if xyz is not None and own is not None:
                 for component, value in zip("xyz", rounded(own), strict=True):
-                    yield xyz.node, src(component), _number(value)
+                    yield xyz.node, src(component), number(value)
             mimic = axis.first("mimic")
             leader = mimic.attributes.get("joint", "") if mimic else ""
             if mimic is not None and leader:
@@ -179,8 +179,4 @@ class _Resolution:
 
 def _pose(node: Term, body: str, pose: Transform) -> Iterator[Triple]:
     for component, value in zip(COMPONENTS, rounded((*pose[0], *pose[1])), strict=True):
-        yield node, src(f"{body}-{component}"), _number(value)
-
-
-def _number(value: float) -> Term:
-    return literal(repr(value), f"{XSD}double")
+        yield node, src(f"{body}-{component}"), number(value)
