@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import sysconfig
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 from lsprotocol import types
 from pygls.protocol import default_converter
@@ -16,7 +18,8 @@ KINLINT = str(Path(sysconfig.get_path("scripts"), "kinlint"))
 CODECS = {"utf-8": "utf-8", "utf-16": "utf-16-le", "utf-32": "utf-32-le"}
 WIDTHS = {"utf-8": 1, "utf-16": 2, "utf-32": 4}
 PROFILES = ("visual-studio-code", "neovim", "emacs")
-PATIENCE = 60
+PATIENCE = 240
+"""Seconds after which an answer is said to be missing, on the slowest of machines."""
 
 
 async def started(profile, env, command=(KINLINT, "server", "--stdio")):
@@ -87,6 +90,16 @@ class Editor:
         self.encoding = self.said.capabilities.position_encoding
         self.pulls = self.said.capabilities.diagnostic_provider is not None
         return self
+
+    @contextmanager
+    def in_one_piece(self):
+        """Send what the block says when it ends, so that the server hears it without a pause."""
+        protocol = self.client.protocol
+        writer, said = protocol.writer, []
+        protocol.set_writer(SimpleNamespace(write=said.append))
+        yield
+        protocol.set_writer(writer)
+        writer.write(b"".join(said))
 
     def uri(self, name):
         return (self.here / name).as_uri()

@@ -37,7 +37,7 @@ def serve(tmp_path, rules_cache):
     def run(said, *options):
         command = [KINLINT, "server", *options]
         return subprocess.run(
-            command, input=said, cwd=tmp_path, capture_output=True, timeout=60, check=False
+            command, input=said, cwd=tmp_path, capture_output=True, timeout=600, check=False
         )
 
     return run

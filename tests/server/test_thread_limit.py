@@ -19,10 +19,8 @@ def forever():
 
 
 def test_a_loop_is_interrupted():
-    began = time.monotonic()
     with pytest.raises(TimeOver), thread_limit.thread_limit(0.2):
         forever()
-    assert time.monotonic() - began < 20
 
 
 def test_what_ends_in_time_is_left_alone():
@@ -44,7 +42,7 @@ def test_a_request_without_an_answer(monkeypatch):
 def test_a_model_that_takes_too_long_has_a_diagnostic(here, library, monkeypatch):  # noqa: F811
     """Another is checked as ever, and so is this one when it changes."""
     (here / "leg.srdf").unlink()
-    monkeypatch.setattr(session, "ANALYSIS", 1.0)
+    monkeypatch.setattr(session, "ANALYSIS", 0.5)
     examine = Analyzer.examine
 
     def stubborn(self, sources, *arguments, **more):
@@ -56,7 +54,8 @@ def test_a_model_that_takes_too_long_has_a_diagnostic(here, library, monkeypatch
     evil = GOOD.replace("</robot>", "<!-- FOREVER --></robot>")
     step = library.step(moment(here, 1, ("leg.urdf", evil)), never)
     told = {path.name: [each.message for each in found.items] for path, found in step.found.items()}
-    assert told == {"leg.urdf": ["not checked within 1 s"]}
+    assert told == {"leg.urdf": ["not checked within 0.5 s"]}
     assert library.consult(here / "leg.urdf", None, str, never) is None
+    monkeypatch.setattr(session, "ANALYSIS", 300.0)
     after = library.step(moment(here, 2, ("leg.urdf", LEG)), never)
     assert [each.code for found in after.found.values() for each in found.items] == ["LIM001"]

@@ -5,7 +5,7 @@ import os
 from asyncio.subprocess import PIPE
 
 import pytest
-from editor import KINLINT, Editor, started
+from editor import KINLINT, PATIENCE, Editor, started
 from lsprotocol import types
 from robots import GOOD, LEG, XACRO
 
@@ -269,13 +269,14 @@ async def test_a_request_that_is_cancelled(stranger):
     editor.open("leg.urdf", LEG)
     which = types.TextDocumentIdentifier(editor.uri("leg.urdf"))
     params = types.DocumentDiagnosticParams(which)
-    asked = editor.client.protocol.send_request(
-        types.TEXT_DOCUMENT_DIAGNOSTIC, params, msg_id="one"
-    )
-    editor.client.cancel_request(types.CancelParams("one"))
+    with editor.in_one_piece():
+        asked = editor.client.protocol.send_request(
+            types.TEXT_DOCUMENT_DIAGNOSTIC, params, msg_id="one"
+        )
+        editor.client.cancel_request(types.CancelParams("one"))
 
     with pytest.raises(Exception, match="cancel"):
-        await asyncio.wait_for(asyncio.wrap_future(asked), 30)
+        await asyncio.wait_for(asyncio.wrap_future(asked), PATIENCE)
     assert await editor.codes("leg.urdf") == ["LIM001"]
 
 
@@ -283,13 +284,13 @@ async def test_the_server_ends_with_its_client(tmp_path, rules_cache):
     """The process that the client said it is, is no more; standard input stays open."""
     client, capabilities = await started("neovim", dict(os.environ))
     editor = Editor(client, capabilities, tmp_path)
-    child = await asyncio.create_subprocess_exec("sleep", "60")
+    child = await asyncio.create_subprocess_exec("sleep", "600")
     params = types.InitializeParams(capabilities=capabilities, process_id=child.pid)
     await editor.client.initialize_session(params)
     child.kill()
     await child.wait()
 
-    assert await asyncio.wait_for(client._server.wait(), 30) == 1
+    assert await asyncio.wait_for(client._server.wait(), PATIENCE) == 1
 
 
 async def test_a_part_in_turtle_is_read(editor):

@@ -10,10 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from editor import KINLINT
-
-PATIENCE = 120
-"""Seconds after which an answer is said to be missing."""
+from editor import KINLINT, PATIENCE
 
 
 def framed(body: bytes) -> bytes:

@@ -13,6 +13,8 @@ from kinlint.formats.xml import elements, expat_parsing
 
 HEAD, END = "<robot name='a'>", "</robot>"
 MANY = 30_000
+SECONDS = 20
+"""CPU time of an answer, beyond which it grows with more than the size on any machine."""
 MANY_ATTRIBUTES = " ".join(f'b{k}=""' for k in range(1001))
 
 
@@ -24,14 +26,14 @@ LAUGHS = "".join(map(entity, range(12)))
 LONG = "a" * 1000
 
 
-def answered(text: str, seconds: float) -> Document | SourceError:
+def answered(text: str) -> Document | SourceError:
     start = time.process_time()
     answer: Document | SourceError
     try:
         answer = model(text)
     except SourceError as error:
         answer = error
-    assert time.process_time() - start < seconds
+    assert time.process_time() - start < SECONDS
     return answer
 
 
@@ -48,7 +50,7 @@ def answered(text: str, seconds: float) -> Document | SourceError:
     ids=["laughs", "quadratic", "external", "deep", "long tags", "long name"],
 )
 def test_bombs_are_refused_where_they_stand(text: str) -> None:
-    error = answered(text, 1)
+    error = answered(text)
     assert isinstance(error, SourceError)
     assert error.line == 1
 
@@ -82,9 +84,10 @@ def test_bombs_are_refused_where_they_stand(text: str) -> None:
         "<" + "a" * 1_000_000,
         "\0" * 1_000_000,
     ],
+    ids=lambda text: text[len(HEAD) :][:20],
 )  # fmt: skip
 def test_the_time_grows_with_the_size_alone(text: str) -> None:
-    answered(text, 5)
+    answered(text)
 
 
 def test_size_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
