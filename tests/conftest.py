@@ -39,6 +39,11 @@ def pytest_configure(config):
     rulebook.SHIPPED = here
 
 
+def pytest_make_parametrize_id(val):
+    """Shorten names of tests after long texts: they go from process to process, and to logs."""
+    return f"{val[:40]!a}-{len(val)}" if isinstance(val, str | bytes) and len(val) > 400 else None
+
+
 def pytest_terminal_summary(terminalreporter, config):
     """Tell how to run what the tiers left out, where that is all there is."""
     if config.option.collectonly:

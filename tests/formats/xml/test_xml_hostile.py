@@ -84,7 +84,7 @@ def test_bombs_are_refused_where_they_stand(text: str) -> None:
         "<" + "a" * 1_000_000,
         "\0" * 1_000_000,
     ],
-    ids=lambda text: text[len(HEAD) :][:20],
+    ids=range(25),
 )  # fmt: skip
 def test_the_time_grows_with_the_size_alone(text: str) -> None:
     answered(text)
