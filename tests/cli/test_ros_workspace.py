@@ -110,6 +110,13 @@ def test_findings_in_installed_files_are_counted(ws, kinlint, place):
     assert kinlint(home / "urdf" / "gripper.xacro", *asked)[0] == 1
 
 
+def test_an_srdf_alone_is_checked_against_a_robot_of_arguments(configured, kinlint):
+    """In a package that its own depends on, however its arguments are set elsewhere."""
+    configured.change(SRDF_FILE, '"wrist" value="0"', '"wrist" value="9"')
+    out = kinlint(SRDF_FILE, "-q", "--output-format", "concise")[1]
+    assert "9 is above the upper limit 3 of joint 'wrist'" in out
+
+
 def test_the_srdf_is_checked_against_the_robot_of_the_other_package(ws, kinlint):
     """A joint that it lacks is found."""
     ws.change(SRDF_FILE, '<joint name="elbow"/>', '<joint name="elbo"/>')
@@ -220,6 +227,19 @@ def test_joints_that_no_robot_has(configured, kinlint):
     configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
     assert of_yaml(kinlint) == [UNKNOWN]
     assert of_yaml(kinlint, f"{CONFIG}ros2_controllers.yaml") == [UNKNOWN]
+
+
+def test_a_configuration_of_a_package_that_depends_on_nothing(configured, kinlint):
+    """It is checked against the only robot of the project; without one, `-v` and CMP019 tell it."""
+    (configured.top / CONFIG / "../package.xml").write_text("<package><name>a</name></package>")
+    name = f"{CONFIG}ros2_controllers.yaml"
+    configured.write(name, CONTROLLERS.format("elbo"))
+    assert of_yaml(kinlint, name, "--in-project") == [UNKNOWN]
+    code, _, err = kinlint(name, "-v")
+    assert code == 0
+    assert f"robot of {name}: not found" in err
+    (told,) = of_yaml(kinlint, name, "--show", "info")
+    assert told.endswith("such as 'elbo', so they are not checked. [CMP019]")
 
 
 def test_limits_wider_than_those_of_the_robot(configured, kinlint):

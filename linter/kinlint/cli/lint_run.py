@@ -16,6 +16,7 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
+from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
@@ -126,13 +127,15 @@ class LintRun:
                     why = "Turtle without a model that it is part of is read only where it is named"
                     models = (one for one in texts if METAMODELS in one.text and SH not in one.text)
                     self._passed.extend(SourceError(each.name, why) for each in models)
+            sources = pair(sources, self.settings)
             if asides := self.found.asides:
                 from kinlint.cli.project_mode import affecting_sources  # noqa: PLC0415
 
                 sources = affecting_sources(sources, asides, self.settings)
-            sources = pair(sources, self.settings)
             self.read[:] = sources
-            self.paired[:] = (each for each in sources if each.pairing is not None)
+            self.paired[:] = (
+                each for each in sources if each.pairing is not None or each.format == YAML
+            )
             return sources, [*self.found.errors, *errors]
 
     def _read_in_time(self, options: Namespace) -> tuple[list[SourceText], list[SourceError]]:

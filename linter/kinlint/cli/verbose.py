@@ -11,6 +11,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASE_DATES
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
+from kinlint.rule import PLACEHOLDER
 from kinlint.text import SourceText
 
 ENGINES = {"oxigraph": ("pyoxigraph",), "pyshacl": ("pyshacl", "rdflib", "owlrl")}
@@ -79,7 +80,7 @@ def package_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator
 
 
 def pairing_lines(paired: Iterable[SourceText]) -> Iterator[str]:
-    """Lines that say by which URDF each SRDF among *paired* is judged, and why."""
+    """Lines that say by which URDF each file among *paired* is judged, and why."""
     for each in paired:
         pairing = each.pairing
         if pairing is None or not pairing.partner:
@@ -105,7 +106,8 @@ def lines_after(report: Report, settings: Settings, book: Rulebook) -> Iterator[
     for finding, repair, why in report.unfixed:
         source, start = finding.location.source, finding.location.start
         place = f"{source.name}:{start.line}:{start.column}"
-        yield f"{finding.rule.code} at {place} has no fix '{repair.title}': {why}"
+        title = PLACEHOLDER.sub("...", repair.title).replace("'...'", "...")
+        yield f"{finding.rule.code} at {place} has no fix '{title}': {why}"
     if report.seconds is not None:
         yield f"time: {report.seconds:.3f} s"
 

@@ -33,7 +33,7 @@ from kinlint.text import Location
 from kinlint.vocabulary import ATTRIBUTE, FACT, SRC
 
 KINDS = frozenset(
-    {"world", "model", "link", "joint", "frame", "group", "actor", "light", "macro", "prim"}
+    {"actor", "body", "frame", "group", "joint", "light", "link", "macro", "model", "prim", "world"}
 )
 """Elements that are spoken of by kind and name: joint 'elbow'."""
 
@@ -183,10 +183,13 @@ class Wording:
     def source(self, triple: Triple) -> str:
         """Return what has the value of a *triple* of a document, by the name it has there.
 
-        `'upper'` is an attribute or a property, `<pose> of link 'hand'` an element with text.
+        `'upper'` is an attribute or a property, `<pose> of link 'hand'` an element with text; what
+        the graph alone has is named by its subject.
         """
         subject, property_, _ = triple
         element = self._element(subject)
+        if property_.startswith(f"<{SRC}") and not property_.startswith(TEXT):
+            return self.word(subject)
         if element is None:
             return f"'{self.display.term(property_)}'"
         path, attribute = self.locator.provenance.read_from(subject, property_)

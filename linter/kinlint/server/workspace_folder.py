@@ -113,24 +113,24 @@ class WorkspaceFolder:
             sources += self._turtle_parts(sources, documents)
         settings = self._of([given[each.name] for each in sources])
         for group in self._groups(sources, settings, documents):
-            inputs = [given[source.name] for source in group]
+            own = [source for source in group if not source.companion]
+            if not own:
+                continue
+            inputs = [given[source.name] for source in own]
             settings = self._of(inputs)
             paired = pair(group, settings, documents.overlay)
-            own, more = paired[: len(group)], paired[len(group) :]
+            more = [source for source in paired if source.companion]
+            own = [source for source in paired if not source.companion]
             yield Model(_paths(inputs), tuple(own), settings, tuple(more))
 
     def _groups(
         self, sources: Sequence[SourceText], settings: Settings, documents: DocumentStore
     ) -> Iterator[Sequence[SourceText]]:
-        """Yield *sources* by models: a YAML file is in that of the robots that all of them give."""
-        if not any(each.format == YAML for each in sources):
-            yield from group_sources(sources, self._ties) if sources else ()
-            return
-        paired = pair(sources, settings, documents.overlay)[: len(sources)]
-        known = {each.name: each for each in sources}
-        tied = [one if one.format == YAML else known[one.name] for one in paired]
-        for group in group_sources(tied, self._ties):
-            yield [known[each.name] for each in group]
+        """Yield *sources* by models; with YAML, which all of them pair with robots, companions too.
+        """
+        if any(each.format == YAML for each in sources):
+            sources = pair(sources, settings, documents.overlay)
+        yield from group_sources(sources, self._ties) if sources else ()
 
     def _turtle_parts(
         self, sources: Sequence[SourceText], documents: DocumentStore

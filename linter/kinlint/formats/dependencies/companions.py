@@ -52,7 +52,7 @@ def pair(
         shelf = _Shelf(sources, overlay)
         paired = [shelf.paired(each, settings.partner) for each in sources]
         paired += shelf.borrowed.values()
-    if any(each.format == YAML for each in sources):
+    if any(each.format == YAML or each.pairing == NONE for each in paired):
         from kinlint.formats.dependencies.configured_robots import pair_configurations  # noqa: PLC0415
         from kinlint.formats.options import ReadOptions  # noqa: PLC0415  few runs have any
 

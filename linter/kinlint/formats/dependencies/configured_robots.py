@@ -2,7 +2,7 @@
 
 These are, in this order, those that a launch file names together with it, those of its package, of
 the packages that this one depends on, or the only robot of the run. Robots that are not linted are
-looked for in these packages.
+looked for in these packages. An SRDF without a robot gets those of its name that they have.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from kinlint.text import Pairing, SourceText
 HEAD = 1 << 16
 MOST = 40
 """Most robots of a package that are looked at beside those of the run."""
+DEPENDED = "it is in a package that this one depends on"
 FOLDERS = ("urdf", "robots", "config", "srdf", ".")
 ENDINGS = (".urdf", ".urdf.xacro", ".xacro", ".srdf")
 _DEPENDS = re.compile(r"<(?:build_|exec_|build_export_|run_)?depend\b[^>]*>\s*([^<\s]+)\s*</")
@@ -45,17 +46,21 @@ def pair_configurations(
 ) -> list[SourceText]:
     """Return *sources*, in which each YAML file says which robots it may be about.
 
-    Robots that are not among *sources* are added as companions. *packages_of* returns the packages
+    So does an SRDF for which `companions` found none. Robots that are not among *sources* are added as companions. *packages_of* returns the packages
     that the file of a name can name; *overlay* has texts that files are taken to hold.
     """
     finder = _Finder(sources, packages_of, overlay)
-    paired = [
-        replace(each, pairing=finder.pairing(each, settings.partner(each.name)))
-        if each.format == YAML and each.pairing is None and not each.companion
-        else each
-        for each in sources
-    ]
-    return [*paired, *finder.borrowed.values()]
+
+    def paired(each: SourceText) -> SourceText:
+        if each.companion:
+            return each
+        if each.format == YAML and each.pairing is None:
+            return replace(each, pairing=finder.pairing(each, settings.partner(each.name)))
+        if each.pairing is not None and not each.pairing.partner:
+            return replace(each, pairing=finder.namesakes(each) or each.pairing)
+        return each
+
+    return [*map(paired, sources), *finder.borrowed.values()]
 
 
 class _Finder:
@@ -91,9 +96,20 @@ class _Finder:
         if found := self._in([home]):
             return self._pairing(found, home, "it is in the same package")
         if found := self._in(depended):
-            reason = "it is in a package that this one depends on"
-            return self._pairing(found, home, reason)
+            return self._pairing(found, home, DEPENDED)
         return self._only(home)
+
+    def namesakes(self, srdf: SourceText) -> Pairing | None:
+        """Return the robots of the name in *srdf* that its package depends on; None without any."""
+        about, home = describe(srdf), self._home(absolute(srdf.name).parent)
+        if about is None or home is None:
+            return None
+        found = self._in([*self._depended(home, srdf.name)])
+        own = sorted((each for each in found if each.robot == about.robot), key=_file)
+        self.borrowed.update((each.path, each.source) for each in own if each not in self._every)
+        names = [each.source.name for each in own]
+        reason = f"{DEPENDED}, and has its name"
+        return Pairing(names[0], reason, tuple(names[1:]), certain=len(names) == 1) if own else None
 
     def _only(self, home: Path | None) -> Pairing | None:
         own = [each for each in self._given if not each.source.companion]
@@ -197,6 +213,10 @@ class _Finder:
                 continue
             if found := _robot(replace(text, companion=True)):
                 yield found
+
+
+def _file(robot: Description) -> str:
+    return robot.source.name
 
 
 def _robot(source: SourceText) -> Description | None:
