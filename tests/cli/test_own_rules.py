@@ -64,6 +64,7 @@ def test_rules_of_the_project_are_tested(project, kinlint):
 
 def test_rules_of_the_project_are_explained(project, kinlint):
     """With what to write into an XML file to ignore one."""
+    assert kinlint("rules", "ACME", "--trust")[1].startswith("ACME001  ")
     code, out, _ = kinlint("rule", "ACME001", "--trust")
     assert code == 0
     assert "<!-- kinlint: ignore[ACME001] --> on the line before" in out

@@ -121,6 +121,8 @@ def test_each_file_is_read_once(here):
 
     assert names("m/a.jsonld", "m", "./m/../m/a.jsonld", "*/*.jsonld") == ["m/a.jsonld"]
     assert names("m", "link.jsonld") == ["m/a.jsonld"]
+    assert names(".") == ["m/a.jsonld"]
+    assert names("link.jsonld", "m") == ["link.jsonld"]
 
 
 def test_links_to_directories_are_not_followed_unless_named(here):

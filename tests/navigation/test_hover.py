@@ -212,6 +212,16 @@ def test_the_meaning_of_elements_and_attributes(tmp_path):
     assert "`upper` greatest position" in shown
 
 
+def test_what_an_element_is_a_part_of_in_a_sentence(tmp_path):
+    """Above what is stated of it; a robot is no part."""
+    model = Model(tmp_path, {"arm.urdf": ARM})
+    joint = "**joint elbow**: revolute about y, -114.6 to 114.6°, moves forearm on base"
+    for place in ("<ax|is", 'lower="-|2"', 'type="revo|lute"'):
+        assert model.hover(f"arm.urdf: {place}").startswith(joint)
+    assert model.hover("arm.urdf: <iner|tial").startswith("**link forearm**: 1 kg")
+    assert not model.hover("arm.urdf: <ro|bot").startswith("**link")
+
+
 def test_an_axis_has_no_unit(tmp_path):
     shown = Model(tmp_path, {"arm.urdf": ARM}).hover("arm.urdf: <ax|is")
     assert "Direction of the axis" in shown

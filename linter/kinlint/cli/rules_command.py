@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.applicability import covers
 from kinlint.cli.argument_parser import Parser, one_of
+from kinlint.cli.project_rules import project_rules
 from kinlint.configuration.keys import SEVERITIES
 from kinlint.configuration.selectors import Catalogue
 from kinlint.configuration.value_kinds import ALIASES
@@ -40,6 +41,7 @@ def parser() -> Parser:
         help=f"rules of this severity: {', '.join(SEVERITIES)}",
     )
     made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
+    made.add_argument("--trust", action="store_true", help="add the project's own rules")
     return made
 
 
@@ -47,6 +49,7 @@ def run(arguments: Sequence[str]) -> int:
     """Print the rules that *arguments* ask for; the exit code."""
     options = parser().read(arguments)
     extra = [absolute(path) for path in options.rules or ()]
+    extra += [path for path in project_rules(trust=options.trust) if path not in extra]
     known = Catalogue(rulebook.load(extra, (), cache_directory(os.environ)).rules)
     codes = frozenset[str]().union(*(known.find(each)[1] for each in options.names or ["ALL"]))
     if options.family:

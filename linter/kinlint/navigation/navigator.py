@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 
+from kinlint.addresses import enclosing, is_address
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.selectors import Catalogue
 from kinlint.facts.robot_structures import Extraction
@@ -135,7 +137,8 @@ class Navigator:
             spans.append(span)
         named = self._index.at(name, offset)
         pages = self._pages(named, name, offset)
-        told = [*self._summaries_of(named), *self._meaning(name, offset)]
+        told = [*self._summaries_of(named)] or [*self._summaries_around(name, offset)]
+        told += self._meaning(name, offset)
         told += self._values_there(named, name, offset)
         if told and pages is not None:
             pages = pages._replace(markdown=ACROSS.join(["\n\n".join(told), pages.markdown]))
@@ -157,6 +160,12 @@ class Navigator:
         for entity in list(entities)[:MOST]:
             if is_iri(entity) and (told := self._summaries.summary(entity)):
                 yield told
+
+    def _summaries_around(self, name: str, offset: int) -> Iterator[str]:
+        """Yield a sentence about each part of a robot that the element at *offset* stands in."""
+        for around in self._surroundings.at(name, offset)[:MOST]:
+            above = enclosing(around.node) if is_address(around.node) else ()
+            yield from islice(filter(None, map(self._summaries.summary, above)), 1)
 
     def _meaning(self, name: str, offset: int) -> Iterator[str]:
         """Yield what the format means by the element and the attribute at *offset*."""

@@ -91,8 +91,11 @@ class Search:
     """Function that tells whether what git ignores in a directory is passed over."""
 
     def find(self, paths: Sequence[str]) -> Found:
-        """The inputs that *paths* stand for, each file once, in their order."""
-        found, seen = Found(), set[str]()
+        """The inputs that *paths* stand for, each file once, in their order.
+
+        A search finds a file rather than links to it.
+        """
+        found, seen = Found(), dict[str, int]()
         # What comes by standard input is a newer state of the file of that name, if there is one.
         for given in sorted(paths, key=lambda path: path != "-"):
             before = len(found.errors)
@@ -101,9 +104,11 @@ class Search:
                 found.barren.append(given)
             for one in inputs:
                 identity = os.path.realpath(one.path or one.name)
-                if identity not in seen:
-                    seen.add(identity)
+                at = seen.setdefault(identity, len(found.inputs))
+                if at == len(found.inputs):
                     found.inputs.append(one)
+                elif not found.inputs[at].named and str(one.path) == identity:
+                    found.inputs[at] = one
         return found
 
     def _expand(self, given: str, found: Found) -> Iterator[Input]:
