@@ -163,3 +163,25 @@ def test_packages_and_files(tmp_path):
         "package://parts/urdf/",
     ]
     assert typing.labels(f'{where}"package://parts/meshes/|') == ["package://parts/meshes/hip.stl"]
+
+
+MJCF = """<mujoco model="walker">
+  <default><default class="leg"><geom size="0.05"/></default></default>
+  <worldbody>
+    <body name="torso">
+      <freejoint name="root"/>
+      <body name="shin"><joint name="knee"/><geom name="bone" class="leg"/><site name="toe"/></body>
+    </body>
+  </worldbody>
+  <actuator><motor name="pull" joint="knee"/></actuator>
+</mujoco>
+"""
+
+
+def test_names_of_mjcf_wherever_they_stand(tmp_path):
+    """By the kinds that are meant; classes have their names in another attribute."""
+    walker = Typing(tmp_path, {"walker.xml": MJCF})
+    assert walker.labels('walker.xml: joint="knee" => joint="|') == ["knee", "root"]
+    assert walker.labels('walker.xml: joint="knee" => site="|') == ["toe"]
+    assert walker.labels('walker.xml: name="bone" class="leg" => name="bone" class="|') == ["leg"]
+    assert walker.labels('walker.xml: joint="knee" => body="|') == ["shin", "torso"]

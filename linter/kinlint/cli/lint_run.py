@@ -16,7 +16,6 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
-from kinlint.formats.yaml.format import YAML
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
@@ -134,7 +133,9 @@ class LintRun:
                 sources = affecting_sources(sources, asides, self.settings)
             self.read[:] = sources
             self.paired[:] = (
-                each for each in sources if each.pairing is not None or each.format == YAML
+                each
+                for each in sources
+                if each.pairing is not None or (each.format is not None and each.format.speaks_of)
             )
             return sources, [*self.found.errors, *errors]
 

@@ -15,6 +15,8 @@ SEPARATOR = "::"
 NEAR, USUAL = 0, 1
 MERGED = "merge"
 """Attribute of what is included whose parts are called as if they stood where it does."""
+CLASS = "class"
+"""Attribute with the name of what others inherit."""
 DEEPEST = 4
 """Most names that a path through nested models has."""
 
@@ -28,11 +30,29 @@ class ReferredNames:
     def candidates(self, reference: Reference, user: TextElement) -> Iterator[Candidate]:
         """Yield what *reference* can lead to from *user*."""
         tags = {tag for space, tag in reference.targets if space == self._table.namespace}
-        if tags and not self._table.flat:
+        if tags and self._table.nested:
+            yield from self._of_kinds(tags, user)
+        elif tags and not self._table.flat:
             yield from self._in_scopes(tags, user, inside=reference.inside)
         else:
             yield from self._written(tags, user)
             yield from self._known(reference.targets)
+
+    def _of_kinds(self, tags: set[str], user: TextElement) -> Iterator[Candidate]:
+        """Yield the names of the kinds that *tags* have, wherever the model has them."""
+        types = self._table.types
+        kinds = {one.kind for tag in tags for one in types.get(tag, ())} - {""}
+        for each in self._text.elements:
+            given = each.attributes
+            name = given.get(self._table.names) or (given.get(CLASS, "") if each.tag in tags else "")
+            own = types_of(each, self._table) if name and each.start != user.start else ()
+            if any(one.kind in kinds for one in own):
+                yield Candidate(name, Kind.NAME, each.tag, NEAR)
+        document = self._situation.document
+        for part in self._situation.names.parts if document is not None else ():
+            if part.document == document.graph:
+                if any(one.kind in kinds for one in types.get(part.tag, ())):
+                    yield Candidate(part.name, Kind.NAME, part.tag, USUAL)
 
     def _written(self, tags: set[str], user: TextElement) -> Iterator[Candidate]:
         """Yield names that the text itself has, those of the same macro first."""
