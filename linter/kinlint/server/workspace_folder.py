@@ -126,8 +126,7 @@ class WorkspaceFolder:
     def _groups(
         self, sources: Sequence[SourceText], settings: Settings, documents: DocumentStore
     ) -> Iterator[Sequence[SourceText]]:
-        """Yield *sources* by models; with YAML, which all of them pair with robots, companions too.
-        """
+        """Yield *sources* by models; YAML is paired with robots first, and has its companions."""
         if any(each.format == YAML for each in sources):
             sources = pair(sources, settings, documents.overlay)
         yield from group_sources(sources, self._ties) if sources else ()

@@ -116,7 +116,7 @@ def test_of_an_attribute_given_twice_the_first_counts() -> None:
         ("<!-- nothing -->", "<", "the file has no element"),
         ("<robot><link name='b'></robot>", "</robot>", "</robot> closes <link>"),
         ("<robot name='a'>\n<link name='b'/>", "robot", "<robot> is never closed"),
-        ("<robot name='a'><!-- ", "<", "a tag, comment or section that begins here is never closed"),
+        ("<robot name='a'><!-- ", "<", "this tag, comment or section is never closed"),
         ("<robot name='a'><link name=b/></robot>", "b", "not well-formed (invalid token)"),
         ("<robot name='a'>1 < 2</robot>", " ", "not well-formed (invalid token)"),
         ("robot", "r", "syntax error"),

@@ -46,8 +46,9 @@ def pair_configurations(
 ) -> list[SourceText]:
     """Return *sources*, in which each YAML file says which robots it may be about.
 
-    So does an SRDF for which `companions` found none. Robots that are not among *sources* are added as companions. *packages_of* returns the packages
-    that the file of a name can name; *overlay* has texts that files are taken to hold.
+    So does an SRDF for which `companions` found none. Robots that are not among *sources* are added
+    as companions. *packages_of* returns the packages that the file of a name can name; *overlay*
+    has texts that files are taken to hold.
     """
     finder = _Finder(sources, packages_of, overlay)
 

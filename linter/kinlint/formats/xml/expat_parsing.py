@@ -124,7 +124,7 @@ def _fatal(source: SourceText, parsed: ExpatResult, code: int, at: int) -> Synta
         return SyntaxFlaw(Span(0, min(1, len(source.text))), reason)
     span = Span(at, min(at + 1, len(source.text)))
     if code == UNENDED:
-        return SyntaxFlaw(span, "a tag, comment or section that begins here is never closed")
+        return SyntaxFlaw(span, "this tag, comment or section is never closed")
     return SyntaxFlaw(span, expat.ErrorString(code) or "a syntax error")
 
 

@@ -40,19 +40,20 @@ class ReferredNames:
 
     def _of_kinds(self, tags: set[str], user: TextElement) -> Iterator[Candidate]:
         """Yield the names of the kinds that *tags* have, wherever the model has them."""
-        types = self._table.types
+        types, names = self._table.types, self._table.names
         kinds = {one.kind for tag in tags for one in types.get(tag, ())} - {""}
         for each in self._text.elements:
-            given = each.attributes
-            name = given.get(self._table.names) or (given.get(CLASS, "") if each.tag in tags else "")
+            naming = CLASS if each.tag in tags and names not in each.attributes else names
+            name = each.attributes.get(naming, "")
             own = types_of(each, self._table) if name and each.start != user.start else ()
             if any(one.kind in kinds for one in own):
                 yield Candidate(name, Kind.NAME, each.tag, NEAR)
         document = self._situation.document
-        for part in self._situation.names.parts if document is not None else ():
-            if part.document == document.graph:
-                if any(one.kind in kinds for one in types.get(part.tag, ())):
-                    yield Candidate(part.name, Kind.NAME, part.tag, USUAL)
+        for part in self._situation.names.parts:
+            own = types.get(part.tag, ())
+            here = document is not None and part.document == document.graph
+            if here and any(one.kind in kinds for one in own):
+                yield Candidate(part.name, Kind.NAME, part.tag, USUAL)
 
     def _written(self, tags: set[str], user: TextElement) -> Iterator[Candidate]:
         """Yield names that the text itself has, those of the same macro first."""
