@@ -184,4 +184,5 @@ def test_names_of_mjcf_wherever_they_stand(tmp_path):
     assert walker.labels('walker.xml: joint="knee" => joint="|') == ["knee", "root"]
     assert walker.labels('walker.xml: joint="knee" => site="|') == ["toe"]
     assert walker.labels('walker.xml: name="bone" class="leg" => name="bone" class="|') == ["leg"]
-    assert walker.labels('walker.xml: motor name="pull" joint="knee" => adhesion body="|') == ["shin", "torso"]
+    sucker = walker.labels('walker.xml: motor name="pull" joint="knee" => adhesion body="|')
+    assert sucker == ["shin", "torso"]
