@@ -10,6 +10,7 @@ from kinlint.facts.basis import Bases
 from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.coordinate_agreement import CoordinateAgreements
 from kinlint.facts.description_pairs import are_several
+from kinlint.facts.drawn_symmetry import DrawnSymmetry
 from kinlint.facts.frame_placement import Placements
 from kinlint.facts.identifier_slips import IdentifierSlips
 from kinlint.facts.inertia import Inertias
@@ -118,6 +119,11 @@ class FactContext:
     """Numbers that wrong inertias may have been meant to have."""
     twins = Part(lambda own, scan: MirrorTwins(scan, own.assemblies), ("assemblies",))
     """Parts that mirror each other."""
+    symmetry = Part(
+        lambda own, _: DrawnSymmetry(own.trees, own.placements, own.joints),
+        ("trees", "placements", "joints"),
+    )
+    """Left and right as they are drawn."""
     drifts = Part(
         lambda own, scan: own.description_drifts(scan),
         ("assemblies", "placements", "joints", "geometries", "inertias", "relations", "mechanism"),

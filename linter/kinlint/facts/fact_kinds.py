@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from kinlint.facts import inputs
+from kinlint.facts import inputs, joint_numbers
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
@@ -222,6 +222,16 @@ KINDS = (
         {"unlike-siblings": inputs.SIDES},
         lambda own: own.twins.odd_ones(),
         ("twins",),
+    ),
+    FactKind(
+        "drawn_symmetry",
+        dict.fromkeys(
+            ("unmirrored", "axis-unmirrored", "moves-unlike", "in-place-of", "hangs-across"),
+            (*inputs.TREES, *inputs.PLACED, *inputs.RANGES, *joint_numbers.NEEDED),
+        ),
+        lambda own: own.symmetry.facts(),
+        ("symmetry",),
+        ("step-x", "step-y", "step-z", "own-side"),
     ),
     FactKind(
         "drift",

@@ -29,13 +29,26 @@ MANY = 4096
 @lru_cache(maxsize=MANY)
 def twin(name: str) -> str | None:
     """Return the name on the right of a name on the left; None if it names no side, or several."""
+    words = (word.lower() for word in WORD.findall(unquote(name)))
+    sides = [word for word in words if word in OTHER]
+    return counterpart(name) if len(sides) == 1 and sides[0] in LEFT else None
+
+
+@lru_cache(maxsize=MANY)
+def counterpart(name: str) -> str | None:
+    """Return the name on the other side; None if *name* names no side, or several."""
     words = WORD.findall(unquote(name))
     sides = [index for index, word in enumerate(words) if word.lower() in OTHER]
-    if len(sides) != 1 or words[sides[0]].lower() not in LEFT:
+    if len(sides) != 1:
         return None
     at = sides[0]
     words[at] = _alike(words[at], OTHER[words[at].lower()])
     return quote("".join(words), safe="") if "%" in name else "".join(words)
+
+
+def is_left(name: str) -> bool | None:
+    """Tell whether *name* is of the left side; None if it names no side, or several."""
+    return None if counterpart(name) is None else twin(name) is not None
 
 
 def _alike(model: str, word: str) -> str:

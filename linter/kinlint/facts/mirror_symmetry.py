@@ -79,7 +79,7 @@ def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
     """Yield the twins among nodes that are each about one body or joint."""
     of = _grouped(stating)
     for entity in sorted(of):
-        other = _twin(entity, of)
+        other = twin_of(entity, of)
         if other is not None and len(of[entity]) == len(of[other]) == 1:
             yield of[entity][0], fact("twin"), of[other][0]
 
@@ -88,7 +88,7 @@ def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> 
     """Yield the one of each group of siblings whose value differs while all others agree."""
     siblings: dict[tuple[str, str], list[Term]] = {}
     for entity, nodes in sorted(_grouped(stating).items()):
-        space, name = _split(entity)
+        space, name = split_name(entity)
         if len(nodes) == 1 and nodes[0] in values and without_side(name) != unquote(name):
             siblings.setdefault((space, without_side(name)), []).append(nodes[0])
     for group in siblings.values():
@@ -106,12 +106,12 @@ def _near(one: float, other: float) -> bool:
     return math.isclose(one, other, rel_tol=0.01)
 
 
-def _twin(left: Term, known: Container[Term]) -> Term | None:
+def twin_of(left: Term, known: Container[Term]) -> Term | None:
     """Return the twin on the right of an entity on the left.
 
     Joints and links lettered by the axes of an arm, S L E U R B T, are no twins.
     """
-    space, name = _split(left)
+    space, name = split_name(left)
     right = twin(name)
     if not is_iri(left) or right is None or f"{space}{right}>" not in known:
         return None
@@ -119,7 +119,7 @@ def _twin(left: Term, known: Container[Term]) -> Term | None:
     return None if lettered else f"{space}{right}>"
 
 
-def _split(node: Term) -> tuple[str, str]:
+def split_name(node: Term) -> tuple[str, str]:
     """Return the namespace of an IRI, and the name in it."""
     text = node[:-1]
     at = max(text.rfind("#"), text.rfind("/")) + 1
@@ -143,7 +143,7 @@ def shared_inertias(
         weighed = assemblies.weighed(node)
         if weighed is not None and tensor != IDENTITY and _any(tensor):
             body, mass = weighed
-            groups.setdefault((_split(body)[0], mass, tensor), []).append((node, body))
+            groups.setdefault((split_name(body)[0], mass, tensor), []).append((node, body))
     for group in groups.values():
         if len(group) >= SEVERAL:
             yield from _group(group, geometries)
@@ -152,7 +152,7 @@ def shared_inertias(
 def _group(group: list[tuple[Term, Term]], geometries: BodyShapes) -> Iterator[Triple]:
     forms = {_shapes(geometries.form(body)) for _, body in group}
     several = len(forms - {frozenset()})
-    if several < SEVERAL or len({without_side(_split(body)[1]) for _, body in group}) < SEVERAL:
+    if several < SEVERAL or len({without_side(split_name(body)[1]) for _, body in group}) < SEVERAL:
         return
     nodes = sorted(node for node, _ in group)
     for node in nodes:
