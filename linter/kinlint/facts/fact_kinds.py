@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from kinlint.facts import inputs, joint_numbers
+from kinlint.facts import inputs
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
@@ -14,6 +14,22 @@ from kinlint.facts.dataflow import DataSources
 from kinlint.facts.dependency_cycles import dependency_cycles
 from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
+from kinlint.facts.fact_needs import (
+    CHANGES,
+    DRAWN,
+    ERRORS,
+    MOMENTS,
+    NODES,
+    PLANNING,
+    PROPORTIONS,
+    QUANTITIES,
+    RELATED,
+    RESIDUALS,
+    STEPS,
+    TREES,
+    WATER,
+    WELDS,
+)
 from kinlint.facts.length_outliers import outlying_lengths
 from kinlint.facts.linkage_loops import stretched_loops
 from kinlint.facts.loop_closure import cycles
@@ -61,63 +77,6 @@ class FactKind(NamedTuple):
         return f"{self.module}: {', '.join([*self.needs][:LABELLED])}"
 
 
-QUANTITIES = {
-    **dict.fromkeys(("x", "y", "z"), inputs.VECTORS),
-    **dict.fromkeys(("alpha", "beta", "gamma"), inputs.ANGLES),
-    "mass": (*inputs.MASSES, *inputs.TENSORS),
-    "value": (qudt("value"), *inputs.UNITS),
-    **{name: (kin(name), *inputs.UNITS) for name in ("lower", "upper", "offset")},
-}
-RESIDUALS = {
-    **dict.fromkeys(("determinant", "orthonormality"), inputs.COSINES),
-    "orthogonality": inputs.BASES,
-    "norm": inputs.QUATERNION,
-    "spread": (*inputs.TURNS, *inputs.VECTORS),
-}
-MOMENTS = {
-    **dict.fromkeys(
-        ("least-moment", "middle-moment", "greatest-moment"), (*inputs.TENSORS, *inputs.UNITS)
-    ),
-    "mass": (*inputs.MASSES, *inputs.TENSORS),
-    "body-mass": inputs.INERTIAS,
-    **dict.fromkeys(
-        (
-            *("least-central-moment", "middle-central-moment", "greatest-central-moment"),
-            "centre-distance",
-        ),
-        (*inputs.INERTIAS, inputs.FIRST_MOMENT),
-    ),
-}
-TREES = dict.fromkeys(
-    ("root", "root-beside", "claimed-by", "circle", "unresolved", "near-name", "links"),
-    inputs.TREES,
-)
-WELDS = dict.fromkeys(
-    ("welded-mass", "rests-on", "moved-by"),
-    (*inputs.INERTIAS, *inputs.WELDS, *inputs.TREES, kin("MassProperty")),
-)
-PROPORTIONS = {
-    "gyration": inputs.INERTIAS,
-    **dict.fromkeys(("extent", "least-density", "greatest-density"), inputs.SIZES),
-}
-PLANNING = dict.fromkeys(("comprises", "moves", "between", "joints"), inputs.TREES)
-RELATED = {
-    **dict.fromkeys(("Agreement", "closed-by"), inputs.RELATIONS),
-    **dict.fromkeys(("of", "first", "second", "traced-to", "compared"), ()),
-}
-WATER = dict.fromkeys(
-    ("water-mass", "water-ixx", "water-iyy", "water-izz"),
-    (*inputs.SHAPES, *inputs.PLACED, kin("MassProperty")),
-)
-STEPS = {
-    **dict.fromkeys(("step", "in-cycle"), inputs.DATA),
-    **dict.fromkeys(("index", "operator"), ()),
-}
-NODES = ("member", "derived-from", "size")
-ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
-CHANGES = ("entry", "amended")
-
-
 def _related(context: FactContext) -> Iterator[Triple]:
     """Yield how coordinates of one relation agree, and whether loops of relations close."""
     yield from context.agreements.facts()
@@ -139,6 +98,10 @@ def _inertia_repair(
     needs: Mapping[str, tuple[Term, ...]], found: Callable[[FactContext], Iterator[Triple]]
 ) -> FactKind:
     return FactKind("inertia_repair", needs, found, ("inertia_repairs",), CHANGES)
+
+
+def _mirrored(name: str, found: Callable[[FactContext], Iterator[Triple]]) -> FactKind:
+    return FactKind("mirror_symmetry", {name: inputs.SIDES}, found, ("twins",))
 
 
 def _identifier_slip(name: str, found: Callable[[FactContext], Iterator[Triple]]) -> FactKind:
@@ -216,19 +179,11 @@ KINDS = (
         lambda scan: ZeroLimits(scan).facts(),
         dict.fromkeys(("idle", "working"), inputs.DRIVES),
     ),
-    FactKind("mirror_symmetry", {"twin": inputs.SIDES}, lambda own: own.twins.facts(), ("twins",)),
-    FactKind(
-        "mirror_symmetry",
-        {"unlike-siblings": inputs.SIDES},
-        lambda own: own.twins.odd_ones(),
-        ("twins",),
-    ),
+    _mirrored("twin", lambda own: own.twins.facts()),
+    _mirrored("unlike-siblings", lambda own: own.twins.odd_ones()),
     FactKind(
         "drawn_symmetry",
-        dict.fromkeys(
-            ("unmirrored", "axis-unmirrored", "moves-unlike", "in-place-of", "hangs-across"),
-            (*inputs.TREES, *inputs.PLACED, *inputs.RANGES, *joint_numbers.NEEDED),
-        ),
+        DRAWN,
         lambda own: own.symmetry.facts(),
         ("symmetry",),
         ("step-x", "step-y", "step-z", "own-side"),

@@ -68,6 +68,7 @@ PLACED = (
     *(rel("Pose"), OF, WITH_RESPECT_TO, COORDINATE_OF, AS_SEEN_BY, *frame_placement.NEEDED),
 )
 """Vocabulary of lifted poses; other models may have numbers on relations, and positions alone."""
+DRAWN = (*TREES, *PLACED, *RANGES, *joint_numbers.NEEDED)
 SIZES = (*INERTIAS, *SHAPES, *PLACED)
 BASES = (*COSINES, *(geom(f"vector-{axis}") for axis in "xyz"), geom("end"))
 DATA = (kin("reads"), kin("writes"))
