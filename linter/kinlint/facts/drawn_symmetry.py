@@ -57,6 +57,7 @@ class Drawn(NamedTuple):
     """Joint at zero, along the axes of the root of its robot."""
 
     edge: Edge
+    """Joint itself, with its parent and its child."""
     step: Vector
     """From the origin of its parent to its own, in m."""
     axis: Vector | None
