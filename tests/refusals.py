@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import os
 import re
@@ -13,8 +14,8 @@ PATIENCE = 40
 """Seconds after which a consumer is not waited for."""
 MESH = re.compile(rb"<mesh\b[^>]*?(?:/>|>.*?</mesh\s*>)", re.DOTALL)
 BOX = b'<box size="0.1 0.1 0.1"/>'
-MODULES = {"pinocchio": "pinocchio", "mujoco": "mujoco", "drake": "pydrake"}
-"""The Python module of each consumer."""
+MODULES = {"pinocchio": "pinocchio", "mujoco": "mujoco", "drake": "pydrake.multibody.parsing"}
+"""The Python module that loads files for each consumer."""
 
 
 def without_meshes(text: bytes) -> bytes:
@@ -24,14 +25,15 @@ def without_meshes(text: bytes) -> bytes:
 
 def is_installed(consumer: str) -> bool:
     """Tell whether *consumer* can be imported."""
-    return importlib.util.find_spec(MODULES[consumer]) is not None
+    return importlib.util.find_spec(MODULES[consumer].partition(".")[0]) is not None
 
 
 def refuses(consumer: str, path: Path) -> bool:
     """Tell whether *consumer* refuses the URDF at *path*, or dies of it.
 
-    It runs in a process of its own: Drake aborts for some files.
+    It runs in a process of its own: Drake aborts for some files. It is imported before, once.
     """
+    importlib.import_module(MODULES[consumer])
     child = os.fork()
     if child == 0:
         sink = os.open(os.devnull, os.O_WRONLY)

@@ -92,7 +92,8 @@ def test_what_is_refused_is_an_error(text: str) -> None:
 def test_the_verdicts_are_those_of_libsdformat(text: str, *, accepted: bool) -> None:
     plant = pytest.importorskip("pydrake.multibody.plant")
     parsing = pytest.importorskip("pydrake.multibody.parsing")
-    parser = parsing.Parser(plant.MultibodyPlant(time_step=0.0))
+    arm = plant.MultibodyPlant(time_step=0.0)  # a parser has no hold on it
+    parser = parsing.Parser(arm)
     if accepted:
         parser.AddModelsFromString(text, "sdf")
         return
