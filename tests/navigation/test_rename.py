@@ -136,6 +136,27 @@ def test_a_joint_in_yaml(tmp_path):
     assert found["joint_limits.yaml"] == limits.replace("shin", "knee")
 
 
+MJCF = """<mujoco>
+  <worldbody><body name="torso"><joint name="hip"/><geom size="1"/></body></worldbody>
+  <actuator><motor name="hip" joint="hip" gear="100"/></actuator>
+  <sensor><framepos objtype="body" objname="torso"/></sensor>
+</mujoco>
+"""
+
+
+def test_names_of_mjcf(tmp_path):
+    """An actuator keeps the name that its joint has, too; sensors say what kind they name."""
+    model = Renamed(tmp_path, {"w.xml": MJCF})
+    found = model.rename('w.xml: joint name="h|ip"', "knee")
+    assert found == {
+        "w.xml": MJCF.replace('joint name="hip"', 'joint name="knee"').replace(
+            'joint="hip"', 'joint="knee"'
+        )
+    }
+    found = model.rename('w.xml: objname="tor|so"', "trunk")
+    assert found == {"w.xml": MJCF.replace("torso", "trunk")}
+
+
 def test_refused_names(leg):
     where = 'leg.urdf: <link name="sh|in">'
     assert leg.refused(where, "hip") == "link 'hip' exists already"

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 
+from kinlint.addresses import local_name
 from kinlint.document import Document
 from kinlint.formats.xml.element_types import ElementType, Schema
 from kinlint.formats.xml.references import names_in
 from kinlint.formats.xml.schema import schema
 from kinlint.navigation.occurrence import Occurrence, Role
 from kinlint.navigation.statement_index import StatementIndex
-from kinlint.terms import iri
+from kinlint.terms import Term, iri, iri_value, literal_value
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
 
 PATH = "path"
@@ -38,15 +39,36 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
         if (place := said.place(subject, predicate, value)) is not None:
             yield Occurrence(place, target, Role.REFERENCE)
     table = schema(document.format.lifted_as)
+    yield from _of_other_kinds(said, calls, leading)
     if any(each.manner == PATH for type_ in _types(table) for each in type_.addresses.values()):
-        for subject, predicate, target in document.statements:
-            if not predicate.startswith(f"<{REFERENCE}"):
-                continue
-            if (place := said.place(subject, predicate, target)) is not None:
-                yield Occurrence(place, target, Role.REFERENCE)
+        yield from _steps(document, said)
     naming = iri(ATTRIBUTE + table.names)
     for subject, predicate, value in document.statements:
         if predicate != naming or (subject, predicate, value) in calls:
             continue
         if (place := said.place(subject, predicate, value)) is not None:
             yield Occurrence(place, subject, Role.DESCRIPTION)
+
+
+def _of_other_kinds(
+    said: StatementIndex,
+    calls: Collection[tuple[Term, Term, Term]],
+    leading: Mapping[tuple[Term, Term], Term],
+) -> Iterator[Occurrence]:
+    """Yield uses of names beside *calls*, whose kind another attribute says, by where they lead."""
+    for (subject, predicate), target in leading.items():
+        place_of = iri(ATTRIBUTE + iri_value(predicate).removeprefix(REFERENCE))
+        for value in said.values(subject, place_of):
+            if (subject, place_of, value) in calls or literal_value(value) != local_name(target):
+                continue
+            if (place := said.place(subject, place_of, value)) is not None:
+                yield Occurrence(place, target, Role.REFERENCE)
+
+
+def _steps(document: Document, said: StatementIndex) -> Iterator[Occurrence]:
+    """Yield the places of addresses in *document*."""
+    for subject, predicate, target in document.statements:
+        if not predicate.startswith(f"<{REFERENCE}"):
+            continue
+        if (place := said.place(subject, predicate, target)) is not None:
+            yield Occurrence(place, target, Role.REFERENCE)

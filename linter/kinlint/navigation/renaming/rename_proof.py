@@ -15,6 +15,7 @@ from kinlint.files.pathname import real
 from kinlint.finding import TextEdit
 from kinlint.fixes.texts import Texts
 from kinlint.formats.registry import read
+from kinlint.formats.xml.schema import schema
 from kinlint.light_dataclasses import replace
 from kinlint.navigation.renaming.renaming_error import NotRenamable
 from kinlint.pipeline.analyzer import Examination
@@ -115,9 +116,15 @@ def _users(
     """Yield the elements that are called after what they refer to, with their new names."""
     if not document.format.is_tree:
         return
+    naming = iri(ATTRIBUTE + schema(document.format.lifted_as).names)
+    named = {
+        s for s, p, o in document.statements if p == naming and literal_value(o) == local_name(s)
+    }
     for triple in document.statements:
         subject, predicate, value = triple
         if not predicate.startswith(AT) or not is_literal(value):
+            continue
+        if predicate != naming and subject in named:
             continue
         if literal_value(value) in names and last_tag(subject):
             new = _literal(document, triple, edits)
