@@ -1,9 +1,12 @@
 """Completion in URDF, SRDF and SDF, in texts that cannot be parsed at the moment."""
 
+from pathlib import Path
+
 import pytest
 from completing import Typing
 from navigating import NON_BMP
 
+SAMPLES = Path(__file__).parents[2] / "samples"
 URDF = f"""<robot name="leg"><!-- {NON_BMP} -->
   <link name="hip"/>
   <link name="shin"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
@@ -186,3 +189,13 @@ def test_names_of_mjcf_wherever_they_stand(tmp_path):
     assert walker.labels('walker.xml: name="bone" class="leg" => name="bone" class="|') == ["leg"]
     sucker = walker.labels('walker.xml: motor name="pull" joint="knee" => adhesion body="|')
     assert sucker == ["shin", "torso"]
+
+
+def test_identifiers_in_collada(tmp_path):
+    """Of the elements that the address may lead to."""
+    text = (SAMPLES / "broken" / "kinematics-not-instanced.dae").read_text("utf-8")
+    scene = Typing(tmp_path, {"a.dae": text})
+    model = 'a.dae: <instance_kinematics_model url="#arm" => <instance_kinematics_model url="|'
+    assert scene.labels(model) == ["#arm"]
+    visual = 'a.dae: <instance_visual_scene url="#drawn" => <instance_visual_scene url="|'
+    assert scene.labels(visual) == ["#drawn"]

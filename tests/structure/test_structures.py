@@ -28,6 +28,12 @@ def test_a_chain_hangs_from_its_root() -> None:
     assert [joint.kind for joint in arm.joints] == ["fixed", "fixed"]
 
 
+def test_parts_of_collada_are_called_by_their_names() -> None:
+    """Not by the way to them."""
+    arm = only(sample("broken/kinematics-not-instanced.dae").structures)
+    assert tree(arm) == ["base", "  elbow", "    forearm"]
+
+
 def test_parts_know_where_they_are_written() -> None:
     text = urdf("a>b")
     arm = only(structures(arm_urdf=text))

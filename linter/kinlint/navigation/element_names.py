@@ -14,9 +14,6 @@ from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import Term, iri, iri_value, literal_value
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
 
-PATH = "path"
-"""Manner of addresses of which each step is the name of an element."""
-
 
 def _types(table: Schema) -> Iterator[ElementType]:
     return (each for types in table.types.values() for each in types)
@@ -40,8 +37,8 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
             yield Occurrence(place, target, Role.REFERENCE)
     table = schema(document.format.lifted_as)
     yield from _of_other_kinds(said, calls, leading)
-    if any(each.manner == PATH for type_ in _types(table) for each in type_.addresses.values()):
-        yield from _steps(document, said)
+    if any(type_.addresses for type_ in _types(table)):
+        yield from _addresses(document, said)
     naming = iri(ATTRIBUTE + table.names)
     for subject, predicate, value in document.statements:
         if predicate != naming or (subject, predicate, value) in calls:
@@ -65,7 +62,7 @@ def _of_other_kinds(
                 yield Occurrence(place, target, Role.REFERENCE)
 
 
-def _steps(document: Document, said: StatementIndex) -> Iterator[Occurrence]:
+def _addresses(document: Document, said: StatementIndex) -> Iterator[Occurrence]:
     """Yield the places of addresses in *document*."""
     for subject, predicate, target in document.statements:
         if not predicate.startswith(f"<{REFERENCE}"):

@@ -20,6 +20,8 @@ from kinlint.vocabulary import ATTRIBUTE
 
 MISSING, USUAL, LATER, ELSEWHERE = 0, 1, 2, 5
 TRUTHS = ("true", "false")
+URI = "uri"
+"""Manner of addresses that lead to the id of an element."""
 
 
 def complete(situation: Situation) -> Completions:
@@ -163,6 +165,11 @@ class _Completion:
         """Yield what the attribute *name* of an element of *type_* can be, or its text ("")."""
         if (reference := type_.references.get(place)) is not None:
             yield from self.names.candidates(reference, user)
+        if (address := type_.addresses.get(place)) is not None and address.manner == URI:
+            for each in self.text.elements:
+                own = each.attributes.get("id")
+                if own and (not address.targets or each.tag in address.targets):
+                    yield Candidate(f"#{own}", Kind.NAME, each.tag)
         for rank, word in enumerate(type_.choices.get(name, ()) or self._usual(type_, name)):
             yield Candidate(word, Kind.WORD, name, rank)
         if place in type_.files:
