@@ -33,6 +33,7 @@ def test_nothing_is_written_unasked(kinlint, here):
     code, out, _ = kinlint("init")
     assert code == 0
     assert "kinlint.toml (new file):" in out
+    assert "is not written: there is no terminal to ask on, and --yes is not given" in out
     assert "OWNER stands for whoever keeps the repository" in out
     assert list(here.iterdir()) == []
 

@@ -292,3 +292,15 @@ def test_a_common_suffix_makes_no_name_alike(here):
 
     assert causes("nothing.jsonld") == ["nothing.jsonld: no such file or directory"]
     assert causes("skeletn.jsonld")[0].endswith("did you mean 'skeleton.jsonld'?")
+
+
+def test_launch_files_that_call_xacro_are_found(here):
+    """In Python, XML and YAML, whatever else such an ending may mean."""
+    called = ("a.launch", "b.launch.py", "c_launch.py", "d.launch.xml", "e_launch.xml")
+    called += ("f.launch.yaml", "g_launch.yml")
+    for name in called:
+        (here / name).write_text("xacro", "utf-8")
+    for name in ("other.launch.xml", "other_launch.py", "package.xml"):
+        (here / name).write_text("<launch/>", "utf-8")
+
+    assert names(".") == [*called]

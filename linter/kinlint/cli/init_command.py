@@ -177,7 +177,8 @@ def _propose(path: Path, shown: str, text: str, what: str, *, yes: bool) -> None
     """Show what of *text* is new, and write it to *path* if the user agrees."""
     _say(f"{path} ({what}):\n\n{_indented(shown)}\n")
     if not yes and not _agrees(path):
-        _say(f"{path} is not written.\n\n")
+        how = "" if _can_ask() else ": there is no terminal to ask on, and --yes is not given"
+        _say(f"{path} is not written{how}.\n\n")
         return
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -190,11 +191,15 @@ def _propose(path: Path, shown: str, text: str, what: str, *, yes: bool) -> None
 
 def _agrees(path: Path) -> bool:
     """Ask on a terminal whether to write *path*; elsewhere the answer is no."""
-    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+    if not _can_ask():
         return False
     _say(f"Write {path}? [y/N] ")
     sys.stdout.flush()
     return sys.stdin.readline().strip().lower() in ("y", "yes")
+
+
+def _can_ask() -> bool:
+    return sys.stdin.isatty() and sys.stdout.isatty()
 
 
 def _indented(text: str) -> str:

@@ -219,17 +219,17 @@ def may_be_model(path: Path) -> bool:
     """Tell whether the file at *path*, of a name that others use, too, may be about robots."""
     if path.suffix.lower() == JSON:
         return may_be_jsonld(path)
+    form = by_suffix(path.name)
+    if form == LAUNCH:
+        return path.is_file() and "xacro" in (head(path, HEAD) or "")
     if path.suffix.lower() in SHARED:
         from kinlint.formats.xml.xml_recognition import robot_root  # noqa: PLC0415  few files
 
         return path.is_file() and robot_root(head(path, HEAD) or "", path.suffix.lower())
-    form = by_suffix(path.name)
     if form == YAML:
         from kinlint.formats.yaml.ros_keys import may_name_parts  # noqa: PLC0415  few files
 
         return may_name_parts(path)
-    if form == LAUNCH:
-        return path.is_file() and "xacro" in (head(path, HEAD) or "")
     return True
 
 

@@ -8,7 +8,10 @@ from kinlint.vocabulary import LAUNCH as NAMESPACE
 LAUNCH = Format(
     name="launch",
     title="roslaunch",
-    suffixes=(".launch", ".launch.py", ".launch.xml", ".launch.yaml", "_launch.py", "_launch.xml"),
+    suffixes=(
+        *(".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".launch.yml"),
+        *("_launch.py", "_launch.xml", "_launch.yaml", "_launch.yml"),
+    ),
     shape=Shape.TREE,
     reader="kinlint.formats.launch.reader",
     fence="python",
