@@ -9,6 +9,7 @@ from typing import Any
 from urllib.parse import quote
 
 from kinlint.formats.records import FORMATS
+from kinlint.light_dataclasses import replace
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_example import MarkedText, parse_marks
 from kinlint.reporters.rule_fix_section import heading, repair_object
@@ -22,7 +23,11 @@ TEXT_WIDTH = 80
 
 
 def text(rule: Rule, style: Style) -> Iterator[str]:
-    """The page for a terminal: drawn where there are colours, plain otherwise."""
+    """The page for a terminal: drawn where there are colours, plain otherwise.
+
+    Examples in formats of elements come first, those in URDF before all others.
+    """
+    rule = replace(rule, examples=sorted(rule.examples, key=_familiar))
     if style.color:
         yield _drawn(rule, style)
         return
@@ -40,6 +45,11 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
     yield from _listed("To ignore it", _ignoring(rule))
     yield from _listed("Facts that it asks for", _asked(rule))
     yield from _listed("See also", rule.links)
+
+
+def _familiar(example: Example) -> tuple[bool, int]:
+    at = next((at for at, form in enumerate(FORMATS) if form.name == example.format), len(FORMATS))
+    return at == len(FORMATS) or not FORMATS[at].is_tree, at
 
 
 def _listed(title: str, items: Iterable[str]) -> Iterator[str]:
