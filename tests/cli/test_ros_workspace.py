@@ -334,3 +334,13 @@ def test_a_launch_file_tells_the_robot_and_passes_arguments(configured, kinlint)
     assert out.count("nav.yaml") == 1
     launch.write_text(LAUNCHED.replace("sde", "prefix"), "utf-8")
     assert "SRC026" not in kinlint("--output-format", "concise", "-q", "--select", "SRC026")[1]
+
+
+def test_many_missing_packages_are_one_line(ws, kinlint):
+    mesh = '<visual><geometry><mesh filename="package://p{}/m.stl"/></geometry></visual>'
+    meshes = "".join(f'<link name="l{n}">{mesh.format(n)}</link>' for n in range(5))
+    ws.write("many.urdf", f'<robot name="many">{meshes}</robot>')
+    assert kinlint("many.urdf")[2] == (
+        "kinlint: warning: 5 packages were not found, which 1 file names: 'p0', 'p1', 'p2' and"
+        " 2 others; source their workspace, or add --package NAME=DIR\n"
+    )

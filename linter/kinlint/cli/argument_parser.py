@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
@@ -142,3 +143,10 @@ def count(text: str) -> int:
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"expected a number, got '{text}'")
     return int(text)
+
+
+def dask_address(text: str) -> str:
+    """Return *text*, the address of the scheduler of a Dask cluster."""
+    if re.fullmatch(r"dask://(?:[\w.-]+|\[[0-9a-fA-F:]+\]):\d{1,5}", text) is None:
+        raise argparse.ArgumentTypeError(f"'{text}' is no address such as dask://10.0.0.7:8786")
+    return text

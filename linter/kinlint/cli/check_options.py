@@ -11,6 +11,7 @@ from kinlint.cli.argument_parser import (
     add_color,
     comma_list,
     count,
+    dask_address,
     non_empty,
     one_of,
     seconds,
@@ -170,6 +171,12 @@ def _files(made: Parser) -> None:
         metavar="N",
         default=1,
         help="number of processes; 0: one per CPU",
+    )
+    add(
+        "--executor",
+        type=dask_address,
+        metavar="dask://HOST:PORT",
+        help="lint on the workers of this Dask cluster, which have the files at the same paths",
     )
     add(
         "--file-timeout",

@@ -14,6 +14,9 @@ from kinlint.report import Report
 from kinlint.reporters.summary import plural
 from kinlint.text import SourceText
 
+MOST = 3
+"""Largest number of missing packages that are told one by one."""
+
 
 def without_installed(report: Report, named: Iterable[str]) -> Report:
     """Return *report* without findings in installed files, but for those *named*; it counts them.
@@ -42,11 +45,24 @@ def without_installed(report: Report, named: Iterable[str]) -> Report:
 def missing_packages(
     sources: Iterable[SourceText], packages_of: Callable[[str], Packages]
 ) -> Iterator[str]:
-    """Yield a line for each package that *sources* name and that *packages_of* has not."""
+    """Yield a line for each package that *sources* name and that *packages_of* has not.
+
+    Many are one line: who has no workspace at hand misses all of them.
+    """
     lost: dict[str, list[str]] = {}
     for (name, found), files in named_packages(sources, packages_of).items():
         if found is None:
             lost.setdefault(name, []).extend(files)
+    if len(lost) > MOST:
+        some = ", ".join(f"'{name}'" for name in sorted(lost)[:MOST])
+        naming = {file for files in lost.values() for file in files}
+        verb = "name" if naming - {min(naming)} else "names"
+        yield (
+            f"{len(lost)} packages were not found, which {plural(len(naming), 'file')} {verb}:"
+            f" {some} and {plural(len(lost) - MOST, 'other')}; source their workspace, or add"
+            " --package NAME=DIR"
+        )
+        return
     for name, files in sorted(lost.items()):
         more = f" and {plural(len(files) - 1, 'other file')}" if files[1:] else ""
         yield (

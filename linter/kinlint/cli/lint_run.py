@@ -90,8 +90,13 @@ class LintRun:
         elif options.fix or options.fix_only or options.diff:
             report = self._mended(options, wanted)
         else:
-            fixing, least = outputs.tells_fixes, outputs.fixes_from
-            report = self.linted(process_count(options), fixing=fixing, wanted=wanted, least=least)
+            report = self.linted(
+                process_count(options),
+                fixing=outputs.tells_fixes,
+                wanted=wanted,
+                least=outputs.fixes_from,
+                executor=options.executor or "",
+            )
         if asides:
             report = project_mode.without_asides(report, asides, new)
         named = {one.name for one in self.found.inputs}
@@ -215,8 +220,9 @@ class LintRun:
         fixing: bool,
         wanted: Sieve | None = None,
         least: Severity = Severity.INFO,
+        executor: str = "",
     ) -> Report:
-        """The report of *jobs* processes; if *fixing*, with the fixes that are offered.
+        """The report of *jobs* processes or *executor*; if *fixing*, with the fixes that it offers.
 
         Fixes are proven of findings of the severity *least* or more; where some are not *wanted*,
         of the others only, and afterwards.
@@ -235,11 +241,12 @@ class LintRun:
         with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
             sources, failed = self._read(bar)
             tell = partial(bar.step_aside, self.early.tell) if self.early is not None else None
-            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance, tell)
+            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance, executor, tell)
             report = survey.report(sources, failed)
         if fixing and wanted is not None:
             keys = frozenset(each.key for each in wanted(report.findings) if each.rule.repairs)
-            runner = ParallelRunner(Job(self.settings, self.book, True, keys, least), jobs)  # noqa: FBT003
+            proving = Job(self.settings, self.book, True, keys, least)  # noqa: FBT003
+            runner = ParallelRunner(proving, jobs, executor=executor)
             report = _with_fixes(report, sources, runner)
         if report.files:
             return report

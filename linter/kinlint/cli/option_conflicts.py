@@ -17,6 +17,7 @@ EXCLUDING = (
             *("--prune-baseline", "--show-files", "--show-settings", "--profile"),
         ),
     ),
+    ("--executor", ("--fix", "--fix-only", "--diff", "--add-ignore", "--file-timeout")),
     ("--add-ignore", ("--fix", "--fix-only", "--diff", "--write-baseline", "--prune-baseline")),
 )
 """Each option with those that it excludes."""

@@ -44,6 +44,8 @@ class ParallelRunner:
     """The stopwatch of the run."""
     advance: Callable[[int], None] = _nobody
     """A function that is called with the number of files done."""
+    executor: str = ""
+    """The address of the cluster that lints, `dask://HOST:PORT`; empty for processes here."""
     tell: Callable[[Sequence[Finding]], None] | None = None
     """A function that is told findings as soon as it is clear that none comes before them."""
 
@@ -128,7 +130,7 @@ class ParallelRunner:
 
         If *in_order*, about in the order of the names of their files, else the largest first.
         """
-        least = self.jobs * SHARES if self.jobs > 1 else 1
+        least = self.jobs * SHARES if self.jobs > 1 or self.executor else 1
         split = split_in_order if in_order else split_into_shares
         planned = split(models, least, self.job.settings)
         left = [[models[number] for number in each] for each in planned]
@@ -140,7 +142,12 @@ class ParallelRunner:
                 linted(model, outcome)
                 self._advance(models[model], failed)
 
-        if left and (seconds := self.job.settings.file_timeout):
+        if left and self.executor:
+            from kinlint.parallel.dask_cluster import worker_pool  # noqa: PLC0415  few runs
+
+            with self.phases.phase("linting"), worker_pool(self.executor, self.job, failed) as pool:
+                pool.lint(left, done)
+        elif left and (seconds := self.job.settings.file_timeout):
             from kinlint.parallel.timed_processes import TimedProcesses  # noqa: PLC0415  few runs
 
             with self.phases.phase("linting"):

@@ -1,0 +1,82 @@
+"""The workers of a Dask cluster (https://distributed.dask.org), which run shares of a run."""
+
+from __future__ import annotations
+
+import os
+import pickle
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from time import monotonic
+from typing import Any
+
+from kinlint import __version__
+from kinlint.errors import KinlintError, SourceError, UsageError
+from kinlint.parallel.executor import WorkerPool, Workplace
+from kinlint.parallel.shard import Job
+
+SCHEME = "dask://"
+TIMEOUT = 10
+"""Seconds in which a scheduler answers."""
+GRACE = 60
+"""Seconds in which workers that are lost are expected to come back."""
+WAITING = 3
+"""Number of tasks that wait for each thread that works on one."""
+
+
+@contextmanager
+def worker_pool(address: str, job: Job, errors: Sequence[SourceError]) -> Iterator[WorkerPool]:
+    """Give the workers of the cluster at *address*, `dask://HOST:PORT`, which know *job*.
+
+    Raises UsageError without Dask, and KinlintError if nobody is there or has another version.
+    """
+    if job.settings.file_timeout:
+        raise UsageError("--executor: file-timeout holds for processes here only; set it to 0")
+    try:
+        import distributed  # noqa: PLC0415  few runs use a cluster
+    except ImportError:
+        raise UsageError("--executor dask://: pip install 'kinlint[dask]'") from None
+    place = address.removeprefix(SCHEME)
+    try:
+        connect: Any = distributed.Client
+        client = connect(f"tcp://{place}", timeout=TIMEOUT, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise KinlintError(f"--executor: no scheduler answers at {address}: {error}") from None
+    with client:
+        _compare(client, address)
+        # A task's result is worked out again if all workers that hold it are lost; data is not.
+        known = pickle.dumps(Workplace(job, errors, os.getcwd()))  # noqa: PTH109  as files are named
+        workplace = client.submit(pickle.loads, known, pure=False)
+        threads = sum(client.nthreads().values())
+        executor = client.get_executor(pure=False)
+
+        seen = monotonic()
+
+        def watch() -> None:
+            nonlocal seen
+            if client.status == "running" and client.nthreads():
+                seen = monotonic()
+            elif monotonic() - seen > GRACE:
+                raise KinlintError(f"--executor: {address} has no workers any more")
+
+        yield WorkerPool(
+            executor, workplace, threads * (1 + WAITING), distributed.KilledWorker, watch
+        )
+
+
+def _compare(client: Any, address: str) -> None:
+    """Raise KinlintError unless all workers have this version of kinlint."""
+    if not client.nthreads():
+        raise KinlintError(f"--executor: {address} has no workers")
+    try:
+        versions = client.run(_version)
+    except Exception as error:  # noqa: BLE001  whatever the worker lacks
+        raise KinlintError(f"--executor: workers of {address} lack kinlint: {error}") from None
+    for worker, version in versions.items():
+        if version != __version__:
+            raise KinlintError(
+                f"--executor: the worker {worker} has kinlint {version}, this is {__version__}"
+            )
+
+
+def _version() -> str:
+    return __version__

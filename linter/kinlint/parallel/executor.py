@@ -1,0 +1,121 @@
+"""Lints shares on an executor, such as a cluster, whose workers may go and come."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import chdir
+from threading import Lock
+from typing import Any
+
+from kinlint.errors import KinlintError, SourceError
+from kinlint.light_dataclasses import dataclass
+from kinlint.parallel import shard
+from kinlint.parallel.division import Task, TaskQueue
+from kinlint.parallel.partition import Model
+from kinlint.parallel.shard import Job, Outcome
+
+PATIENCE = 5.0
+"""Seconds between looks at whether there is still somebody who works."""
+_alone = Lock()
+"""Held by the thread of a worker that lints, since all its threads have one working directory."""
+
+
+@dataclass(frozen=True)
+class Workplace:
+    """All that a worker needs to know beside the models, sent to it once."""
+
+    job: Job
+    """The settings and rules."""
+    errors: Sequence[SourceError]
+    """The errors in files that could not be decoded."""
+    directory: str
+    """The working directory, from which files are named."""
+
+
+@dataclass(frozen=True)
+class WorkerPool:
+    """Workers that an executor reaches."""
+
+    executor: Executor
+    """The executor."""
+    workplace: Any
+    """A `Workplace`, or what the executor replaces by one on the worker."""
+    width: int
+    """The number of tasks that are given at once, those that wait included."""
+    lost: type[Exception]
+    """Exception of a task that ended its worker each time that it was tried."""
+    watch: Callable[[], None]
+    """A function that raises KinlintError if nobody works any more."""
+
+    def lint(
+        self, shares: Sequence[Sequence[Model]], done: Callable[[int, list[Outcome]], None]
+    ) -> None:
+        """Lint *shares*; *done* is called with the number and the outcomes of each.
+
+        What ends its workers is divided, as `TaskQueue.add_shares` says, and tried alone at the
+        end: a worker takes with it what else it was given.
+        """
+        tasks, suspects = TaskQueue(), deque[Task]()
+        tasks.add_shares(shares, done)
+        pending: dict[Future[list[Outcome]], Task] = {}
+        try:
+            while tasks or suspects or pending:
+                while tasks and len(pending) < self.width:
+                    task = tasks.popleft()
+                    pending[self._begin(task)] = task
+                alone = not pending
+                if alone:
+                    task = suspects.popleft()
+                    pending[self._begin(task)] = task
+                finished, _ = wait(pending, PATIENCE, FIRST_COMPLETED)
+                if not finished:
+                    self.watch()
+                for each in finished:
+                    task, outcomes = pending.pop(each), self._outcomes(each)
+                    if outcomes is not None:
+                        task.done(outcomes)
+                    elif alone or task.is_divisible:
+                        waiting = len(tasks)
+                        task.done("each worker that linted it was lost")
+                        while len(tasks) > waiting:
+                            suspects.append(tasks.pop())
+                    else:
+                        suspects.append(task)
+        finally:
+            for each in pending:
+                each.cancel()
+
+    def _begin(self, task: Task) -> Future[list[Outcome]]:
+        return self.executor.submit(lint_at, self.workplace, task.models, task.errors)
+
+    def _outcomes(self, finished: Future[list[Outcome]]) -> list[Outcome] | None:
+        """Return what came of a task; None if it ended its workers."""
+        if finished.cancelled():
+            self.watch()
+            raise KinlintError("the executor gave up work that it had taken")
+        try:
+            return finished.result()
+        except self.lost:
+            return None
+
+
+def lint_at(
+    workplace: Workplace, models: Sequence[Model], errors: Sequence[SourceError]
+) -> list[Outcome]:
+    """Return the outcomes of *models* at *workplace*; *errors* are of files of the same models.
+
+    Raises KinlintError if this worker does not have the working directory, or fails otherwise: not
+    every exception can be sent.
+    """
+    if not os.path.isdir(workplace.directory):  # noqa: PTH112  no path of this run
+        raise KinlintError(f"a worker has no directory {workplace.directory}: it needs the files")
+    try:
+        with _alone, chdir(workplace.directory):
+            return shard.lint_shard(models, [*workplace.errors, *errors], workplace.job)
+    except (KinlintError, MemoryError):
+        raise
+    except Exception as error:  # noqa: BLE001  see above
+        raise KinlintError(f"a worker failed: {type(error).__name__}: {error}") from None
