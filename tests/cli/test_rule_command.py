@@ -117,10 +117,3 @@ def test_rules_of_a_directory(kinlint, monkeypatch, here):
 
     assert kinlint("test-rules", "rules")[1].startswith("4 rules ")
     assert kinlint("test-rules", "mine") == (2, "", "kinlint: error: no rules found in mine\n")
-
-
-def test_examples_in_urdf_come_first(kinlint):
-    """Most people know it; those in graphs come last."""
-    page = kinlint("rule", "LIM001")[1]
-    assert page.index('<robot name="arm">') < page.index("<sdf") < page.index("#usda")
-    assert page.index("#usda") < page.index('"@context"')

@@ -57,3 +57,10 @@ def test_a_family_is_a_selector_by_its_name(kinlint):
 def test_a_wrong_choice_gets_a_suggestion(kinlint):
     """In one line."""
     assert kinlint("rules", "--format", "urfd")[2].endswith("did you mean 'urdf'?\n")
+
+
+def test_a_page_begins_with_examples_in_urdf(kinlint):
+    """Most people know it; those in graphs come last."""
+    page = kinlint("rule", "LIM001")[1]
+    assert page.index('<robot name="arm">') < page.index("<sdf") < page.index("#usda")
+    assert page.index("#usda") < page.index('"@context"')
