@@ -117,6 +117,28 @@ def test_an_srdf_alone_is_checked_against_a_robot_of_arguments(configured, kinli
     assert "9 is above the upper limit 3 of joint 'wrist'" in out
 
 
+MACRO = """<robot name="my_arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="my_arm">
+    <group name="arm"><joint name="elbow"/><joint name="wrist"/></group>
+    <disable_collisions link1="base" link2="forearm" reason="Adjacent"/>
+  </xacro:macro>
+</robot>
+"""
+CALL = """<robot name="my_arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="my_arm.xacro"/>
+  <xacro:my_arm/>
+</robot>
+"""
+
+
+def test_a_file_of_macros_of_an_srdf_is_no_robot(configured, kinlint):
+    """Though it has the name of one, and lies beside the SRDF and the YAML."""
+    (configured.top / SRDF_FILE).unlink()
+    configured.write(f"{CONFIG}my_arm.xacro", MACRO)
+    configured.write(f"{CONFIG}my_arm.srdf.xacro", CALL)
+    assert kinlint(*FLAGS, "--select", "CMP") == (0, "", "")
+
+
 def test_the_srdf_is_checked_against_the_robot_of_the_other_package(ws, kinlint):
     """A joint that it lacks is found."""
     ws.change(SRDF_FILE, '<joint name="elbow"/>', '<joint name="elbo"/>')

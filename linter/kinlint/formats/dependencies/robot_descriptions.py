@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from pathlib import Path
 
@@ -12,9 +13,13 @@ from kinlint.formats.recognition import with_format
 from kinlint.formats.srdf.format import SRDF
 from kinlint.formats.urdf.format import URDF
 from kinlint.light_dataclasses import dataclass
-from kinlint.text import SourceText
+from kinlint.text import XML_COMMENT, SourceText
 
 ENDING = SRDF.suffixes[0]
+_SEMANTIC = re.compile(r"<(?:group|group_state|disable_collisions|end_effector)\s")
+_PHYSICAL = re.compile(
+    r"<(?:parent|child|visual|collision|inertial|origin|axis|ros2_control)[\s>/]"
+)
 MOST = 0.5
 """Share of the names in an SRDF that a URDF must define to be taken for its robot."""
 
@@ -79,12 +84,23 @@ class Description:
 
 
 def describe(source: SourceText) -> Description | None:
-    """Return the description of *source*; None if it is neither SRDF nor URDF."""
+    """Return the description of *source*; None if it is neither SRDF nor URDF.
+
+    Files of xacro that only define parts of an SRDF are neither.
+    """
     source = with_format(source)
     kind = source.format
     if kind is not None and kind.expands_to == URDF.name:
         kind = SRDF if ENDING in source.name.lower() else URDF
+        if kind == URDF and _is_semantic(source):
+            return None
     return Description(source, kind) if kind in (SRDF, URDF) else None
+
+
+def _is_semantic(source: SourceText) -> bool:
+    """Tell whether *source* has elements of SRDF, and none that a link or joint of a URDF has."""
+    found = _SEMANTIC.search(source.text) is not None
+    return found and _PHYSICAL.search(XML_COMMENT.sub("", source.text)) is None
 
 
 def may_be_srdf(source: SourceText) -> bool:
