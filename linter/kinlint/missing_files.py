@@ -40,7 +40,7 @@ def references(
     *packages_of* has the packages that the file of a name can name. With *wanted*, nothing is
     looked up unless one of these terms is such a reason.
     """
-    if wanted is not None and not set(wanted) & {*CLASSES.values(), MESH}:
+    if not asks_for_files(wanted):
         return
     lookups: dict[int, References] = {}
     meshes: dict[Path, tuple[Term, Path]] = {}
@@ -59,6 +59,11 @@ def references(
         from kinlint.formats.collada.mesh_documents import mesh_statements  # noqa: PLC0415
 
         yield from mesh_statements(meshes)
+
+
+def asks_for_files(wanted: Collection[Term] | None) -> bool:
+    """Tell whether one of the terms *wanted* says that a file is not found, or of a mesh."""
+    return wanted is None or not {*CLASSES.values(), MESH}.isdisjoint(wanted)
 
 
 def _home(document: Document, triple: Triple) -> Path:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
-from benchmarks import editing, reading
+from benchmarks import editing, reading, store
 from benchmarks.fleet import Fleet
 from benchmarks.growth.measurement import GROWTH_HEADING, measured
 from benchmarks.keystrokes import Keystrokes
@@ -40,7 +40,7 @@ def main(arguments: Sequence[str]) -> int:
         rows.append(row)
     joints = 70 if options.quick else 700
     typed = options.keystrokes is not None
-    few = (options.fleet, options.starting, options.reading, typed, options.proofs)
+    few = (options.fleet, options.store, options.starting, options.reading, typed, options.proofs)
     parts = [] if any(few) else [_shares(joints, stages(joints, catalogue, options.runs)), ""]
     lines = [*markdown(rows), "", *parts, _made(arguments, catalogue)]
     sys.stdout.writelines(f"{line}\n" for line in lines)
@@ -92,6 +92,9 @@ def _parser() -> argparse.ArgumentParser:
         help="only growth with the size of a file, of the inputs whose title contains TEXT",
     )
     parser.add_argument("--fixes", action="store_true", help="growth of runs that prove fixes")
+    parser.add_argument(
+        "--store", type=int, metavar="N", help="only N robots in a triple store, and 100 N of them"
+    )
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
@@ -111,6 +114,10 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
             yield from Fleet(options.fleet).compared_by_size(options.mjcf, options.runs)
         else:
             yield from Fleet(options.fleet).rows(options.runs)
+        return
+    if options.store:
+        with store.served() as url:
+            yield from store.rows(url, options.store)
         return
     if options.reading:
         yield from reading.rows(options.runs)

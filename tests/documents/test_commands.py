@@ -18,6 +18,8 @@ ELSEWHERE = {"python3", "python", "pip", "pytest", "pyshacl", "make"}
 """What `test_installation` and other tests run."""
 ADDING = "kinlint contexts add"
 """What changes a project, and may use the network; `tests/cli` runs it."""
+STORED = "--endpoint"
+"""What asks a triple store; `tests/endpoint` runs it."""
 LASTING = {"--watch", "-w", "server"}
 """What runs until it is told to stop; `tests/cli` and `tests/server` do."""
 
@@ -31,6 +33,7 @@ def runs(line):
     """Whether *line* is a command that ends, and that no other test has to run."""
     return (
         not line.startswith(ADDING)
+        and STORED not in line
         and not LASTING & set(shlex.split(line))
         and not ELSEWHERE & set(programs(line))
     )

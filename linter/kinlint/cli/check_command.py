@@ -14,6 +14,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.check_options import parser
 from kinlint.cli.commands import hint
+from kinlint.cli.exit_codes import ABNORMAL, CLEAN, FOUND, THRESHOLD, exit_code, threshold
 from kinlint.cli.lint_run import LintRun, profiled
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
@@ -30,7 +31,6 @@ from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
-from kinlint.rule import Severity
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
@@ -39,8 +39,6 @@ if TYPE_CHECKING:
 
 PACKAGED = ("package://", "$(find")
 """Texts by which a file names a package."""
-CLEAN, FOUND, ABNORMAL = 0, 1, 2
-THRESHOLD = "warning"
 COMPARING = (
     "baseline",
     "write_baseline",
@@ -62,6 +60,10 @@ def run(arguments: Sequence[str]) -> int:
         sys.stdout.write(f"kinlint {__version__}\n")
         return CLEAN
     check_together(options)
+    if options.endpoint is not None:
+        from kinlint.cli.endpoint_check import check_store  # noqa: PLC0415  few runs ask a store
+
+        return check_store(options)
     if options.watch:
         from kinlint.cli.watch import watch  # noqa: PLC0415  few runs stay
 
@@ -152,21 +154,6 @@ def _with_suppressed(report: Report) -> Report:
     """Return *report* with suppressed findings among the others."""
     both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
     return replace(report, findings=tuple(both), suppressed=())
-
-
-def threshold(fail_on: str) -> Severity | None:
-    """Return the least severity that makes a run fail; None if none does."""
-    return None if fail_on == "none" else Severity[fail_on.upper()]
-
-
-def exit_code(report: Report) -> int:
-    """Return 2 if a file could not be read, 1 if findings make the run of *report* fail, else 0."""
-    unparsed = any(one.rule.unparsable for one in report.unsuppressed)
-    if report.errors or unparsed or (report.passed_over and not report.files):
-        return ABNORMAL
-    least = report.fails_from
-    failed = least is not None and any(one.severity >= least for one in report.unsuppressed)
-    return FOUND if failed else CLEAN
 
 
 def _find(options: Namespace, layers: Layers) -> Found:

@@ -16,6 +16,7 @@ from kinlint.cli.argument_parser import (
     one_of,
     seconds,
 )
+from kinlint.cli.endpoint_options import add_connection_options
 from kinlint.configuration.keys import (
     ENGINES,
     OUTPUT_FORMATS,
@@ -61,6 +62,7 @@ def parser() -> Parser:
     _known(made)
     _files(made)
     _reading(made)
+    _store(made)
     _output(made)
     return made
 
@@ -208,6 +210,18 @@ def _reading(made: Parser) -> None:
     )
     add("--isolated", **FLAG, help="ignore configuration files")
     add("--show-settings", **FLAG, help="print the settings of each file and exit")
+
+
+def _store(made: Parser) -> None:
+    add_connection_options(made, "Models in a triple store (in place of PATH)")
+    add = made.add_argument_group("Models of the store").add_argument
+    add("--graph", metavar="IRI", **TEXTS, help="check only the models of these named graphs")
+    add(
+        "--since",
+        type=non_empty,
+        metavar="REVISION|TIME",
+        help="check only graphs that changed since this revision (kinlint load tells it) or time",
+    )
 
 
 def _output(made: Parser) -> None:

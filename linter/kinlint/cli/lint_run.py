@@ -84,7 +84,9 @@ class LintRun:
         if options.report_bug:
             from kinlint.cli.bug_report import write_reproducers  # noqa: PLC0415  kinlint rarely fails
 
-            write_reproducers(*self._read(), self.settings, self.book, Path(options.report_bug))
+            write_reproducers(
+                *self.read_sources(), self.settings, self.book, Path(options.report_bug)
+            )
         if options.add_ignore is not None:
             report = self._silenced(options, wanted)
         elif options.fix or options.fix_only or options.diff:
@@ -111,7 +113,9 @@ class LintRun:
             passed_over=tuple(self._passed),
         )
 
-    def _read(self, bar: ProgressBar | None = None) -> tuple[list[SourceText], list[SourceError]]:
+    def read_sources(
+        self, bar: ProgressBar | None = None
+    ) -> tuple[list[SourceText], list[SourceError]]:
         """The texts that were found, with what they were written for, and what cannot be read."""
         with self.phases.phase("imports"):
             from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
@@ -145,8 +149,8 @@ class LintRun:
             return sources, [*self.found.errors, *errors]
 
     def _read_in_time(self, options: Namespace) -> tuple[list[SourceText], list[SourceError]]:
-        """Return the texts and errors of `_read`, less the texts that take too long."""
-        sources, failed = self._read()
+        """Return the texts and errors of `read_sources`, less the texts that take too long."""
+        sources, failed = self.read_sources()
         if self.settings.file_timeout is None:
             return sources, failed
         from kinlint.errors import FileTimeout  # noqa: PLC0415
@@ -205,7 +209,7 @@ class LintRun:
             from kinlint.parallel.shard import Job  # noqa: PLC0415  few runs have a limit
             from kinlint.parallel.timed_fixes import fix_in_time  # noqa: PLC0415
 
-            sources, failed = self._read()
+            sources, failed = self.read_sources()
             job = Job(self.settings, self.book, fixing=True)
             timed = fix_in_time(sources, failed, job, process_count(options), rounds)
             if timed is not None:
@@ -239,7 +243,7 @@ class LintRun:
         if kept:
             memory = ReportCache.from_settings(self.settings, self.book, fixing=first, least=least)
         with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
-            sources, failed = self._read(bar)
+            sources, failed = self.read_sources(bar)
             tell = partial(bar.step_aside, self.early.tell) if self.early is not None else None
             survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance, executor, tell)
             report = survey.report(sources, failed)

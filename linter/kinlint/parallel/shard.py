@@ -22,6 +22,7 @@ from kinlint.text import SourceText
 
 if TYPE_CHECKING:
     from kinlint.fixes.rounds import RoundsResult
+    from kinlint.pipeline.given_documents import GivenDocuments
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class Job:
     """The findings that fixes are proven of; None for all."""
     least: Severity = Severity.INFO
     """Least severity of findings that fixes are proven of."""
+    given: GivenDocuments | None = None
+    """Documents of the texts, if these were read before."""
     rounds: Callable[..., RoundsResult] | None = None
     """Function that fixes the texts of a model, round by round; None if they stay as they are."""
 
@@ -108,7 +111,7 @@ def _examined(
     with phases.phase("imports"):
         from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415  engines are slow to import
 
-    analyzer = Analyzer(job.settings, job.book, trying=job.fixing)
+    analyzer = Analyzer(job.settings, job.book, trying=job.fixing, given=job.given)
     examination = analyzer.examine(sources, errors, phases, repairing=job.fixing)
     report, documents = examination.report, examination.documents
     if not job.fixing or not any(one.rule.repairs for one in job.select(report.findings)):

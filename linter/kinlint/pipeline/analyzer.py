@@ -29,6 +29,7 @@ from kinlint.light_dataclasses import dataclass, replace
 from kinlint.missing_files import STATED
 from kinlint.phases import Phases
 from kinlint.pipeline.conclusion import conclude, robot_structures
+from kinlint.pipeline.given_documents import GivenDocuments
 from kinlint.pipeline.read_models import read_documents
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
@@ -100,7 +101,7 @@ class Analyzer:
     answers what another analyzer would, but for the seconds. With *repeated*, the first reads texts
     such that they are read again sooner, and stores hold all that can be lifted and inferred, for
     those who ask about the model. With *trying*, too, and later answers differ in the labels
-    of blank nodes. It serves one thread at a time.
+    of blank nodes. Texts of *given* documents are not read. It serves one thread at a time.
     """
 
     def __init__(
@@ -110,10 +111,12 @@ class Analyzer:
         *,
         repeated: bool = False,
         trying: bool = False,
+        given: GivenDocuments | None = None,
     ) -> None:
         self._settings = settings
         self._rulebook = rulebook
         self._browsed = repeated
+        self._given = given
         self._reading = partial(IncrementalReader, divided=repeated or trying, lasting=trying)
         self._readers: dict[str, IncrementalReader] = {}
         self._kept: dict[Key, Kept] = {}
@@ -158,7 +161,8 @@ class Analyzer:
 
             documents, joined = read_documents(sources, failed, self._settings, reading)
         selection = self._select_rules(documents, repairing=repairing)
-        inputs = Inputs(joined, documents, options.packages_of, repairing=not brief)
+        known = None if self._given is None else list(self._given.about_files(documents))
+        inputs = Inputs(joined, documents, options.packages_of, known, repairing=not brief)
         run = self._run(inputs, selection, spent, ask)
         with spent.phase("locating"):
             results = list(applies(run.results, joined, selection.owners))
@@ -173,6 +177,8 @@ class Analyzer:
 
     def _read(self, source: SourceText, options: ReadOptions) -> Document:
         """Read *source*, or what changed of it."""
+        if self._given is not None:
+            return self._given.documents[source.name]
         if not self._can_follow:
             return read(source, options)
         reader = self._readers.setdefault(source.name, self._reading())

@@ -15,7 +15,7 @@ from kinlint.engine.constraint import Constraint
 from kinlint.engine.required_terms import behind
 from kinlint.files.packages import Packages
 from kinlint.light_dataclasses import dataclass
-from kinlint.missing_files import references
+from kinlint.missing_files import asks_for_files, references
 from kinlint.terms import Term, Triple
 
 
@@ -29,12 +29,16 @@ class Inputs:
     """The documents that missing files are looked for in: all but companions."""
     packages_of: Callable[[str], Packages] | None = None
     """Returns the packages that a file, by its name, can name; None to look for no files."""
+    looked_up: Sequence[Triple] | None = None
+    """Statements about such files that are known already; None to look for them."""
     repairing: bool = True
     """False if nobody asks for repairs this time, so that their hints may be out of date."""
 
     def missing(self, demand: Demand) -> Iterator[Triple]:
         """Yield statements about files that documents refer to and that are not there."""
-        if self.packages_of is not None:
+        if self.looked_up is not None:
+            yield from self.looked_up if asks_for_files(demand.terms) else ()
+        elif self.packages_of is not None:
             yield from references(self.own, self.packages_of, demand.terms)
 
 

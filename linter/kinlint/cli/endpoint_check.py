@@ -1,0 +1,139 @@
+"""`kinlint check --endpoint`: lints the models of a triple store, one batch at a time."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import Namespace
+from collections.abc import Iterator, Sequence
+from datetime import datetime
+from pathlib import Path
+from time import perf_counter
+
+from kinlint.catalogue import rulebook
+from kinlint.cli.endpoint_options import endpoint
+from kinlint.cli.exit_codes import THRESHOLD, exit_code, threshold
+from kinlint.cli.lint_run import process_count
+from kinlint.cli.overrides import configs, overrides
+from kinlint.cli.progress import ProgressBar
+from kinlint.cli.report_destinations import check_destinations, destinations
+from kinlint.cli.report_outputs import Outputs
+from kinlint.configuration.selection import Policies
+from kinlint.endpoint.judging import Judge, judge_all, together
+from kinlint.endpoint.stored_graphs import models
+from kinlint.errors import UsageError
+from kinlint.files.pathglob import absolute
+from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
+from kinlint.project.discovery import Input
+from kinlint.project.layers import Layers, cache_directory
+from kinlint.report import Report
+from kinlint.terms import iri
+from kinlint.text import Location, SourceText
+
+OF_FILES = (
+    *("fix", "fix_only", "diff", "add_ignore", "watch", "in_project", "new_from_rev"),
+    *("new_from_merge_base", "baseline", "write_baseline", "prune_baseline", "report_bug"),
+    *("profile", "show_files", "stdin_filename", "show_settings"),
+)
+"""Options that are about files."""
+
+
+def check_store(options: Namespace) -> int:
+    """Lint the models of the store that *options* name; the exit code."""
+    _check(options)
+    started = perf_counter()
+    store = endpoint(options)
+    names = [iri(each) for each in options.graph or ()]
+    found = models(store, names, options.since)
+    layers = Layers(configs(options), overrides(options))
+    files = [Input(each.file, absolute(each.file)) for one in found for each in one if each.file]
+    here = Path.cwd()
+    inputs = [each for each in files if each.path and each.path.is_relative_to(here)]
+    settings = layers.settings(
+        inputs,
+        rules=tuple(absolute(path) for path in options.rules or ()),
+        shapes=tuple(absolute(path) for path in options.shapes or ()),
+        ignore_suppressions=options.ignore_suppressions,
+        verbose=bool(options.verbose),
+    )
+    project = layers.config_for(here)
+    fail_on = project.fail_on or THRESHOLD
+    outputs = destinations(options, project, fail_on)
+    check_destinations(outputs, (*settings.rules, *settings.shapes))
+    cache = cache_directory(os.environ, options.cache_dir)
+    book = rulebook.load(settings.rules, settings.shapes, cache)
+    Policies(settings, book.rules).check_selectors()
+    judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
+    with ProgressBar(len(found), wanted=outputs.watched, color=options.color) as bar:
+        reports = judge_all(
+            judge, found, process_count(options), lambda done: bar.advance(2 * done)
+        )
+        told = list(_told(reports, options, outputs, bar))
+    report = replace(
+        together([report for report, _ in told], perf_counter() - started),
+        unsafe=False,
+        catalogue=book.digest,
+        fails_from=None if options.exit_zero else threshold(fail_on),
+    )
+    written = {name for _, early in told for name in early}
+    outputs.emit(report, sys.stdout, written)
+    return exit_code(report)
+
+
+def _check(options: Namespace) -> None:
+    """Raise `UsageError` for options that mean nothing for a store."""
+    if options.paths:
+        raise UsageError(f"--endpoint or files, such as '{options.paths[0]}', not both")
+    for name in OF_FILES:
+        if getattr(options, name, None) not in (None, False):
+            raise UsageError(f"--{name.replace('_', '-')} is for files, not for --endpoint")
+    since = options.since
+    if since is not None and not since.isdecimal():
+        try:
+            datetime.fromisoformat(since)
+        except ValueError:
+            kinds = "a revision or a time such as 2026-01-31T12:00:00Z"
+            raise UsageError(f"--since: expected {kinds}, got '{since}'") from None
+
+
+def _told(
+    reports: Iterator[Report], options: Namespace, outputs: Outputs, bar: ProgressBar
+) -> Iterator[tuple[Report, Sequence[str]]]:
+    """Yield *reports*, each with the files whose findings are written already.
+
+    Of those, only what a summary counts is kept, so that the memory of a run does not grow with
+    the texts.
+    """
+    early = outputs.begins_early and not outputs.copies
+    for report in reports:
+        if options.show_suppressed:
+            both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
+            report = replace(report, findings=tuple(both), suppressed=())  # noqa: PLW2901
+        if options.show_consequences:
+            report = report.with_consequences()  # noqa: PLW2901
+        if not early:
+            yield report, ()
+            continue
+        if report.findings:
+            bar.step_aside(lambda each: outputs.begin(each, sys.stdout), report)
+        kept = replace(
+            report,
+            findings=tuple(map(_counted, report.findings)),
+            suppressed=tuple(map(_counted, report.suppressed)),
+            structures=(),
+        )
+        yield kept, [each.location.source.name for each in report.findings]
+
+
+def _counted(finding: Finding) -> Finding:
+    """Return *finding* with what a summary counts, and without its text."""
+    bare = SourceText(finding.location.source.name, "")
+    return replace(
+        finding,
+        location=Location(bare, finding.location.span),
+        related=(),
+        because=(),
+        consequences=(),
+        members=(),
+    )

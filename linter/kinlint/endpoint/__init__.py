@@ -1,0 +1,1 @@
+"""Models in a triple store: loading them there, and checking them from there."""

@@ -1,0 +1,152 @@
+"""The named graphs of a store: which there are, which of them make a model, what they state."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+
+from kinlint.endpoint.connection import Endpoint
+from kinlint.endpoint.storable import unskolemised
+from kinlint.light_dataclasses import dataclass, replace
+from kinlint.terms import XSD, Term, Triple, iri, literal_value
+from kinlint.vocabulary import KINLINT, STORE
+
+FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE = (
+    iri(f"{STORE}{name}")
+    for name in ("file", "model", "companion", "revision", "loaded", "record", "size")
+)
+"""Properties of a graph that kinlint loaded: the name of its file; the model that it is a part of,
+by the name of one graph of it; graphs that are only read along with it; the number and the time of
+loading; what RDF loses of the file; and the number of its statements."""
+COUNTER = iri(f"{KINLINT}store")
+"""The named graph that holds the number of the newest loading, and nothing else."""
+MODIFIED = "<http://purl.org/dc/terms/modified>"
+"""Property of other graphs that tells when they changed."""
+PAGE = 10_000
+"""Most solutions of one answer: stores cut off longer ones, some without a word."""
+
+
+@dataclass(frozen=True, slots=True)
+class StoredGraph:
+    """A named graph of a store."""
+
+    name: Term
+    """The name."""
+    model: Term
+    """The model that it is a part of, if any; its own name if it was not loaded by kinlint."""
+    file: str | None = None
+    """The name of its file; None if it was not loaded by kinlint."""
+    size: int = 0
+    """Number of statements when it was loaded; 0 if unknown."""
+    companion: bool = False
+    """True if it is only read along with others."""
+
+
+def models(endpoint: Endpoint, names: Sequence[Term], since: str | None) -> list[list[StoredGraph]]:
+    """Return the graphs of *endpoint*, those of one model together, sorted by their files.
+
+    With *names*, the models of these graphs only; *since* a revision, or a time as XML Schema
+    writes it, those in which a graph is newer.
+    """
+    known = {each.name: each for each in _loaded(endpoint)}
+    beside = dict[Term, dict[Term, None]]()
+    for row in pages(endpoint, "?g ?other", f"GRAPH ?g {{ ?g {COMPANION} ?other }}"):
+        beside.setdefault(row["g"], {})[row["other"]] = None
+    others = [each for each in names if each not in known] if names else _foreign(endpoint, since)
+    changed = _changed(endpoint, since)
+    every = [each for each in known.values() if each.model]
+    every += (StoredGraph(each, each) for each in others if each not in known)
+    every.sort(key=lambda each: (each.model, each.file or "", each.name))
+    found = [list(group) for _, group in groupby(every, lambda each: each.model)]
+    for model in found:
+        meant = {other for one in model for other in beside.get(one.name, ())}
+        own = {one.name for one in model}
+        model.extend(replace(known[n], companion=True) for n in sorted(meant - own) if n in known)
+    if names:
+        found = [each for each in found if any(one.name in names for one in each)]
+    if changed is not None:
+        found = [each for each in found if any(one.name in changed or not one.file for one in each)]
+    return sorted(found, key=lambda each: (each[0].file is None, each[0].file or each[0].name))
+
+
+def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
+    pattern = f"?g {FILE} ?file ; {SIZE} ?size OPTIONAL {{ ?g {MODEL} ?model }}"
+    for row in pages(endpoint, "?g ?file ?model ?size", f"GRAPH ?g {{ {pattern} }}"):
+        yield StoredGraph(
+            row["g"],
+            row.get("model", ""),
+            literal_value(row["file"]),
+            int(literal_value(row["size"])),
+        )
+
+
+def _foreign(endpoint: Endpoint, since: str | None) -> Iterator[Term]:
+    """Yield the graphs that kinlint did not load; since a time, unless they say they are older."""
+    old = ""
+    if since is not None and not since.isdecimal():
+        old = (
+            f" FILTER NOT EXISTS {{ GRAPH ?g {{ ?g {MODIFIED} ?time }}"
+            f' FILTER(?time <= "{since}"^^<{XSD}dateTime>) }}'
+        )
+    not_ours = f"FILTER NOT EXISTS {{ GRAPH ?g {{ ?g {RECORD} ?record }} }}"
+    where = f"GRAPH ?g {{ ?s ?p ?o }} {not_ours}{old} FILTER(?g != {COUNTER})"
+    return (row["g"] for row in pages(endpoint, "DISTINCT ?g", where))
+
+
+def _changed(endpoint: Endpoint, since: str | None) -> frozenset[Term] | None:
+    """Return the graphs that were loaded *since* then; None for all."""
+    if since is None:
+        return None
+    if since.isdecimal():
+        condition = f"?g {REVISION} ?r FILTER(?r > {since})"
+    else:
+        condition = f'?g {LOADED} ?t FILTER(?t > "{since}"^^<{XSD}dateTime>)'
+    return frozenset(row["g"] for row in pages(endpoint, "?g", f"GRAPH ?g {{ {condition} }}"))
+
+
+def pages(endpoint: Endpoint, head: str, where: str, by: str = "?g") -> Iterator[dict[str, Term]]:
+    """Yield the solutions of `SELECT head WHERE { where }`, in pages ordered *by* variables."""
+    last = ""
+    while True:
+        count, after = 0, f" FILTER(STR(?g) > {last})" if last else ""
+        query = f"SELECT {head} WHERE {{ {where}{after} }} ORDER BY {by} LIMIT {PAGE}"
+        for row in endpoint.select(query):
+            count += 1
+            yield row
+        if count < PAGE:
+            return
+        last = f'"{row["g"][1:-1]}"'
+
+
+def statements(endpoint: Endpoint, graphs: Iterable[StoredGraph]) -> dict[Term, list[Triple]]:
+    """Return what each of *graphs* states. Together they should have at most `PAGE` statements."""
+    asked = list(graphs)
+    found: dict[Term, list[Triple]] = {each.name: [] for each in asked}
+    named = " ".join(found)
+    where = f"VALUES ?g {{ {named} }} GRAPH ?g {{ ?s ?p ?o }}"
+    rows = list(endpoint.select(f"SELECT ?g ?s ?p ?o WHERE {{ {where} }} LIMIT {PAGE}"))
+    if len(rows) >= PAGE:
+        if len(asked) > 1:
+            parts = (statements(endpoint, [each]) for each in asked)
+            return {name: said for part in parts for name, said in part.items()}
+        rows = list(_large(endpoint, asked[0].name))
+    for row in rows:
+        found[row.get("g", asked[0].name)].append((row["s"], row["p"], row["o"]))
+    return {
+        name: [(unskolemised(s), p, unskolemised(o)) for s, p, o in said]
+        for name, said in found.items()
+    }
+
+
+def _large(endpoint: Endpoint, name: Term) -> Iterator[dict[str, Term]]:
+    """Yield the statements of a graph page by page, in an order that stays the same."""
+    offset = 0
+    while True:
+        count, inner = 0, f"SELECT ?s ?p ?o WHERE {{ GRAPH {name} {{ ?s ?p ?o }} }}"
+        ordered = f"{inner} ORDER BY ?s ?p ?o LIMIT {PAGE} OFFSET {offset}"
+        for row in endpoint.select(ordered):
+            count += 1
+            yield row
+        if count < PAGE:
+            return
+        offset += PAGE

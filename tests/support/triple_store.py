@@ -1,0 +1,55 @@
+"""Oxigraph's server on the loopback interface, for as long as it is needed."""
+
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from kinlint.endpoint.connection import Endpoint, EndpointError
+
+
+def program() -> str | None:
+    """The path of the server; None if it is not installed."""
+    beside = Path(sys.executable).with_name("oxigraph")
+    return str(beside) if beside.exists() else shutil.which("oxigraph")
+
+
+@contextmanager
+def served(server: str) -> Iterator[str]:
+    """The address of an empty store in memory."""
+    while True:
+        port = _free_port()  # somebody else may take it before the server does
+        process = subprocess.Popen(
+            [server, "serve", "--bind", f"127.0.0.1:{port}"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        try:
+            url = f"http://127.0.0.1:{port}/query"
+            if _answers(process, url):
+                yield url
+                return
+        finally:
+            process.kill()
+            process.wait()
+
+
+def _answers(process: subprocess.Popen, url: str) -> bool:
+    while process.poll() is None:
+        try:
+            list(Endpoint(url, url, attempts=1).select("SELECT ?x { }"))
+        except EndpointError:
+            time.sleep(0.05)
+        else:
+            return True
+    return False
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
