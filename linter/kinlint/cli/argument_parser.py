@@ -11,6 +11,9 @@ from kinlint.configuration.value_kinds import SECONDS, unknown_message
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
+SILENCE = 120.0
+"""Seconds that a store may be silent by default."""
+
 
 class HelpShown(Exception):
     """The user asked for help and got it."""
@@ -150,3 +153,23 @@ def dask_address(text: str) -> str:
     if re.fullmatch(r"dask://(?:[\w.-]+|\[[0-9a-fA-F:]+\]):\d{1,5}", text) is None:
         raise argparse.ArgumentTypeError(f"'{text}' is no address such as dask://10.0.0.7:8786")
     return text
+
+
+def add_store(made: Parser, title: str) -> Callable[..., object]:
+    """Add the options for the address of a triple store; return what adds more under *title*."""
+    add = made.add_argument_group(title).add_argument
+    add("--endpoint", type=non_empty, metavar="URL", help="SPARQL 1.1 endpoint of the store")
+    add(
+        "--update-endpoint",
+        type=non_empty,
+        metavar="URL",
+        help="where updates go (default: .../update for .../query, else the endpoint)",
+    )
+    add(
+        "--endpoint-timeout",
+        type=seconds,
+        metavar="SECONDS",
+        default=SILENCE,
+        help=f"how long the store may be silent (default: {SILENCE:.0f})",
+    )
+    return add

@@ -14,8 +14,16 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.check_options import parser
 from kinlint.cli.commands import hint
-from kinlint.cli.exit_codes import ABNORMAL, CLEAN, FOUND, THRESHOLD, exit_code, threshold
-from kinlint.cli.lint_run import LintRun, profiled
+from kinlint.cli.lint_run import (
+    ABNORMAL,
+    CLEAN,
+    FOUND,
+    THRESHOLD,
+    LintRun,
+    exit_code,
+    profiled,
+    threshold,
+)
 from kinlint.cli.option_conflicts import check_together
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations

@@ -9,6 +9,7 @@ from typing import Any
 from kinlint.cli.argument_parser import (
     Parser,
     add_color,
+    add_store,
     comma_list,
     count,
     dask_address,
@@ -16,7 +17,6 @@ from kinlint.cli.argument_parser import (
     one_of,
     seconds,
 )
-from kinlint.cli.endpoint_options import add_connection_options
 from kinlint.configuration.keys import (
     ENGINES,
     OUTPUT_FORMATS,
@@ -213,8 +213,7 @@ def _reading(made: Parser) -> None:
 
 
 def _store(made: Parser) -> None:
-    add_connection_options(made, "Models in a triple store (in place of PATH)")
-    add = made.add_argument_group("Models of the store").add_argument
+    add = add_store(made, "Models in a triple store, in place of PATH")
     add("--graph", metavar="IRI", **TEXTS, help="check only the models of these named graphs")
     add(
         "--since",

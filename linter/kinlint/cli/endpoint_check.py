@@ -11,14 +11,18 @@ from pathlib import Path
 from time import perf_counter
 
 from kinlint.catalogue import rulebook
-from kinlint.cli.endpoint_options import endpoint
-from kinlint.cli.exit_codes import THRESHOLD, exit_code, threshold
-from kinlint.cli.lint_run import process_count
+from kinlint.cli.lint_run import (
+    THRESHOLD,
+    exit_code,
+    process_count,
+    threshold,
+)
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.progress import ProgressBar
 from kinlint.cli.report_destinations import check_destinations, destinations
 from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
+from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.judging import Judge, judge_all, together
 from kinlint.endpoint.stored_graphs import models
 from kinlint.errors import UsageError
@@ -43,7 +47,7 @@ def check_store(options: Namespace) -> int:
     """Lint the models of the store that *options* name; the exit code."""
     _check(options)
     started = perf_counter()
-    store = endpoint(options)
+    store = Endpoint.from_options(options, os.environ)
     names = [iri(each) for each in options.graph or ()]
     found = models(store, names, options.since)
     layers = Layers(configs(options), overrides(options))

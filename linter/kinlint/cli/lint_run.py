@@ -33,6 +33,12 @@ if TYPE_CHECKING:
     from kinlint.parallel.runner import ParallelRunner
 
 
+CLEAN, FOUND, ABNORMAL = 0, 1, 2
+"""The exit codes."""
+THRESHOLD = "warning"
+"""The least severity that makes a run fail by default."""
+
+
 def profiled(options: Namespace) -> bool:
     """Tell whether *options* ask for the time that each rule takes."""
     return bool(options.statistics and options.verbose > 1)
@@ -272,3 +278,18 @@ def _with_fixes(report: Report, sources: Sequence[SourceText], runner: ParallelR
     fixes = {each.key: each.fixes for each in proven.findings if each.fixes}
     findings = (replace(each, fixes=fixes.get(each.key, ())) for each in report.findings)
     return replace(report, findings=tuple(findings), unfixed=proven.unfixed)
+
+
+def threshold(fail_on: str) -> Severity | None:
+    """Return the least severity that makes a run fail; None if none does."""
+    return None if fail_on == "none" else Severity[fail_on.upper()]
+
+
+def exit_code(report: Report) -> int:
+    """Return 2 if a file could not be read, 1 if findings make the run of *report* fail, else 0."""
+    unparsed = any(one.rule.unparsable for one in report.unsuppressed)
+    if report.errors or unparsed or (report.passed_over and not report.files):
+        return ABNORMAL
+    least = report.fails_from
+    failed = least is not None and any(one.severity >= least for one in report.unsuppressed)
+    return FOUND if failed else CLEAN

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 from kinlint.addresses import document_of
 from kinlint.catalogue import rulebook
-from kinlint.cli.argument_parser import Parser
-from kinlint.cli.endpoint_options import add_connection_options, endpoint
+from kinlint.cli.argument_parser import Parser, add_store
 from kinlint.cli.model_inputs import add_input_options, find_inputs
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.settings import Settings
@@ -44,7 +43,7 @@ def parser() -> Parser:
         usage="kinlint load FILE... --endpoint URL [options]",
     )
     made.add_positionals("paths", "FILE", "the models: files, directories or globs")
-    add_connection_options(made, "Store")
+    add_store(made, "Store")
     add_input_options(made.add_argument, "add the vocabulary of the rules in DIR")
     return made
 
@@ -55,16 +54,16 @@ def run(arguments: Sequence[str]) -> int:
     take_arguments(options)
     if not options.endpoint or not (options.paths or options.stdin_filename):
         raise UsageError("expected files and --endpoint URL")
-    store = endpoint(options)
 
     from kinlint.cli.lint_run import LintRun  # noqa: PLC0415  help does without
+    from kinlint.endpoint.connection import Endpoint  # noqa: PLC0415
     from kinlint.endpoint.loading import Loader  # noqa: PLC0415
 
     found, settings = find_inputs(options)
     cache = cache_directory(os.environ, options.cache_dir)
     book = rulebook.load(settings.rules, settings.shapes, cache)
     sources, errors = LintRun(settings, found, book, Phases()).read_sources()
-    loader = Loader(store)
+    loader = Loader(Endpoint.from_options(options, os.environ))
     count = sum(loader.load(_models(sources, settings, errors)))
     for error in errors:
         sys.stderr.write(f"kinlint: error: {error}\n")

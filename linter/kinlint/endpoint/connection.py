@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import time
 import urllib.request
+from argparse import Namespace
 from base64 import b64encode
 from collections.abc import Iterator, Mapping
 from http.client import HTTPException, HTTPMessage
@@ -46,8 +47,8 @@ class Endpoint:
     """The address that takes queries."""
     update_url: str
     """The address that takes updates."""
-    timeout: float = 120.0
-    """Seconds that the store may be silent."""
+    timeout: float | None = 120.0
+    """Seconds that the store may be silent; None for any time."""
     attempts: int = 5
     """Number of attempts at a request that fails for a reason that may pass."""
     pause: float = 0.5
@@ -56,8 +57,14 @@ class Endpoint:
     """The value of the header `Authorization`; empty for none."""
 
     @classmethod
+    def from_options(cls, options: Namespace, environment: Mapping[str, str]) -> Endpoint:
+        """Return the endpoint that *options* of the command line name. Raises `UsageError`."""
+        timeout = options.endpoint_timeout or None
+        return cls.from_user(options.endpoint, options.update_endpoint, environment, timeout)
+
+    @classmethod
     def from_user(
-        cls, url: str, update_url: str | None, environment: Mapping[str, str], timeout: float
+        cls, url: str, update_url: str | None, environment: Mapping[str, str], timeout: float | None
     ) -> Endpoint:
         """Return the endpoint at *url*, with the credentials that the user has for it.
 

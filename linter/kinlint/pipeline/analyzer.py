@@ -29,7 +29,6 @@ from kinlint.light_dataclasses import dataclass, replace
 from kinlint.missing_files import STATED
 from kinlint.phases import Phases
 from kinlint.pipeline.conclusion import conclude, robot_structures
-from kinlint.pipeline.given_documents import GivenDocuments
 from kinlint.pipeline.read_models import read_documents
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
@@ -40,6 +39,7 @@ from kinlint.text import SourceText
 
 if TYPE_CHECKING:
     from kinlint.findings.finding_builder import FindingBuilder
+    from kinlint.pipeline.given_documents import GivenDocuments
 
 NOTHING: Mapping[Path, SourceText] = MappingProxyType({})
 
