@@ -1,6 +1,8 @@
 """Findings in models of a store: those of the files that were loaded, one by one."""
 
 import json
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -95,6 +97,23 @@ def test_a_document_is_replaced_as_a_whole(store, capsys, tmp_path, monkeypatch)
     after = _stored(capsys, store)
     assert len(after) < len(before)
     assert after == _findings(capsys, str(robot))
+
+
+def test_a_database_has_the_findings_that_are_printed(store, capsys, tmp_path, monkeypatch):
+    """With their related places, written model by model."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("one", "two"):
+        text = f'<robot name="{name}"><link name="a"/><link name="a"/><lnik/></robot>'
+        Path(f"{name}.urdf").write_text(text)
+    _load(store, "one.urdf", "two.urdf")
+    found = [json.loads(each) for each in _stored(capsys, store, "--output", "sqlite=all.db")]
+    with closing(sqlite3.connect("all.db")) as made:
+        rows = made.execute("SELECT file, code, line, message FROM finding").fetchall()
+        (related,) = made.execute("SELECT count(*) FROM related").fetchone()
+        assert made.execute("SELECT name FROM file").fetchall() == [("one.urdf",), ("two.urdf",)]
+    told = [(one["filename"], one["code"], one["location"]["row"], one["message"]) for one in found]
+    assert sorted(rows) == sorted(told)
+    assert related == sum(len(one["related"]) for one in found) > 0
 
 
 def test_what_is_deleted_in_the_store_is_not_judged(store, capsys, tmp_path, monkeypatch):

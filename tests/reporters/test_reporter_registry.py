@@ -105,7 +105,7 @@ def test_only_formats_that_tell_of_fixes_need_them() -> None:
     """Working fixes out takes time; where there is a line for a finding, there is no place."""
     told = [name for name, one in reporter_registry.FORMATS.items() if not one.fixes]
     servers = ["github", "gitlab", "azure", "junit", "checkstyle"]
-    assert told == ["concise", "grouped", *servers, "earl", "markdown"]
+    assert told == ["concise", "grouped", *servers, "earl", "markdown", "sqlite"]
 
 
 @pytest.mark.parametrize("style", [Style(color=True), Style(color=True, links=True, unicode=False)])

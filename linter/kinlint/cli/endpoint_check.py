@@ -6,6 +6,7 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
 from datetime import datetime
 from pathlib import Path
 from time import perf_counter
@@ -20,7 +21,7 @@ from kinlint.cli.lint_run import (
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.progress import ProgressBar
 from kinlint.cli.report_destinations import check_destinations, destinations
-from kinlint.cli.report_outputs import Outputs
+from kinlint.cli.report_outputs import Outputs, replacing_bytes
 from kinlint.configuration.selection import Policies
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.judging import Judge, judge_all, together
@@ -32,6 +33,7 @@ from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
+from kinlint.reporters.sqlite_database import FindingsDatabase
 from kinlint.terms import iri
 from kinlint.text import Location, SourceText
 
@@ -69,17 +71,28 @@ def check_store(options: Namespace) -> int:
     book = rulebook.load(settings.rules, settings.shapes, cache)
     Policies(settings, book.rules).check_selectors()
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
-    with ProgressBar(len(found), wanted=outputs.watched, color=options.color) as bar:
+    with ExitStack() as ending:
+        bar = ProgressBar(len(found), wanted=outputs.watched, color=options.color)
+        ending.enter_context(bar)
         reports = judge_all(
             judge, found, process_count(options), lambda done: bar.advance(2 * done)
         )
-        told = list(_told(reports, options, outputs, bar))
-    report = replace(
-        together([report for report, _ in told], perf_counter() - started),
-        unsafe=False,
-        catalogue=book.digest,
-        fails_from=None if options.exit_zero else threshold(fail_on),
-    )
+        streams, made = outputs.streams, None
+        if streams and outputs.copies:
+            made = ending.enter_context(FindingsDatabase(large=True))
+        told = list(_told(reports, options, outputs, bar, made))
+        report = replace(
+            together([report for report, _ in told], perf_counter() - started),
+            unsafe=False,
+            catalogue=book.digest,
+            fails_from=None if options.exit_zero else threshold(fail_on),
+        )
+        if made is not None:
+            made.conclude(report)
+            for _, path in outputs.copies:
+                with replacing_bytes(path) as stream:
+                    made.copy(stream)
+            outputs = replace(outputs, copies=())
     written = {name for _, early in told for name in early}
     outputs.emit(report, sys.stdout, written)
     return exit_code(report)
@@ -102,24 +115,29 @@ def _check(options: Namespace) -> None:
 
 
 def _told(
-    reports: Iterator[Report], options: Namespace, outputs: Outputs, bar: ProgressBar
+    reports: Iterator[Report],
+    options: Namespace,
+    outputs: Outputs,
+    bar: ProgressBar,
+    made: FindingsDatabase | None,
 ) -> Iterator[tuple[Report, Sequence[str]]]:
-    """Yield *reports*, each with the files whose findings are written already.
+    """Yield *reports*, each with the files whose findings are written, to the database *made* too.
 
     Of those, only what a summary counts is kept, so that the memory of a run does not grow with
     the texts.
     """
-    early = outputs.begins_early and not outputs.copies
     for report in reports:
         if options.show_suppressed:
             both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
             report = replace(report, findings=tuple(both), suppressed=())  # noqa: PLW2901
         if options.show_consequences:
             report = report.with_consequences()  # noqa: PLW2901
-        if not early:
+        if not outputs.streams:
             yield report, ()
             continue
-        if report.findings:
+        if made is not None:
+            made.add(report)
+        if report.findings and not outputs.silent:
             bar.step_aside(lambda each: outputs.begin(each, sys.stdout), report)
         kept = replace(
             report,

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from io import TextIOWrapper
 from pathlib import Path
-from typing import TextIO
+from typing import BinaryIO, TextIO
 
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
@@ -93,6 +93,13 @@ class Outputs:
         apart = self.path is not None or self.silent or self.statistics or self.only_fixes
         return FORMATS[self.main].early and not apart
 
+    @property
+    def streams(self) -> bool:
+        """Tell whether nothing that is written needs all findings at once."""
+        large = (FORMATS[name].database for name, _ in self.copies)
+        shown = self.begins_early or (self.silent and not self.statistics)
+        return shown and self.path is None and all(large)
+
     def begin(self, report: Report, out: TextIO) -> None:
         """Write the findings of *report*, a part, in the main format, and see that they arrive."""
         self._write(report, self.main, out)
@@ -112,13 +119,18 @@ class Outputs:
         failures: list[UsageError] = []
         for name, path in self.copies:
             try:
+                if FORMATS[name].database:
+                    write_database(told, path)
+                    continue
                 with replacing(path) as stream:
                     self._write(told, name, stream)
                     if not FORMATS[name].machine:
                         self._conclude(report.shown_from(self.show), stream)
             except UsageError as error:
                 failures.append(error)
-        if self.path is not None:
+        if self.path is not None and FORMATS[self.main].database:
+            write_database(told, self.path)
+        elif self.path is not None:
             with replacing(self.path) as stream:
                 self._main(report, told, stream)
         elif not self.silent:
@@ -190,17 +202,35 @@ class Outputs:
         return FORMATS[self.main].machine
 
 
+def write_database(report: Report, path: Path) -> None:
+    """Write the findings of *report* to a database of SQLite at *path*. Raises `UsageError`."""
+    from kinlint.reporters.sqlite_database import FindingsDatabase  # noqa: PLC0415  few runs do
+
+    with FindingsDatabase() as made:
+        made.add(report)
+        made.conclude(report)
+        with replacing_bytes(path) as stream:
+            made.copy(stream)
+
+
 @contextmanager
 def replacing(path: Path) -> Iterator[TextIO]:
     """A stream whose text replaces the file at *path* once it is complete, or not at all.
 
     Raises `UsageError` if that cannot be.
     """
+    with replacing_bytes(path) as stream:
+        text = TextIOWrapper(stream, "utf-8", newline="\n")
+        yield text
+        text.detach()
+
+
+@contextmanager
+def replacing_bytes(path: Path) -> Iterator[BinaryIO]:
+    """A stream whose bytes replace the file at *path*, as `replacing` does."""
     try:
         with replacement(path) as stream:
-            text = TextIOWrapper(stream, "utf-8", newline="\n")
-            yield text
-            text.detach()
+            yield stream
     except BrokenPipeError:
         raise
     except OSError as error:

@@ -42,6 +42,7 @@ OUTPUT_FORMATS = (
     "turtle",
     "earl",
     "markdown",
+    "sqlite",
     "html",
 )
 ENGINES = ("oxigraph", "pyshacl")

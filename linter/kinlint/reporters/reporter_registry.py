@@ -30,6 +30,8 @@ class Format(NamedTuple):
     """Escape of what would drive a terminal or a CI system."""
     commands: bool = False
     """True if it consists of commands of a CI system itself."""
+    database: bool = False
+    """True if a file of it is a database of SQLite, and standard output is the SQL for one."""
     early: bool = False
     """True if it has nothing but findings in their order, which can be written one by one."""
 
@@ -51,6 +53,7 @@ FORMATS: Mapping[str, Format] = {
     "turtle": Format("validation_report"),
     "earl": Format("earl", fixes=False),
     "markdown": Format("markdown", fixes=False, escape=log_commands.ENTITY),
+    "sqlite": Format("sqlite_database", fixes=False, database=True),
     "html": Format("html.page", drawn=True, escape=log_commands.ENTITY),
 }
 STATISTICS = Format("statistics", machine=False)
