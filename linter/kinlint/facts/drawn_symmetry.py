@@ -74,11 +74,21 @@ class DrawnSymmetry:
 
     def facts(self) -> Iterator[Triple]:
         """Yield the joints that are not mirrored, that share a place, or that cross sides."""
-        for edges in self.trees.robots.values():
-            drawn = self._drawn(edges)
+        for robot, edges in self.trees.robots.items():
+            drawn = self.robots[robot]
             yield from _sharing(drawn, self._kind, self.numbers.gearings)
             yield from self._unmirrored(drawn)
             yield from self._crossing(edges)
+
+    @cached_property
+    def robots(self) -> Mapping[Term, Mapping[Term, Drawn]]:
+        """Joints of each robot whose axes at zero are known."""
+        return {robot: self._drawn(edges) for robot, edges in self.trees.robots.items()}
+
+    def axis_on_child(self, edge: Edge) -> Vector | None:
+        """Return the axis of a joint as its child sees it."""
+        axis = self.placements.axes.get(edge.joint)
+        return None if axis is None else apply(self._end(edge), axis)
 
     def _drawn(self, edges: Sequence[Edge]) -> dict[Term, Drawn]:
         """Return the joints whose axes at zero are known."""

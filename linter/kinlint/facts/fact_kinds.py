@@ -29,6 +29,7 @@ from kinlint.facts.fact_needs import (
     TREES,
     WATER,
     WELDS,
+    WHEELS,
 )
 from kinlint.facts.length_outliers import outlying_lengths
 from kinlint.facts.linkage_loops import stretched_loops
@@ -45,8 +46,10 @@ from kinlint.facts.prefix_disagreement import disagreements
 from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import data_cycles, reordered, steps
+from kinlint.facts.shape_agreement import shape_pairs
 from kinlint.facts.shared_units import shared_units
 from kinlint.facts.undescribed_names import undescribed_names
+from kinlint.facts.wheels import wheels
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple
 
@@ -187,6 +190,19 @@ KINDS = (
         lambda own: own.symmetry.facts(),
         ("symmetry",),
         ("step-x", "step-y", "step-z", "own-side"),
+    ),
+    FactKind(
+        "wheels",
+        WHEELS,
+        lambda own: wheels(own.symmetry, own.geometries),
+        ("symmetry", "geometries"),
+    ),
+    FactKind(
+        "shape_agreement",
+        {"drawn-as": (*inputs.SHAPES, *inputs.PLACED)},
+        lambda own: shape_pairs(own.geometries),
+        ("geometries",),
+        ("apart", "size-ratio"),
     ),
     FactKind(
         "drift",

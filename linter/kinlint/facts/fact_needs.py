@@ -60,6 +60,10 @@ STEPS = {
 DRAWN = dict.fromkeys(
     ("unmirrored", "axis-unmirrored", "moves-unlike", "in-place-of", "hangs-across"), inputs.DRAWN
 )
+WHEELS = dict.fromkeys(
+    ("disc-cosine", "drive-cosine", "track", "leftward", "rolling-radius"),
+    (*inputs.DRAWN, *inputs.SHAPES),
+)
 NODES = ("member", "derived-from", "size")
 ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
 CHANGES = ("entry", "amended")
