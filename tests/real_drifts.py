@@ -11,6 +11,7 @@ import json
 import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
+from functools import cache
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -81,6 +82,7 @@ Made by `python tests/real_drifts.py > rules/real-drifts.md`; a test holds kinli
 """
 
 
+@cache
 def difference(old: str, new: str) -> dict[str, Any]:
     """Return what `kinlint diff` says of two files below the directory of robots."""
     root = locate_data("robots")
