@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 from data import locate_data
 
+from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
+from kinlint.endpoint.pushing import concerned
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 
@@ -69,6 +71,40 @@ def test_every_sample_has_the_findings_of_the_file(store, capsys, suffix):
     found = _findings(capsys, *paths)
     assert found
     assert _stored(capsys, store) == found
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("suffix", ["urdf", "sdf", "usda"])
+def test_rules_that_the_store_is_asked_for_miss_nothing(store, capsys, suffix):
+    """Each model in which such a rule finds something is among those that the store names."""
+    for path in sorted((SAMPLES / "broken").glob(f"*.{suffix}")):
+        main(["load", "--isolated", "--endpoint", store.query_url, f"broken/{path.name}"])
+    book = rulebook.load()
+    codes = {rule.code for rule in book.rules}
+    pushed = [code for code in sorted(codes) if concerned(store, book, {code}, str) is not None]
+    found = _stored(capsys, store, "--select", ",".join(pushed))
+    for each in map(json.loads, found):
+        graphs = concerned(store, book, {each["code"]}, str)
+        assert graphs is not None
+        assert any(name.endswith(f":{each['filename']}>") for name in graphs), each
+    assert found
+
+
+def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
+    store, capsys, tmp_path, monkeypatch
+):
+    """The store is asked once, for all models; the others are counted, and not read."""
+    monkeypatch.chdir(tmp_path)
+    for name, part in (("good", ""), ("bad", "<lnik/>")):
+        Path(f"{name}.urdf").write_text(f'<robot name="{name}"><link name="a"/>{part}</robot>')
+        _load(store, f"{name}.urdf")
+    book = rulebook.load()
+    assert concerned(store, book, {"SRC003"}, str) == {"<urn:kinlint:document:bad.urdf>"}
+    assert concerned(store, book, {"TOP001"}, str) is None
+    chosen = _findings(capsys, "bad.urdf", "good.urdf", "--select", "SRC003")
+    assert _stored(capsys, store, "--select", "SRC003") == chosen
+    main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC003"])
+    assert "in 1 of 2 files" in capsys.readouterr().out
 
 
 @pytest.mark.slow

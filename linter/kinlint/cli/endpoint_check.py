@@ -8,6 +8,7 @@ from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
@@ -24,7 +25,8 @@ from kinlint.cli.report_destinations import check_destinations, destinations
 from kinlint.cli.report_outputs import Outputs, replacing_bytes
 from kinlint.configuration.selection import Policies
 from kinlint.endpoint.connection import Endpoint
-from kinlint.endpoint.judging import Judge, judge_all, together
+from kinlint.endpoint.judging import Judge, StoredModel, judge_all, together
+from kinlint.endpoint.pushing import concerned
 from kinlint.endpoint.stored_graphs import models
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
@@ -34,7 +36,7 @@ from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.sqlite_database import FindingsDatabase
-from kinlint.terms import iri
+from kinlint.terms import Term, iri
 from kinlint.text import Location, SourceText
 
 OF_FILES = (
@@ -71,18 +73,19 @@ def check_store(options: Namespace) -> int:
     book = rulebook.load(settings.rules, settings.shapes, cache)
     Policies(settings, book.rules).check_selectors()
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
+    asked = Policies(settings, book.rules).enabled([each.name for each in inputs] or [""])
+    graphs = concerned(store, book, asked, partial(_tell, verbose=bool(options.verbose)))
+    left, idle = _divided(found, graphs)
     with ExitStack() as ending:
-        bar = ProgressBar(len(found), wanted=outputs.watched, color=options.color)
+        bar = ProgressBar(len(left), wanted=outputs.watched, color=options.color)
         ending.enter_context(bar)
-        reports = judge_all(
-            judge, found, process_count(options), lambda done: bar.advance(2 * done)
-        )
+        reports = judge_all(judge, left, process_count(options), lambda done: bar.advance(2 * done))
         streams, made = outputs.streams, None
         if streams and outputs.copies:
             made = ending.enter_context(FindingsDatabase(large=True))
         told = list(_told(reports, options, outputs, bar, made))
         report = replace(
-            together([report for report, _ in told], perf_counter() - started),
+            together([*(report for report, _ in told), idle], perf_counter() - started),
             unsafe=False,
             catalogue=book.digest,
             fails_from=None if options.exit_zero else threshold(fail_on),
@@ -96,6 +99,28 @@ def check_store(options: Namespace) -> int:
     written = {name for _, early in told for name in early}
     outputs.emit(report, sys.stdout, written)
     return exit_code(report)
+
+
+def _divided(
+    found: Sequence[StoredModel], graphs: frozenset[Term] | None
+) -> tuple[Sequence[StoredModel], Report]:
+    """Return the models in which something may be found, and the report of the others.
+
+    Statements of models that are several graphs, or that kinlint did not load, may come of more
+    than what one graph states.
+    """
+    if graphs is None:
+        return found, Report()
+    sure = [one for one in found if len(one) == 1 and one[0].whole and one[0].name not in graphs]
+    names = {one[0].name for one in sure}
+    left = [one for one in found if one[0].name not in names]
+    return left, Report(files=tuple(one[0].file for one in sure if one[0].file))
+
+
+def _tell(line: str, *, verbose: bool) -> None:
+    """Write *line* to standard error, if it is a warning or all are wanted."""
+    if verbose or "refuses" in line:
+        sys.stderr.write(f"kinlint: {line}\n")
 
 
 def _check(options: Namespace) -> None:

@@ -9,6 +9,7 @@ from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.source_record import StoredDocument, written
 from kinlint.endpoint.storable import line
 from kinlint.endpoint.stored_graphs import (
+    APART,
     COMPANION,
     COUNTER,
     FILE,
@@ -94,6 +95,7 @@ def replacement(stored: StoredDocument, model: Term | None, companions: Iterable
         *((COMPANION, each) for each in companions),
         (LOADED, literal(now, f"{XSD}dateTime")),
         (SIZE, str(len(kept))),
+        *((APART, str(len(each))) for each in (stored.apart,) if each),
         (RECORD, literal(written(stored))),
     )
     lines = (*map(line, kept), *(f"{graph} {name} {value} .\n" for name, value in told))

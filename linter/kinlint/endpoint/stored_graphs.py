@@ -11,13 +11,14 @@ from kinlint.light_dataclasses import dataclass, replace
 from kinlint.terms import XSD, Term, Triple, iri, literal_value
 from kinlint.vocabulary import KINLINT, STORE
 
-FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE = (
+FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE, APART = (
     iri(f"{STORE}{name}")
-    for name in ("file", "model", "companion", "revision", "loaded", "record", "size")
+    for name in ("file", "model", "companion", "revision", "loaded", "record", "size", "apart")
 )
 """Properties of a graph that kinlint loaded: the name of its file; the model that it is a part of,
 by the name of one graph of it; graphs that are only read along with it; the number and the time of
-loading; what RDF loses of the file; and the number of its statements."""
+loading; what RDF loses of the file; how many statements it has, and how many no store accepts.
+"""
 COUNTER = iri(f"{KINLINT}store")
 """The named graph that holds the number of the newest loading, and nothing else."""
 MODIFIED = "<http://purl.org/dc/terms/modified>"
@@ -38,6 +39,8 @@ class StoredGraph:
     """The name of its file; None if it was not loaded by kinlint."""
     size: int = 0
     """Number of statements when it was loaded; 0 if unknown."""
+    whole: bool = False
+    """True if the graph has all that the document states."""
     companion: bool = False
     """True if it is only read along with others."""
 
@@ -70,13 +73,15 @@ def models(endpoint: Endpoint, names: Sequence[Term], since: str | None) -> list
 
 
 def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
-    pattern = f"?g {FILE} ?file ; {SIZE} ?size OPTIONAL {{ ?g {MODEL} ?model }}"
-    for row in pages(endpoint, "?g ?file ?model ?size", f"GRAPH ?g {{ {pattern} }}"):
+    rarely = f"OPTIONAL {{ ?g {MODEL} ?model }} OPTIONAL {{ ?g {APART} ?apart }}"
+    pattern = f"?g {FILE} ?file ; {SIZE} ?size {rarely}"
+    for row in pages(endpoint, "?g ?file ?model ?size ?apart", f"GRAPH ?g {{ {pattern} }}"):
         yield StoredGraph(
             row["g"],
             row.get("model", ""),
             literal_value(row["file"]),
             int(literal_value(row["size"])),
+            "apart" not in row,
         )
 
 
