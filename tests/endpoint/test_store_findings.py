@@ -105,6 +105,8 @@ def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
     assert _stored(capsys, store, "--select", "SRC003") == chosen
     main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC003"])
     assert "in 1 of 2 files" in capsys.readouterr().out
+    main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC002"])
+    assert capsys.readouterr().out == "All checks passed!\n"
 
 
 @pytest.mark.slow

@@ -36,6 +36,7 @@ from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.sqlite_database import FindingsDatabase
+from kinlint.rule import Rule
 from kinlint.terms import Term, iri
 from kinlint.text import Location, SourceText
 
@@ -75,7 +76,8 @@ def check_store(options: Namespace) -> int:
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
     asked = Policies(settings, book.rules).enabled([each.name for each in inputs] or [""])
     graphs = concerned(store, book, asked, partial(_tell, verbose=bool(options.verbose)))
-    left, idle = _divided(found, graphs)
+    rules = tuple(each for each in book.rules if each.code in asked)
+    left, idle = _divided(found, graphs, rules)
     with ExitStack() as ending:
         bar = ProgressBar(len(left), wanted=outputs.watched, color=options.color)
         ending.enter_context(bar)
@@ -102,7 +104,7 @@ def check_store(options: Namespace) -> int:
 
 
 def _divided(
-    found: Sequence[StoredModel], graphs: frozenset[Term] | None
+    found: Sequence[StoredModel], graphs: frozenset[Term] | None, rules: tuple[Rule, ...]
 ) -> tuple[Sequence[StoredModel], Report]:
     """Return the models in which something may be found, and the report of the others.
 
@@ -114,7 +116,8 @@ def _divided(
     sure = [one for one in found if len(one) == 1 and one[0].whole and one[0].name not in graphs]
     names = {one[0].name for one in sure}
     left = [one for one in found if one[0].name not in names]
-    return left, Report(files=tuple(one[0].file for one in sure if one[0].file))
+    files = tuple(one[0].file for one in sure if one[0].file)
+    return left, Report(files=files, rules=rules, applied=len(rules))
 
 
 def _tell(line: str, *, verbose: bool) -> None:
