@@ -10,6 +10,7 @@ from data import locate_data
 
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
+from kinlint.endpoint import stored_graphs
 from kinlint.endpoint.pushing import concerned
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
@@ -201,3 +202,14 @@ def test_only_named_graphs_are_checked(store, capsys, tmp_path, monkeypatch):
     _load(store, "one.urdf", "two.urdf")
     found = _stored(capsys, store, "--graph", "urn:kinlint:document:two.urdf")
     assert {json.loads(each)["filename"] for each in found} == {"two.urdf"}
+
+
+def test_long_answers_come_in_pages(store, capsys, tmp_path, monkeypatch):
+    """More graphs than fit on a page, and more statements."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(stored_graphs, "PAGE", 3)
+    names = [f"r{number}.urdf" for number in range(7)]
+    for name in names:
+        Path(name).write_text(f'<robot name="{name}"><link name="a"/><lnik/></robot>')
+    _load(store, *names)
+    assert _stored(capsys, store, "--jobs", "1") == _findings(capsys, *names)

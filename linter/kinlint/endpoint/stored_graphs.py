@@ -8,7 +8,7 @@ from itertools import groupby
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.storable import unskolemised
 from kinlint.light_dataclasses import dataclass, replace
-from kinlint.terms import XSD, Term, Triple, iri, literal_value
+from kinlint.terms import XSD, Term, Triple, iri, iri_value, literal_value
 from kinlint.vocabulary import KINLINT, STORE
 
 FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE, APART = (
@@ -109,18 +109,23 @@ def _changed(endpoint: Endpoint, since: str | None) -> frozenset[Term] | None:
     return frozenset(row["g"] for row in pages(endpoint, "?g", f"GRAPH ?g {{ {condition} }}"))
 
 
-def pages(endpoint: Endpoint, head: str, where: str, by: str = "?g") -> Iterator[dict[str, Term]]:
-    """Yield the solutions of `SELECT head WHERE { where }`, in pages ordered *by* variables."""
-    last = ""
+def pages(endpoint: Endpoint, head: str, where: str) -> Iterator[dict[str, Term]]:
+    """Yield the solutions of `SELECT head WHERE { where }`, in pages by `?g`.
+
+    A page begins with the graph that the last one ended with, which may have more solutions. None
+    has as many as a page.
+    """
+    last, known = "", list[dict[str, Term]]()
     while True:
-        count, after = 0, f" FILTER(STR(?g) > {last})" if last else ""
-        query = f"SELECT {head} WHERE {{ {where}{after} }} ORDER BY {by} LIMIT {PAGE}"
-        for row in endpoint.select(query):
-            count += 1
-            yield row
-        if count < PAGE:
+        after = f" FILTER(STR(?g) >= {last})" if last else ""
+        query = f"SELECT {head} WHERE {{ {where}{after} }} ORDER BY ?g LIMIT {PAGE}"
+        rows = list(endpoint.select(query))
+        new = [row for row in rows if row not in known]
+        yield from new
+        if len(rows) < PAGE or not new:
             return
-        last = f'"{row["g"][1:-1]}"'
+        last = f'"{iri_value(rows[-1]["g"])}"'
+        known = [row for row in rows if row["g"] == rows[-1]["g"]]
 
 
 def statements(endpoint: Endpoint, graphs: Iterable[StoredGraph]) -> dict[Term, list[Triple]]:
