@@ -150,12 +150,21 @@ def test_what_is_linted_comes_before_the_repository(tmp_path):
 
 @pytest.mark.parametrize("space", packages.SPACES)
 def test_the_workspace_of_a_build_tool(tmp_path, space):
-    """It has `src` beside what is built; several repositories may lie in it."""
+    """It has `src` beside what is built; several repositories may lie in it.
+
+    Before anything is built, a package is known to lie in one by `src` above it; not by its own.
+    """
     hand = package(tmp_path / "ws" / "src" / "hands" / "hand")
     near = package(tmp_path / "ws" / "src" / "arms" / "arm") / "urdf"
-    assert find("hand", near) is None
+    loose = tmp_path / "ws" / "src" / "loose"
+    inside = package(tmp_path / "alone") / "src" / "arms"
+    package(tmp_path / "alone" / "src" / "hands" / "hand")
+    assert find("hand", near) == hand
+    assert find("hand", loose / "urdf") is None
+    assert find("hand", inside) is None
     (tmp_path / "ws" / space).mkdir()
     assert find("hand", near) == hand
+    assert find("hand", loose / "urdf") == hand
     assert find("hand", tmp_path / "x") is None
 
 

@@ -105,6 +105,8 @@ class Packages:
             yield self.workspace, f"below the configuration, in {self.workspace}"
         if (top := colcon_workspace(near)) is not None:
             yield top / SOURCE, f"in the workspace {top}"
+        elif (top := _source_space(near)) is not None:
+            yield top, f"in the workspace {top.parent}"
         if (top := repository(near)) is not None:
             yield top, f"in the repository {top}"
 
@@ -213,6 +215,12 @@ def colcon_workspace(near: Path) -> Path | None:
         if kind(each / SOURCE) == "directory" and any(kind(each / name) for name in SPACES):
             return each
     return None
+
+
+def _source_space(near: Path) -> Path | None:
+    """Return the directory `src` above the package that *near* lies in, built or not, if any."""
+    home = next((each for each in (near, *near.parents) if package_name(each) is not None), None)
+    return next((each for each in home.parents if each.name == SOURCE), None) if home else None
 
 
 def _is_top(directory: Path) -> bool:
