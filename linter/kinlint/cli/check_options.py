@@ -219,7 +219,7 @@ def _store(made: Parser) -> None:
         "--since",
         type=non_empty,
         metavar="REVISION|TIME",
-        help="check only graphs that changed since this revision (kinlint load tells it) or time",
+        help="check only graphs that changed since this revision (kinlint load prints it) or time",
     )
 
 
