@@ -27,6 +27,7 @@ LAUNCH = f"{KINLINT}launch#"
 RULE = f"{KINLINT}rules/"
 TARGET = f"{KINLINT}target#"
 FEATURE = f"{KINLINT}feature#"
+GENERATION = f"{KINLINT}generation#"
 
 SH = "http://www.w3.org/ns/shacl#"
 DASH = "http://datashapes.org/dash#"

@@ -24,6 +24,7 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
     "diff": ("kinlint.cli.diff_command", "compare two descriptions of a robot"),
     "convert": ("kinlint.cli.convert_command", "convert URDF, xacro, SDF or MJCF to JSON-LD"),
     "load": ("kinlint.cli.load_command", "put models into a triple store"),
+    "generate": ("kinlint.cli.generate_command", "generate a program for KDL, Pinocchio or numpy"),
     "contexts": ("kinlint.cli.contexts_command", "list or add JSON-LD contexts"),
     "new": ("kinlint.cli.new_command", "create a rule file"),
     "test-rules": ("kinlint.cli.test_rules_command", "test rules against their examples"),

@@ -31,6 +31,7 @@ from kinlint.terms import Triple
 if TYPE_CHECKING:
     from kinlint.facts.comparison.extraction import RobotParts
     from kinlint.facts.drift import DescriptionDrifts
+    from kinlint.facts.tree_motions import JointMotions
 
 T = TypeVar("T")
 
@@ -106,6 +107,11 @@ class FactContext:
         ("angles", "mechanism", "placements"),
     )
     """Poses, axes, limits and couplings of joints."""
+    motions = Part(
+        lambda own, _: own.joint_motions(),
+        ("mechanism", "relations", "placements"),
+    )
+    """The motion that each joint of a tree allows."""
     geometries = Part(
         lambda own, scan: BodyShapes(scan, own.units, own.placements), ("units", "placements")
     )
@@ -133,6 +139,12 @@ class FactContext:
     """The groups of SRDF files."""
     identifiers = Part(lambda _, scan: IdentifierSlips(scan))
     """Names that files give to what they describe."""
+
+    def joint_motions(self) -> JointMotions:
+        """Return the motions of joints."""
+        from kinlint.facts.tree_motions import JointMotions  # noqa: PLC0415  of programs alone
+
+        return JointMotions(self.mechanism, self.relations, self.placements)
 
     def robot_parts(self, scan: PredicateIndex) -> RobotParts:
         """Return the facts that robots are read from as a whole, besides what *scan* tells."""

@@ -19,6 +19,7 @@ from kinlint.facts.fact_needs import (
     DRAWN,
     ERRORS,
     MOMENTS,
+    MOTIONS,
     NODES,
     PLANNING,
     PROPORTIONS,
@@ -51,8 +52,10 @@ from kinlint.facts.shared_units import shared_units
 from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.wheels import wheels
 from kinlint.facts.zero_limits import ZeroLimits
-from kinlint.terms import Term, Triple
+from kinlint.terms import Term, Triple, iri
+from kinlint.vocabulary import GENERATION
 
+PROGRAM = iri(f"{GENERATION}Program")
 LABELLED = 4
 """The number of facts in the label of a kind."""
 
@@ -84,6 +87,15 @@ def _related(context: FactContext) -> Iterator[Triple]:
     """Yield how coordinates of one relation agree, and whether loops of relations close."""
     yield from context.agreements.facts()
     yield from cycles(context.relations, context.orientations)
+
+
+def _motions(context: FactContext) -> Iterator[Triple]:
+    """Yield what keeps joints from being one tree, where the vocabulary asks for a program.
+
+    Rules that ask for any property would have it computed in every run.
+    """
+    if context.scan.part("motions").instances(PROGRAM):
+        yield from context.motions.facts()
 
 
 def _alone(
@@ -235,6 +247,7 @@ KINDS = (
         dict.fromkeys(("component", "undecided"), (chain("joints"), *inputs.WELDS)),
         NODES,
     ),
+    FactKind("tree_motions", MOTIONS, _motions, ("motions",)),
     FactKind("schedule_order", STEPS, lambda own: steps(own.scan.part("steps")), ("steps",), NODES),
     FactKind(
         "schedule_order",

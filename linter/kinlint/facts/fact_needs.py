@@ -53,6 +53,7 @@ WATER = dict.fromkeys(
     ("water-mass", "water-ixx", "water-iyy", "water-izz"),
     (*inputs.SHAPES, *inputs.PLACED, kin("MassProperty")),
 )
+MOTIONS = dict.fromkeys(("lacks", "closes-loop", "tree-beside"), inputs.MOTIONS)
 STEPS = {
     **dict.fromkeys(("step", "in-cycle"), inputs.DATA),
     **dict.fromkeys(("index", "operator"), ()),

@@ -79,6 +79,12 @@ AT_ZERO = (
     *(kin("coincidence-of"), kin("of-joint")),
 )
 """Vocabulary of what meets while joints are at zero, besides that of placements and joints."""
+MOTIONS = (
+    *(*RELATIONS, *PLACED, *TREES, *AT_ZERO, *WELDS, *joint_numbers.NEEDED),
+    *(geom("simplices"), geom("Frame"), kin("AxialJoint"), chain("joints")),
+    *(kind for kind, _ in KINDS),
+)
+"""Vocabulary of the motion that joints allow."""
 DESCRIPTIONS = (
     *(*INERTIAS, *WELDS, *RANGES, *BOUNDS, *RELATIONS, *PLACED, *TREES, *SHAPES),
     *(*AT_ZERO, *joint_numbers.NEEDED, kin("scale"), geom("simplices")),

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.facts.body_frames import BodyFrames
 from kinlint.facts.frame_placement import ABOUT, OF_BODY, Placements
 from kinlint.facts.joint_meetings import JointMeetings, Meeting
 from kinlint.facts.joint_numbers import DIRECTION
@@ -54,36 +55,11 @@ class ZeroConfiguration:
         self.relations = relations
         self.placements = placements
         self.edges = sorted(edges, key=lambda each: each.closes)
+        self.frames = BodyFrames(mechanism, relations, placements)
         self.meetings = JointMeetings(mechanism, self.edges)
 
-    def _together(self, one: Term, other: Term) -> bool:
-        """Tell whether two nodes are on one body."""
-        carrier = self.mechanism.carrier
-        return one in carrier and carrier[one] == carrier.get(other)
-
-    @cached_property
-    def _references(self) -> Mapping[Term, Term]:
-        """Frame that each body is described in: its own, or else the one that others relate to."""
-        found: dict[Term, Term] = {}
-        for body, frames in self.mechanism.frames.items():
-            own = (each for each in frames if self.placements.is_own(each, body))
-            if (frame := next(own, None)) is not None:
-                found[body] = frame
-        known = frozenset(each for frames in self.mechanism.frames.values() for each in frames)
-        for base, of in self._related:
-            if base in known and self._together(base, of):
-                found.setdefault(self.mechanism.carrier[base], base)
-        for body, frames in self.mechanism.frames.items():
-            found.setdefault(body, frames[0])
-        return found
-
-    @cached_property
-    def _related(self) -> Sequence[tuple[Term, Term]]:
-        shifts = {each.relation for each in self.relations.shifts}
-        return [(self.relations.base[each], self.relations.of[each]) for each in sorted(shifts)]
-
     def _reference(self, body: Term | None, other: Term) -> Term:
-        return self._references.get(body or "", other)
+        return self.frames.references.get(body or "", other)
 
     @cached_property
     def _assumed(self) -> Sequence[Meeting]:
@@ -100,17 +76,13 @@ class ZeroConfiguration:
     def _orientations(self) -> OrientationGraph:
         axes = self.relations.axes
         turns = self.relations.turns
-        own = [each for each in turns if self._on_one_body(each)]
+        own = [each for each in turns if self.frames.on_one_body(each)]
         made = [*self.meetings.all, *self._assumed]
         met = [
             RelativeOrientation(each.joint, axes(each.near), axes(each.far), each.turn, each.joint)
             for each in made
         ]
         return OrientationGraph([*own, *met])
-
-    def _on_one_body(self, each: RelativeOrientation | RelativePosition) -> bool:
-        relation = each.relation
-        return self._together(self.relations.base[relation], self.relations.of[relation])
 
     def _steps(self) -> Iterator[tuple[Term, Term, RelativePosition | None, Term | None]]:
         """Yield what places points, the surest first.
@@ -119,7 +91,9 @@ class ZeroConfiguration:
         they are only taken to coincide.
         """
         point, shifts = self.relations.point, self.relations.shifts
-        yield from ((each.base, each.of, each, None) for each in shifts if self._on_one_body(each))
+        yield from (
+            (each.base, each.of, each, None) for each in shifts if self.frames.on_one_body(each)
+        )
         offsets: dict[Term, list[RelativePosition]] = {}
         for each in shifts:
             offsets.setdefault(each.relation, []).append(each)
@@ -202,7 +176,7 @@ class ZeroConfiguration:
 
     def origin(self, body: Term) -> Vector | None:
         """Return where the frame is that *body* is described in, in m."""
-        frame = self._references.get(body)
+        frame = self.frames.references.get(body)
         return self._seen(frame, body) if frame is not None else None
 
     def pose(self, frame: Term, body: Term) -> tuple[Vector, Matrix] | None:
@@ -215,7 +189,7 @@ class ZeroConfiguration:
 
     def body_pose(self, body: Term) -> tuple[Vector, Matrix] | None:
         """Return the pose of the frame that *body* is described in."""
-        frame = self._references.get(body)
+        frame = self.frames.references.get(body)
         return self.pose(frame, body) if frame is not None else None
 
     def centre(self, body: Term) -> Vector | None:

@@ -1,0 +1,156 @@
+"""`kinlint generate`: writes programs from models, once these lint clean."""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+from collections.abc import Mapping, Sequence
+from difflib import unified_diff
+from importlib.util import find_spec
+from pathlib import Path
+
+from kinlint.cli import check_options as linting
+from kinlint.cli.argument_parser import Parser, non_empty, one_of
+from kinlint.cli.model_inputs import add_input_options, find_inputs, read_inputs
+from kinlint.cli.report_outputs import replacing
+from kinlint.cli.xacro_arguments import take_arguments
+from kinlint.errors import UsageError
+from kinlint.light_dataclasses import replace
+from kinlint.reporters.reporter_registry import write, write_summary
+from kinlint.reporters.terminal_style import detect_style
+from kinlint.rule import Severity
+
+LIBRARIES = ("kdl", "numpy", "pinocchio")
+CLEAN, FOUND = 0, 1
+
+DESCRIPTION = """\
+Generate a program for a library of robot kinematics: from a schedule of operators if the models
+have one, else from a tree of joints, in any format, with forward kinematics of positions and
+velocities and, where all inertias are known, inverse dynamics. The models are linted first, also
+for what the library can do; nothing is written if there are errors."""
+
+EPILOG = """\
+Example: kinlint generate --for numpy arm.urdf -o arm/ && python arm/robot.py
+Exit code: 0 written; 1 errors in the models, or with --check or --diff, files that would change;
+2 if something cannot be read or written."""
+
+
+def parser() -> Parser:
+    """The parser of `kinlint generate`."""
+    made = Parser(
+        prog="kinlint generate",
+        description=DESCRIPTION,
+        epilog=EPILOG,
+        usage="kinlint generate --for LIBRARY MODEL... -o DIR [options]",
+    )
+    made.add_positionals("paths", "MODEL", "robot descriptions; several files are one model")
+    add = made.add_argument
+    add(
+        "--for",
+        dest="library",
+        type=one_of(LIBRARIES),
+        metavar="|".join(LIBRARIES),
+        help="the library that the program uses",
+    )
+    add("-o", "--output-directory", type=non_empty, metavar="DIR", help="where to write its files")
+    add("--templates", type=non_empty, metavar="DIR", help="use the templates in DIR before others")
+    add("--check", **linting.FLAG, help="list the files that would change; write nothing")
+    add("--diff", **linting.FLAG, help="show what would change; write nothing")
+    add("--select", metavar="R", **linting.LISTS, help="lint by these rules only")
+    add("--extend-select", metavar="R", **linting.LISTS, help="lint by these rules too")
+    add("--ignore", metavar="R", **linting.LISTS, help="lint without these rules")
+    add_input_options(add, "add the rule files in DIR")
+    add(
+        "--color",
+        type=one_of(("auto", "always", "never")),
+        metavar="auto|always|never",
+        default="auto",
+        help="colour findings (default: on a terminal)",
+    )
+    add("-q", "--quiet", **linting.FLAG, help="do not list what is written")
+    return made
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Generate what *arguments* ask for; the exit code."""
+    options = parser().read(arguments)
+    take_arguments(options)
+    if not options.paths and not options.stdin_filename:
+        raise UsageError("name the models, or - for standard input")
+    if options.library is None or options.output_directory is None:
+        raise UsageError(f"say for which library, --for {'|'.join(LIBRARIES)}, and where, -o DIR")
+    if find_spec("jinja2") is None:
+        raise UsageError("programs are rendered by Jinja: pip install 'kinlint[generate]'")
+    templates = None if options.templates is None else Path(options.templates)
+    if templates is not None and not templates.is_dir():
+        raise UsageError(f"--templates: no directory at '{templates}'")
+    files = _files(options, templates)
+    if files is None:
+        return FOUND
+    home = Path(options.output_directory)
+    changed = {name: text for name, text in files.items() if _read(home / name) != text}
+    if options.diff:
+        for name, text in changed.items():
+            path = str(home / name)
+            old = (_read(home / name) or "").splitlines(keepends=True)
+            sys.stdout.writelines(unified_diff(old, text.splitlines(keepends=True), path, path))
+    elif options.check:
+        sys.stdout.writelines(f"would write {home / name}\n" for name in changed)
+    else:
+        _write(home, changed)
+        if not options.quiet:
+            sys.stderr.writelines(f"kinlint: wrote {home / name}\n" for name in changed)
+    return FOUND if changed and (options.check or options.diff) else CLEAN
+
+
+def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | None:
+    """Return the files of the program by name; None, with findings shown, if there are errors."""
+    from kinlint.configuration.selection import Policies  # noqa: PLC0415  engines are slow to import
+    from kinlint.facts.part_names import PartNames  # noqa: PLC0415
+    from kinlint.findings.locator import Locator  # noqa: PLC0415
+    from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
+    from kinlint.generation.program import constraints, generate  # noqa: PLC0415
+    from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415
+
+    found, settings = find_inputs(options)
+    if not found.inputs and not found.errors:
+        raise UsageError(f"no robot found in '{found.barren[0]}'")
+    needs = constraints(options.library)
+    settings = replace(settings, shapes=(*settings.shapes, *needs), drawn=False)
+    sources, book = read_inputs(found, settings, options)
+    Policies(settings, book.rules).check_selectors()
+    examined = Analyzer(settings, book, repeated=True).examine(pair(sources, settings))
+    for error in examined.report.errors:
+        raise error
+    worst = max((each.severity for each in examined.report.unsuppressed), default=Severity.INFO)
+    if worst >= Severity.ERROR:
+        style = detect_style(sys.stdout, options.color)
+        shown = examined.report.shown_from(Severity.WARNING)
+        write(shown, "full", sys.stdout, style, summarise=False)
+        write_summary(shown, sys.stdout, style)
+        sys.stderr.write("kinlint: nothing is written: the models have errors\n")
+        return None
+    names = PartNames(Locator(examined.documents, examined.store)).names
+    return generate(examined.store, names, options.library, templates)
+
+
+def _read(path: Path) -> str | None:
+    """Return the text of the file at *path*; None if there is none, or no text."""
+    try:
+        return path.read_bytes().decode("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def _write(home: Path, files: Mapping[str, str]) -> None:
+    """Write *files* to the directory *home*."""
+    try:
+        home.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"cannot make directory {home}: {error.strerror or error}") from None
+    for name in files:
+        if (home / name).is_symlink():
+            raise UsageError(f"{home / name} is a link: nothing is written outside of {home}")
+    for name, text in files.items():
+        with replacing(home / name) as stream:
+            stream.write(text)

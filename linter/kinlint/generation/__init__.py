@@ -1,0 +1,1 @@
+"""Programs from models: what is stated, rewritten by SPARQL Updates, framed and rendered."""

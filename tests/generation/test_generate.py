@@ -1,0 +1,194 @@
+"""The command that generates programs: what it writes, and when it does not."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from programs import module
+
+from kinlint.cli.main import main
+
+pytest.importorskip("jinja2")
+
+SAMPLES = Path(__file__).resolve().parents[2] / "samples"
+ARM = str(SAMPLES / "urdf" / "six-axis.urdf")
+HOSTILE = '";system("x");//\\\n*/ \'\'\'"""?>/ü'
+
+
+def robot(kind: str = "revolute", name: str = "j", axis: str = "0 0 1") -> str:
+    return f"""<robot name="r">
+<link name="base"/>
+<link name="hand">
+  <inertial>
+    <origin xyz="0.1 0 0"/>
+    <mass value="2"/>
+    <inertia ixx="0.02" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/>
+  </inertial>
+</link>
+<joint name={name!r} type={kind!r}>
+  <parent link="base"/>
+  <child link="hand"/>
+  <origin xyz="0 0 0.5"/>
+  <axis xyz="{axis}"/>
+  <limit lower="-1" upper="1" effort="9" velocity="3"/>
+</joint>
+</robot>
+"""
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch, rules_cache):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def generate(capsys, *arguments: str) -> tuple[int, str, str]:
+    code = main(["generate", *arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def written(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.iterdir()} if folder.exists() else {}
+
+
+def test_writes_the_same_twice_and_nothing_the_second_time(here, capsys):
+    Path("r.urdf").write_text(robot())
+    for library in ("kdl", "numpy", "pinocchio"):
+        code, out, err = generate(capsys, "--for", library, "r.urdf", "-o", library)
+        first = written(here / library)
+        assert (code, out) == (0, "")
+        assert first
+        assert err == "".join(f"kinlint: wrote {Path(library, name)}\n" for name in sorted(first))
+        assert generate(capsys, "--for", library, "r.urdf", "-o", library) == (0, "", "")
+        assert written(here / library) == first
+    assert sorted(each.name for each in here.iterdir()) == ["kdl", "numpy", "pinocchio", "r.urdf"]
+
+
+def test_what_would_be_written(here, capsys):
+    Path("r.urdf").write_text(robot())
+    arguments = ("--for", "numpy", "r.urdf", "-o", "out")
+    assert generate(capsys, *arguments, "--check") == (
+        1,
+        f"would write {Path('out', 'robot.py')}\n",
+        "",
+    )
+    assert not Path("out").exists()
+    generate(capsys, *arguments, "-q")
+    assert generate(capsys, *arguments, "--check") == (0, "", "")
+    Path("r.urdf").write_text(robot().replace('"0 0 0.5"', '"0 0 0.75"'))
+    code, out, _ = generate(capsys, *arguments, "--diff")
+    changed = [
+        line for line in out.splitlines() if line[:1] in "+-" and line[:2] not in ("++", "--")
+    ]
+    assert code == 1
+    assert [line[0] for line in changed] == ["-", "+"]
+    assert "0.75" in changed[1]
+    assert "0.75" not in Path("out/robot.py").read_text()
+
+
+@pytest.mark.parametrize("library", ["kdl", "numpy", "pinocchio"])
+def test_what_the_library_cannot_do_is_found_at_its_line(here, capsys, library):
+    Path("r.urdf").write_text(robot("planar"))
+    code, out, err = generate(capsys, "--for", library, "r.urdf", "-o", "out")
+    assert code == 1
+    assert "--> r.urdf:10:" in out
+    assert "move revolute, prismatic and fixed joints; joint 'j' is none of these" in out
+    assert err == "kinlint: nothing is written: the models have errors\n"
+    assert not Path("out").exists()
+
+
+@pytest.mark.parametrize(
+    ("fault", "told"),
+    [
+        (('value="2"', 'value="-2"'), "INE003"),
+        (('ixx="0.02"', 'ixx="0.2"'), "INE001"),
+        (('link="base"/>\n  <child', 'link="bass"/>\n  <child'), "TOP001"),
+        (('xyz="0 0 0.5"', 'xyz="0 0 0,5"'), "SRC007"),
+        (('"revolute"', '"revolut"'), "TOP007"),
+        (('xyz="0 0 1"', 'xyz="0 0 0"'), "FRM008"),
+        (('lower="-1" upper="1"', 'lower="1" upper="-1"'), "LIM001"),
+    ],
+)
+def test_one_fault_stops_it(here, capsys, fault, told):
+    text = robot().replace("'", '"')
+    assert fault[0] in text
+    Path("r.urdf").write_text(text.replace(*fault))
+    code, out, _ = generate(capsys, "--for", "numpy", "r.urdf", "-o", "out")
+    assert (code, f"error[{told}]" in out, Path("out").exists()) == (1, True, False)
+
+
+def test_two_trees_and_loops_are_found(here, capsys):
+    loop = (SAMPLES / "four-bar").glob("*.jsonld")
+    code, out, _ = generate(capsys, "--for", "kdl", *map(str, loop), "-o", "out")
+    assert (code, "closes a loop" in out) == (1, True)
+
+
+def test_names_are_spelt(here, capsys):
+    from xml.sax.saxutils import quoteattr  # noqa: PLC0415
+
+    text = robot().replace("'j'", quoteattr(HOSTILE, {"\n": "&#10;"}))
+    Path("r.urdf").write_text(text, encoding="utf-8")
+    assert generate(capsys, "--for", "numpy", "r.urdf", "-o", "out", "-q")[0] == 0
+    made = module(Path("out/robot.py").read_text(encoding="utf-8"))
+    assert made.POSITIONS == (HOSTILE,)
+    assert generate(capsys, "--for", "kdl", "r.urdf", "-o", "kdl", "-q")[0] == 0
+    code = Path("kdl/robot.hpp").read_text(encoding="utf-8")
+    assert "system" in code
+    assert code.isascii()
+    assert 'system("' not in code
+    assert all(not line.rstrip("\n").endswith("\\") for line in code.splitlines())
+
+
+def test_own_templates(here, capsys):
+    Path("r.urdf").write_text(robot())
+    Path("own").mkdir()
+    Path("own/names.txt.jinja").write_text(
+        "{% for each in joint %}{{ each.name | cpp }}{% endfor %}"
+    )
+    arguments = ("--for", "numpy", "r.urdf", "-o", "out", "--templates", "own")
+    assert generate(capsys, *arguments, "-q")[0] == 0
+    assert Path("out/names.txt").read_text() == '"j"'
+    assert Path("out/robot.py").exists()
+    for text, cause in (
+        ("{{ joint[0].name }}", "written without a filter"),
+        ("{{ joint[0].nome | cpp }}", "has no attribute 'nome'"),
+        ("{% if %}", "Expected an expression"),
+    ):
+        Path("own/names.txt.jinja").write_text(text)
+        code, _, err = generate(capsys, *arguments)
+        assert (code, cause in err) == (2, True)
+
+
+def test_needs_jinja(here, capsys, monkeypatch):
+    monkeypatch.setattr("kinlint.cli.generate_command.find_spec", lambda _: None)
+    assert generate(capsys, "--for", "numpy", ARM, "-o", "out") == (
+        2,
+        "",
+        "kinlint: error: programs are rendered by Jinja: pip install 'kinlint[generate]'\n",
+    )
+
+
+def test_writes_through_no_link(here, capsys):
+    Path("r.urdf").write_text(robot())
+    Path("out").mkdir()
+    Path("kept.py").write_text("kept")
+    Path("out/robot.py").symlink_to(here / "kept.py")
+    code, _, err = generate(capsys, "--for", "numpy", "r.urdf", "-o", "out")
+    assert (code, "is a link" in err) == (2, True)
+    assert Path("kept.py").read_text() == "kept"
+
+
+def test_follows_the_schedule(here, capsys):
+    """The sample's pose of the moving link, as its joint coordinates have it."""
+    models = map(str, sorted((SAMPLES / "one-dof").glob("*.jsonld")))
+    assert generate(capsys, "--for", "numpy", *models, "-o", "out", "-q")[0] == 0
+    run = subprocess.run(
+        [sys.executable, "out/robot.py"], capture_output=True, text=True, check=True
+    )
+    (poses,) = json.loads(run.stdout).values()
+    assert len(poses) == 3

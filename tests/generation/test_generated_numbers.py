@@ -1,0 +1,258 @@
+"""Programs compute what Pinocchio does: of samples, published models and the URDF of others."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+from data import locate_data
+from pinocchio_robots import silence
+from programs import lines, module, program, texts
+
+pytest.importorskip("jinja2")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("Pinocchio")]
+
+SAMPLES = Path(__file__).resolve().parents[2] / "samples"
+TOLERANCE = 1e-9
+CONFIGURATIONS = 100
+FEWEST = 240
+"""Of the robots in the data, programs are made of this many at least."""
+COMPILED = 12
+"""The number of these that are compiled with KDL, spread evenly."""
+SAME = (
+    *(("urdf", "six-axis.urdf"), ("six-axis", "*.jsonld")),
+    *(("sdf", "six-axis.sdf"), ("mjcf", "six-axis.xml")),
+)
+
+
+@pytest.fixture(scope="module")
+def pin():
+    return pytest.importorskip("pinocchio", reason="compares with Pinocchio, PyPI's pin")
+
+
+@pytest.fixture(scope="module")
+def make(tmp_path_factory):
+    return partial(program, kept=tmp_path_factory.mktemp("rules"))
+
+
+class Reference:
+    """A robot as Pinocchio reads it, whose joints follow as the program's do."""
+
+    def __init__(self, pin, model, robot) -> None:
+        self.pin, self.model, self.robot = pin, model, robot
+        self.data = model.createData()
+        model.gravity.linear = np.array((0.0, 0.0, -9.81))
+        moving = [each for each in robot.JOINTS if each.index >= 0]
+        self.spread = np.zeros((model.nv, len(robot.POSITIONS)))
+        self.shift = np.zeros(model.nv)
+        for each in moving:
+            row = model.joints[model.getJointId(each.name)].idx_v
+            self.spread[row, each.index] = each.factor
+            self.shift[row] = each.offset
+        assert len(moving) == model.nv
+        self.links = {
+            frame.name: model.getFrameId(frame.name, pin.FrameType.BODY)
+            for frame in model.frames
+            if frame.type == pin.FrameType.BODY
+        }
+
+    def move(self, q, *rates):
+        """Move to the positions *q*; return all positions and rates as the model has them."""
+        pin, model = self.pin, self.model
+        full = pin.integrate(model, pin.neutral(model), self.spread @ q + self.shift)
+        more = [self.spread @ each for each in rates]
+        pin.forwardKinematics(model, self.data, full, *more)
+        pin.updateFramePlacements(model, self.data)
+        return full, *more
+
+    def poses(self):
+        return {name: self.data.oMf[number].homogeneous for name, number in self.links.items()}
+
+    def twists(self):
+        kind = self.pin.LOCAL_WORLD_ALIGNED
+        return {
+            name: self.pin.getFrameVelocity(self.model, self.data, number, kind).vector
+            for name, number in self.links.items()
+        }
+
+
+def apart(ours, theirs) -> float:
+    """The largest difference, relative to the largest number where that is above one."""
+    one, other = np.asarray(ours), np.asarray(theirs)
+    return np.abs(one - other).max(initial=0.0) / max(1.0, np.abs(other).max(initial=0.0))
+
+
+def worst(ours, theirs) -> float:
+    assert ours.keys() == theirs.keys()
+    return max((apart(ours[name], theirs[name]) for name in theirs), default=0.0)
+
+
+def compare(reference, robot, configurations=CONFIGURATIONS) -> float:
+    """The largest difference of poses; of twists and forces in the first configuration."""
+    numbers = np.random.default_rng(20)
+    found = 0.0
+    for number in range(configurations):
+        q, v, a = numbers.uniform(-3.0, 3.0, (3, len(robot.POSITIONS)))
+        if number:
+            reference.move(q)
+            found = max(found, worst(robot.forward_position(q), reference.poses()))
+            continue
+        state = reference.move(q, v, a)
+        twists = reference.twists()
+        found = max(
+            worst(robot.forward_position(q), reference.poses()),
+            worst(robot.forward_velocity(q, v), twists),
+            worst({link: robot.jacobian(q, link) @ v for link in twists}, twists),
+        )
+        if hasattr(robot, "inverse_dynamics"):
+            forces = reference.spread.T @ reference.pin.rnea(
+                reference.model, reference.data, *state
+            )
+            found = max(found, apart(robot.inverse_dynamics(q, v, a), forces))
+    return found
+
+
+@pytest.fixture(scope="module")
+def robots(pin, make):
+    """The public robots that programs are made of and Pinocchio reads, with its model of each."""
+    found = {}
+    for path in sorted(locate_data("robots", "urdf").rglob("*.urdf")):
+        text = path.read_bytes()
+        if b"<joint" not in text:
+            continue
+        try:
+            with silence():
+                model = pin.buildModelFromUrdf(str(path))
+            errors, files = make({path.name: text}, "numpy", general=False)
+        except Exception:  # noqa: BLE001, S112  what others refuse is not compared
+            continue
+        if not errors and files:
+            found[str(path)] = model, module(files["robot.py"])
+    return found
+
+
+@pytest.mark.corpus
+def test_public_robots_move_as_pinocchio_moves_them(pin, robots):
+    assert len(robots) >= FEWEST
+    far = {
+        path: difference
+        for path, (model, robot) in robots.items()
+        if (difference := compare(Reference(pin, model, robot), robot)) > TOLERANCE
+    }
+    assert far == {}
+    assert sum(hasattr(robot, "inverse_dynamics") for _, robot in robots.values()) > FEWEST // 3
+
+
+@pytest.mark.corpus
+def test_the_three_agree(pin, robots, make, tmp_path):
+    """On robots spread over all: what is compiled once for all of them, and Pinocchio's."""
+    chosen = [*robots][:: max(1, len(robots) // COMPILED)]
+    programs = {}
+    for path in chosen:
+        files = {Path(path).name: Path(path).read_bytes()}
+        robot = module(make(files, "pinocchio", general=False)[1]["robot.py"])
+        model, reference = robots[path]
+        assert robot.POSITIONS == reference.POSITIONS
+        assert compare(Reference(pin, model, reference), robot, 5) <= TOLERANCE, path
+        programs[path] = make(files, "kdl", general=False)[1]
+    for path, (found, given) in zip(
+        chosen, run_together(programs, [robots[each][1] for each in chosen], tmp_path), strict=True
+    ):
+        robot, count = robots[path][1], len(robots[path][1].POSITIONS)
+        for line, numbers in zip(found, given, strict=True):
+            q, v, a = (np.array(numbers[at * count : (at + 1) * count]) for at in range(3))
+            assert worst(line["poses"], flat(robot.forward_position(q))) <= TOLERANCE, path
+            assert worst(line["twists"], robot.forward_velocity(q, v)) <= TOLERANCE, path
+            if "forces" in line:
+                assert apart(line["forces"], robot.inverse_dynamics(q, v, a)) <= TOLERANCE, path
+
+
+def flat(poses):
+    return {
+        name: np.concatenate((pose[:3, 3], pose[:3, :3].ravel())) for name, pose in poses.items()
+    }
+
+
+def run_together(programs, robots, folder):
+    """Compile the programs for KDL as one, and run each: lines of output, and what was given."""
+    if not shutil.which("g++") or not Path("/usr/include/kdl/tree.hpp").exists():
+        pytest.skip("compiles with KDL, Debian's liborocos-kdl-dev")
+    entries = []
+    for number, files in enumerate(programs.values()):
+        (folder / "kinematics.hpp").write_text(files["kinematics.hpp"])
+        text = files["robot.hpp"].replace("namespace robot {", f"namespace robot_{number} {{")
+        (folder / f"robot_{number}.hpp").write_text(text)
+        entries.append((f'#include "robot_{number}.hpp"', f"robot_{number}::robot()"))
+    main = next(iter(programs.values()))["main.cpp"]
+    choice = ", ".join(made for _, made in entries)
+    text = main.replace('#include "robot.hpp"', "\n".join(first for first, _ in entries))
+    text = text.replace(
+        "kinematics::Solver solver(robot::robot());",
+        "const int which = std::atoi(argv[--argc]);\n"
+        f"const std::vector<kinematics::Robot> all{{{choice}}};\n"
+        "kinematics::Solver solver(all.at(which));",
+    )
+    (folder / "main.cpp").write_text(text)
+    compiled(folder, "-O0")
+    numbers = np.random.default_rng(21)
+    for number, robot in enumerate(robots):
+        given = numbers.uniform(-3.0, 3.0, (CONFIGURATIONS, 3 * len(robot.POSITIONS))).tolist()
+        stdin = "".join(" ".join(map(repr, line)) + "\n" for line in given)
+        run = subprocess.run(
+            [folder / "robot", "-", str(number)],
+            input=stdin,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        yield lines(run.stdout), given if robot.POSITIONS else [[]] * len(lines(run.stdout))
+
+
+def compiled(folder, *options):
+    command = ["g++", "-std=c++17", *options, "-I/usr/include/eigen3", "main.cpp", "-o", "robot"]
+    subprocess.run([*command, "-lorocos-kdl"], cwd=folder, check=True)
+
+
+@pytest.mark.parametrize("library", ["numpy", "pinocchio"])
+def test_one_robot_in_four_formats(pin, make, library):
+    """The samples describe one arm."""
+    found = []
+    for place, name in SAME:
+        home = SAMPLES / place
+        files = {str(path): path.read_bytes() for path in sorted(home.glob(name))}
+        errors, files = make(files, library)
+        assert errors == []
+        found.append(module(files["robot.py"]))
+    numbers = np.random.default_rng(22)
+    for _ in range(CONFIGURATIONS):
+        q, v, a = numbers.uniform(-3.0, 3.0, (3, 6))
+        wrists = [each.forward_position(q)["wrist"] for each in found]
+        assert all(apart(wrist, wrists[0]) <= TOLERANCE for wrist in wrists)
+        forces = [each.inverse_dynamics(q, v, a) for each in found]
+        assert all(apart(each, forces[0]) <= TOLERANCE for each in forces)
+
+
+def test_the_kinova_arm(pin, make):
+    """Its chain is complete, so it is compared with what its poses say, read for themselves."""
+    home = locate_data("comp-rob2b", "robot-models", "kinova", "gen3", "7dof")
+    errors, files = make(texts(sorted(home.glob("robot.*.json"))), "numpy", general=False)
+    assert errors == []
+    robot = module(files["robot.py"])
+    nodes = json.loads((home / "robot.geom.json").read_text())["@graph"]
+    poses = {each["of-pose"]: each for each in nodes if "of-pose" in each}
+    model = pin.Model()
+    for number in range(7):
+        name = f"rob:pose-link{number}-joint{number + 1}-wrt-link{number}-root"
+        at = poses[name]
+        turn = np.array([at[f"direction-cosine-{axis}"] for axis in "xyz"]).T
+        placement = pin.SE3(turn, np.array([at[axis] for axis in "xyz"]))
+        joint = model.addJoint(number, pin.JointModelRZ(), placement, f"joint{number + 1}")
+        frame = pin.Frame(f"link{number + 1}", joint, pin.SE3.Identity(), pin.FrameType.BODY)
+        model.addFrame(frame)
+    model.addFrame(pin.Frame("link0", 0, pin.SE3.Identity(), pin.FrameType.BODY))
+    assert compare(Reference(pin, model, robot), robot) <= TOLERANCE
