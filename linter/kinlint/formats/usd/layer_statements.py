@@ -115,6 +115,7 @@ class LayerStatements:
         return Span(span.start + 1, span.end - 1) if quoted else span
 
     def _metadata(self, node: Term, fields: Iterable[Field], path: str) -> None:
+        self._repeated(node, fields)
         for each in fields:
             if each.name in ARCS:
                 self._arcs(node, each, ARCS[each.name], path)
@@ -132,6 +133,16 @@ class LayerStatements:
                     )
             elif not each.operation:
                 self._values(node, each.name, each.value, "")
+
+    def _repeated(self, node: Term, fields: Iterable[Field]) -> None:
+        """State the metadata that replace what is said before of the same name."""
+        said: dict[str, set[str]] = {}
+        for each in fields:
+            before = said.setdefault(each.name, set())
+            if before and (not each.operation or before & {"", each.operation}):
+                about = ("node", node), ("field", literal(each.name))
+                self.layer.add_node("RepeatedField", each.name_span, *about)
+            before.add(each.operation)
 
     def _names(self, node: Term, given: Field, tag: str) -> None:
         items = listed_values(given.value)
@@ -165,7 +176,7 @@ class LayerStatements:
 
     def _lead(self, element: Term, path: str, span: Span) -> None:
         """State that *element* leads to what is at *path*; nothing for a path out of the root."""
-        if path:
+        if path and len(path) <= LONGEST_ADDRESS:
             self.triples[element, src("path"), literal(path)] = span
             target = prim_address(self.document, path.partition(".")[0])
             self.triples[element, iri(f"{REFERENCE}prim"), target] = _last_step(span, path)

@@ -10,15 +10,15 @@ T = TypeVar("T", bound=Hashable)
 
 def changed(before: list[T], operation: str, items: Iterable[T]) -> list[T]:
     """Return the list *before* after one *operation* with *items*; an empty one replaces it."""
-    said = list(dict.fromkeys(items))
+    said = dict.fromkeys(items)
     if not operation:
-        return said
+        return list(said)
     if operation == "prepend":
         return [*said, *(each for each in before if each not in said)]
     if operation == "append":
         return [*(each for each in before if each not in said), *said]
     if operation == "add":
-        return [*before, *(each for each in said if each not in before)]
+        return list(dict.fromkeys([*before, *said]))
     if operation == "delete":
         return [each for each in before if each not in said]
     return before

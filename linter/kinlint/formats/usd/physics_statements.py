@@ -42,6 +42,8 @@ class PhysicsStatements:
         bodies = [each for each in self.stage.defined() if is_body(each)]
         for body in bodies:
             self.said.state(self.about.node(body), "rigidBody", TRUE)
+            if self.transforms.pose(body).sheared:
+                self.said.state(self.about.node(body), "sheared", TRUE)
             self._body(body)
         found = list(joints(self.stage, self.transforms))
         there = [each for each in found if each.enabled and each.between_bodies()]

@@ -43,6 +43,8 @@ class Composer:
         self.count, self.most = 0, MOST_SITES
         self.cycles: list[tuple[Layer, Value]] = []
         """Arcs that lead back to where they come from."""
+        self.absent: list[tuple[Layer, Value]] = []
+        """Arcs to prims that no layer there has."""
         self._made: dict[tuple[Stack, str], Site] = {}
         self._active: list[tuple[Stack, str]] = []
         self._stacks: dict[Layer, Stack] = {}
@@ -164,21 +166,27 @@ class Composer:
             self.cycles.append((layer, item))
             return
         is_class = kind in CLASSES.values()
-        self._graft(site, kind, stack, path, is_open=is_class or not arc.asset)
+        if not self._graft(site, kind, stack, path, is_open=is_class or not arc.asset):
+            self.absent.append((layer, item))
 
-    def _graft(self, site: Site, kind: str, stack: Stack, path: str, *, is_open: bool) -> None:
-        """Add what is at *path* of *stack* to *site*, and what it inherits to the sites above."""
+    def _graft(self, site: Site, kind: str, stack: Stack, path: str, *, is_open: bool) -> bool:
+        """Add what is at *path* of *stack* to *site*, and what it inherits to the sites above.
+
+        Return whether there is anything.
+        """
         if any(e.kind == kind and e.stack == stack and e.path == path for e in site.arcs):
-            return
+            return True
         found = self._copy(self._bare(stack, path), site)
-        if kind != "inherit" and not any(each.opinions for each in found.ordered()):
-            return
+        there = any(each.opinions for each in found.ordered())
+        if kind != "inherit" and not there:
+            return False
         found.kind, found.source, found.target, found.open = kind, path, site.path, is_open
         found.depth = site.path.count("/")
         site.arcs.append(found)
         for each in list(found.ordered()):
             if each.kind == "inherit" and each.above is not None:
                 self._imply(each.above, each.path, each.stack)
+        return there
 
     def _imply(self, site: Site, path: str, stack: Stack) -> None:
         """Add the class at *path* of *stack*, which *site* inherits, to all sites above.

@@ -6,7 +6,7 @@ inherited classes or weaker layers contribute, only names and words that no sche
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import TypeAlias
 
@@ -20,6 +20,11 @@ from kinlint.formats.usd.prim_schemas import (
     owners_of,
     prim_schemas,
     properties_of,
+)
+from kinlint.formats.usd.schema_resemblance import (
+    LONGEST_WORD,
+    resembling_property,
+    resembling_schema,
 )
 from kinlint.formats.usd.usda_syntax import Prim, Property
 from kinlint.formats.usd.value_terms import value_type
@@ -37,7 +42,9 @@ OPEN_NAMESPACES = (
 """Beginnings of the names of properties that no schema has to list."""
 CONSTANT = ("physics:", "drive:", "limit:")
 """Beginnings of the names of properties that readers read at one time only."""
-LONGEST_WORD = 60
+UP_AXES = ("Y", "Z")
+MOST_EXPLAINED = 200
+"""Most schemas of a prim with which one that is not known is compared."""
 WORD_TYPES = frozenset({"asset", "group", "opaque", "pathExpression", "string", "token"})
 """Types whose values are words."""
 TYPES = (
@@ -57,6 +64,10 @@ TYPES = (
 def state_deviations(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer) -> None:
     """State where the layer *root*, whose prims have the nodes *node_of*, departs from schemas."""
     opinions = opinions_of(root)
+    whole = _Check(root, node_of[root], Opinions("", (), whole=True), layer)
+    axis = root.field("upAxis")
+    if axis is not None:
+        whole.state_choice("upAxis", axis.value.text, axis.value.content, UP_AXES)
     for path, prim in specs(root):
         _Check(prim, node_of[prim], opinions[path], layer).state()
 
@@ -102,7 +113,7 @@ class _Check:
         schema = prim_schemas().get(name)
         if not name or (schema is not None and not schema.applied and not schema.abstract):
             return
-        like = _resembling(name, applied=False)
+        like = resembling_schema(name, applied=False)
         self._note("UnknownSchema", self.prim.type_span, written=name, resembles=like, role="type")
 
     def _state_applied(self) -> None:
@@ -117,7 +128,8 @@ class _Check:
         name, _, instance = written.partition(":")
         schema = prim_schemas().get(name)
         if schema is None or not schema.applied:
-            like = _resembling(name, applied=True)
+            few = len(self.opinions.applied) <= MOST_EXPLAINED
+            like = resembling_schema(name, applied=True) if few else None
             self._note("UnknownSchema", span, written=name, resembles=like, role="applied")
             return
         if schema.multiple is not bool(instance):
@@ -151,18 +163,24 @@ class _Check:
 
     def _state_listed(self, given: Property, known: PropertyType) -> None:
         """State how a property does not fit what is *known* of it."""
-        if known.type == "rel" or given.suffix == "connect":
+        if given.suffix == "connect":
             return
         name, value = given.name, given.value
+        if given.is_relationship or known.type == "rel":
+            if given.type_name != known.type:
+                types = {"written": given.type_name, "expected": known.type}
+                self._note("MistypedAttribute", given.type_span, attribute=name, **types)
+            return
         if given.type_name not in _expected_types(name, known.type):
             types = {"written": given.type_name, "expected": known.type}
             self._note("MistypedAttribute", given.type_span, attribute=name, **types)
         if known.choices and value is not None and value.kind == "string":
-            self._state_choice(name, value.text, value.content, known.choices)
+            self.state_choice(name, value.text, value.content, known.choices)
         if given.suffix in ("timeSamples", "spline") and name.startswith(CONSTANT):
             self._note("SampledConstant", given.name_span, attribute=name)
 
-    def _state_choice(self, name: str, said: str, span: Span, known: tuple[str, ...]) -> None:
+    def state_choice(self, name: str, said: str, span: Span, known: tuple[str, ...]) -> None:
+        """State that *said*, the value of the property *name*, is none of *known*, if so."""
         if said not in known:
             like = next((each for each in known if each.lower() == said.lower()), None)
             words = {"written": said, "choices": ", ".join(known), "resembles": like}
@@ -184,7 +202,7 @@ class _Check:
             return
         if given.custom or len(name) > LONGEST_WORD:
             return
-        like = _resembling_property(name, frozenset(known))
+        like = resembling_property(name, frozenset(known))
         if like is not None or (":" in name and name.partition(":")[0] in _namespaces()):
             details: dict[str, Detail] = {"tag": type_ or "prim", "resembles": like}
             self._note("UndeclaredAttribute", given.name_span, attribute=name, **details)
@@ -239,50 +257,6 @@ def _is_type(name: str) -> bool:
 def _namespaces() -> frozenset[str]:
     """Return the first parts of the names of all properties that have several."""
     return frozenset(each.partition(":")[0] for each in owners() if ":" in each)
-
-
-@cache
-def _resembling(name: str, *, applied: bool) -> str | None:
-    """Return the schema that is spelt like *name*, or has the same words in another order."""
-    if len(name) > LONGEST_WORD:
-        return None
-    names = [
-        each.name
-        for each in prim_schemas().values()
-        if each.applied is applied and not each.abstract
-    ]
-    words = sorted(_words(name))
-    same = next((each for each in names if sorted(_words(each)) == words), None)
-    return same or nearest(name, names)
-
-
-def _words(name: str) -> Iterator[str]:
-    """Yield the words of a name in capitals and small letters, in small letters."""
-    word = ""
-    for letter in name:
-        if letter.isupper() and not word.isupper():
-            if word:
-                yield word.lower()
-            word = ""
-        word += letter
-    if word:
-        yield word.lower()
-
-
-@cache
-def _resembling_property(name: str, known: frozenset[str]) -> str | None:
-    """Return the property in *known* that differs by a slip, in the namespace or behind it."""
-    space, _, last = name.rpartition(":")
-    near = {
-        each.rpartition(":")[2]: each for each in sorted(known) if each.rpartition(":")[0] == space
-    }
-    if like := nearest(last, near):
-        return near[like]
-    spaces = {
-        each.rpartition(":")[0]: each for each in sorted(known) if each.rpartition(":")[2] == last
-    }
-    like = nearest(space, spaces) if space else None
-    return spaces[like] if like else None
 
 
 def _listed_as(name: str) -> str:

@@ -12,6 +12,7 @@ from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.format import USD
 from kinlint.formats.usd.layer_statements import LayerStatements
+from kinlint.formats.usd.mesh_counts import state_mesh_counts
 from kinlint.formats.usd.physics_statements import PhysicsStatements
 from kinlint.formats.usd.prim_composition import Composer
 from kinlint.formats.usd.prim_diagnostics import state_deviations
@@ -64,6 +65,7 @@ def read_layer(source: SourceText) -> Layer:
     said.state(root)
     state_deviations(root, said.node_of, layer)
     state_dangling(root, said.node_of, layer)
+    state_mesh_counts(source.text, root, said.node_of, layer)
     state_suppressions(source.text, root, layer)
     state_unread_operations(root, said.node_of, layer)
     place = said.nodes[root_of(graph)].best
@@ -102,6 +104,10 @@ def _with_stage(whole: Document, about: StageStatements, composer: Composer) -> 
         said = ("node", each.item), ("written", literal(each.written))
         span = places[each.item].best
         layer.add_node("UnresolvedInclude", span, *said, ("reason", literal(each.reason)))
+    for at, value in composer.absent:
+        span = places[at.item(value)].best
+        written = literal(whole.location(span).source[value.span])
+        layer.add_node("AbsentPrim", span, ("node", at.item(value)), ("written", written))
     for at, value in composer.cycles:
         node = at.item(value)
         span = places[node].best

@@ -17,6 +17,8 @@ from kinlint.terms import Term, literal
 
 MOST_COMPARED = 2_000
 """Most prims whose paths are compared with one that leads nowhere."""
+MOST_EXPLAINED = 200
+"""Most paths of a layer for which another one is suggested."""
 
 
 def state_dangling(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer) -> None:
@@ -25,15 +27,15 @@ def state_dangling(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer)
     layered = any(each.name == "subLayers" for each in root.metadata)
     if layered or any(each.specifier == "over" for each in root.children):
         return
+    missing = 0
     for path, prim in specs(root):
         for name, item in _targets(prim):
             target = absolute_path(item.text, path).partition(".")[0]
             if _is_missing(target, opinions):
-                words = {
-                    "property": name,
-                    "written": item.text,
-                    "resembles": _resembling(target, opinions),
-                }
+                missing += 1
+                words = {"property": name, "written": item.text}
+                if missing <= MOST_EXPLAINED:
+                    words["resembles"] = _resembling(target, opinions)
                 said = ((key, literal(text)) for key, text in words.items() if text)
                 layer.add_node("DanglingTarget", item.content, ("node", node_of[prim]), *said)
 

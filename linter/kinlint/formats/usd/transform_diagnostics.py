@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.usd.layer_opinions import opinions_of, specs
@@ -52,6 +52,7 @@ def _deviations(
         for each in operations:
             if each.name not in listed:
                 yield "UnreadOperation", each.name, each.name_span
+        yield from _misplaced(order)
         names = {RESET, *(each.name for each in operations)}
         for item in order if whole else ():
             if item.text.removeprefix(INVERSE) not in names:
@@ -59,6 +60,17 @@ def _deviations(
     elif whole and not ordered:
         for each in operations:
             yield "UnreadOperation", each.name, each.name_span
+
+
+def _misplaced(order: Iterable[Value]) -> Iterator[tuple[str, str, Span]]:
+    """Yield kind, operation and place of what is listed twice, and of a reset that is not first."""
+    before = set[str]()
+    for item in order:
+        if item.text == RESET and before:
+            yield "LateReset", item.text, item.content
+        elif item.text in before:
+            yield "RepeatedOperation", item.text, item.content
+        before.add(item.text)
 
 
 def _has_no_place(type_name: str, *, whole: bool) -> bool:

@@ -70,6 +70,8 @@ class _Parser(Scanner):
             type_name, type_span = self.word, Span(self.at, self.stop)
             self.advance()
         name, span = self.name("the name of a prim")
+        if not name.isidentifier():
+            raise MalformedLayer(span, f"'{name}' is no name: prims have letters, digits and _")
         prim = Prim(specifier, name, span, span, type_name, type_span)
         self._body(prim, start, f"the block of prim '{name}'")
         return prim
