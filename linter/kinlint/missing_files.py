@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
-from pathlib import Path
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from os.path import relpath
+from pathlib import Path, PurePosixPath
 
 from kinlint.document import Document
+from kinlint.files.environment import kind
 from kinlint.files.file_exists import AbsentDirectory, Fault, Missing, References, UnknownPackage
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
 from kinlint.formats.xml.references import file_names
-from kinlint.terms import RDF_TYPE, Term, Triple, iri, iri_value, literal, literal_value
+from kinlint.terms import RDF_TYPE, XSD, Term, Triple, iri, iri_value, literal, literal_value
 from kinlint.vocabulary import SRC
 
 CLASSES = {
@@ -20,10 +22,23 @@ CLASSES = {
 }
 MESH = iri(f"{SRC}MeshDocument")
 """Class of what is said of a COLLADA mesh (`kinlint.formats.collada.mesh_documents`)."""
-NODE, NAME, RESEMBLES = (iri(f"{SRC}{name}") for name in ("node", "name", "resembles"))
+NODE, NAME, RESEMBLES, PRESENT = (
+    iri(f"{SRC}{name}") for name in ("node", "name", "resembles", "present")
+)
+FILES_IN, STRIPPED = iri(f"{SRC}filesIn"), iri(f"{SRC}strippedPath")
+"""The directory, from that of the whole document, in which files that an element names are looked
+for first, and whether this is done without the directories in their names."""
 OF_MESHES = ("metres", "up", "fault", "kind", "written", "line")
 STATED = frozenset(
-    {*CLASSES.values(), NODE, NAME, RESEMBLES, MESH, *(iri(f"{SRC}{name}") for name in OF_MESHES)}
+    {
+        *CLASSES.values(),
+        NODE,
+        NAME,
+        RESEMBLES,
+        PRESENT,
+        MESH,
+        *(iri(f"{SRC}{name}") for name in OF_MESHES),
+    }
 )
 """The properties and classes of what is said of a file that is not found, and of a mesh."""
 
@@ -47,11 +62,18 @@ def references(
     for document in documents:
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
+        directories = _directories(document)
         for triple in file_names(document):
             written, near = literal_value(triple[2]), _home(document, triple)
             fault = known.fault(written, near)
+            if fault is not None and triple[0] in directories:
+                near = absolute(document.source.name).parent
+                place = directories[triple[0]]
+                fault = known.fault(_below(place, written), near)
+                if isinstance(fault, Missing) and fault.resembles:
+                    fault = Missing(relpath(fault.resembles, place[0] or "."))
             if fault is not None:
-                yield from _stated(triple[0], fault)
+                yield from _stated(triple[0], fault, near)
             elif written.lower().endswith(".dae") and (path := known.path(written, near)):
                 meshes.setdefault(path, (triple[0], near))
     if meshes and (wanted is None or MESH in wanted):
@@ -77,7 +99,22 @@ def _home(document: Document, triple: Triple) -> Path:
     return absolute(source.name).parent
 
 
-def _stated(element: Term, fault: Fault) -> Iterator[Triple]:
+def _directories(document: Document) -> Mapping[Term, tuple[str, bool]]:
+    """Return where files are that elements of *document* name, and if by the last part alone."""
+    if not document.format.includes:
+        return {}
+    told = [each for each in document.statements if each[1] in (FILES_IN, STRIPPED)]
+    stripped = {element for element, property_, _ in told if property_ == STRIPPED}
+    return {s: (literal_value(o), s in stripped) for s, p, o in told if p == FILES_IN}
+
+
+def _below(place: tuple[str, bool], written: str) -> str:
+    """Return the path of the file *written*, of which *place* is the directory."""
+    path = PurePosixPath(written.replace("\\", "/"))
+    return str(PurePosixPath(place[0].replace("\\", "/")) / (path.name if place[1] else path))
+
+
+def _stated(element: Term, fault: Fault, near: Path) -> Iterator[Triple]:
     node = iri(f"{iri_value(element)};file")
     yield node, RDF_TYPE, CLASSES[type(fault)]
     yield node, NODE, element
@@ -86,3 +123,5 @@ def _stated(element: Term, fault: Fault) -> Iterator[Triple]:
             yield node, RESEMBLES, literal(fault.resembles)
     else:
         yield node, NAME, literal(fault.name)
+        if isinstance(fault, AbsentDirectory) and kind(near / fault.name) == "directory":
+            yield node, PRESENT, literal("true", f"{XSD}boolean")

@@ -19,11 +19,12 @@ from kinlint.structure import Origin
 from kinlint.terms import Term, literal
 
 LEADER, FOLLOWER, MULTIPLIER, OFFSET = map(kin, ("leader", "follower", "multiplier", "offset"))
-DIRECTION = kin("positive-direction")
+DIRECTION, RATIO = kin("positive-direction"), kin("gear-ratio")
+UNGEARED: Mapping[Term, float] = {}
 SEQUENCE = kin("axes-sequence")
 BASIS = tuple(geom(f"vector-{axis}") for axis in "xyz")
 UNITS: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-NEEDED = (LEADER, FOLLOWER, MULTIPLIER, OFFSET, DIRECTION, *BASIS)
+NEEDED = (LEADER, FOLLOWER, MULTIPLIER, OFFSET, DIRECTION, RATIO, *BASIS)
 """Properties that these numbers are computed from, besides placements and ranges."""
 
 
@@ -109,22 +110,26 @@ class JointNumbers:
 
     @cached_property
     def efforts(self) -> Mapping[Term, float]:
-        """The greatest force in N, or torque in N m, of the one actuator of each joint."""
-        return self._bounds("ActuatorForceLimit")
+        """The greatest force in N, or torque in N m, of the one actuator of each joint.
+
+        That is behind the gear, so at the joint.
+        """
+        return self._bounds("ActuatorForceLimit", self.scan.numbers(RATIO))
 
     @cached_property
     def speeds(self) -> Mapping[Term, float]:
         """The greatest speed in m/s or rad/s of the one actuator of each joint."""
         return self._bounds("ActuatorVelocityLimit")
 
-    def _bounds(self, kind: str) -> Mapping[Term, float]:
+    def _bounds(self, kind: str, ratios: Mapping[Term, float] = UNGEARED) -> Mapping[Term, float]:
         known, upper = self.scan.instances(kin(kind)), self.scan.numbers(kin("upper"))
         actuated = self.scan.single(kin("actuates"))
         found: dict[Term, list[float]] = {}
         for node, actuator in self.scan.single(kin("of-actuator")).items():
             bound = self._si(node, upper) if node in known else None
             if bound is not None and actuator in actuated:
-                found.setdefault(actuated[actuator], []).append(bound)
+                geared = bound * abs(ratios.get(actuator, 1.0))
+                found.setdefault(actuated[actuator], []).append(geared)
         return {joint: bounds[0] for joint, bounds in found.items() if len(bounds) == 1}
 
     @cached_property

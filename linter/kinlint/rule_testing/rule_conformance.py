@@ -247,6 +247,8 @@ def _alone(
     only = replace(rulebook, constraints=own, shapes=shapes)
     consumers = {*rule.targets, *(name for each in own for name in each.consumers)}
     consumers.update(departing_targets(rule.features))
+    if any("?targetUntil" in each.select for each in own):
+        consumers |= {f"{name}@0" for name in consumers if "@" not in name}
     strict = replace(STRICT, targets=tuple(sorted(consumers)))
     return only, Settings(engine=engine, default=strict)
 

@@ -78,10 +78,10 @@ class Portability(NamedTuple):
             return ""
         if len(self.targets) <= NUMBER or len(self.readings) == len(told):
             told = self.readings
-        named: dict[str, list[str]] = {}
+        named: dict[str, dict[str, None]] = {}
         for each in told:
-            named.setdefault(each.cell.clause, []).append(each.who)
-        clauses = [f"In {listed(who)}, {clause}" for clause, who in named.items()]
+            named.setdefault(each.cell.clause, {})[each.who] = None
+        clauses = [f"In {listed([*who])}, {clause}" for clause, who in named.items()]
         said = "; ".join([clauses[0], *(f"i{each[1:]}" for each in clauses[1:])]) + "."
         return f"{said} {self.advice}".rstrip()
 

@@ -41,6 +41,12 @@ SIZE = re.compile(r"(?:real|int)\((\d+)(?:(?:\.\.| or )(\d+))?\)")
 WHOLE = re.compile(r'\( "\w+"|"[^"]*"(?: \)?)?(?: ,)?|\S+ ,')
 """Stays on one line: a text, and what comes before or behind it without a meaning of its own."""
 TIED = "\N{NO-BREAK SPACE}"
+AFTER_THREE = {
+    ("option", "actuatorgroupdisable"),
+    ("visual/rgba", "frustum"),
+    ("visual/scale", "frustum"),
+}
+"""What MuJoCo 3.0.1 brought. The table skips 3.0.0, which has all else that it has since 3.0.1."""
 META = ("include", "frame", "replicate")
 """Elements that stand among others instead of below a section."""
 STATIC = ("joint", "freejoint", "inertial")
@@ -231,6 +237,9 @@ def elements(table: Path) -> str:
     """Return the Turtle file that the table makes."""
     with table.open(encoding="utf-8", newline="") as text:
         rows = list(csv.DictReader(text, delimiter="\t", quoting=csv.QUOTE_NONE))
+    for row in rows:
+        if row["since"] == "3.0.1" and (row["element"], row["attribute"]) not in AFTER_THREE:
+            row["since"] = "3.0.0"
     described = Descriptions(rows)
     head = HEAD.format(newest=described.versions[-1])
     return head + "\n".join(described.lines()) + "\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kinlint.engine.lifting import lifts
@@ -38,7 +38,7 @@ def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDiffe
     found = comparison.correspondence
     alone = comparison.alone()
     changes = [_change(each, old, new) for each in comparison.differences]
-    whole = list(_whole(old, new, tolerances))
+    whole = list(_whole(old, new, tolerances, found.groups))
     gone, come = ([*_parts(each, side)] for each, side in zip(alone, (old, new), strict=True))
     known = [[*found.groups], [*found.groups.values()]]
     for groups, joints in zip(known, alone, strict=True):
@@ -53,6 +53,10 @@ def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDiffe
         [*come, *_groups(new, frozenset(known[1]))],
         list(_unstated(comparison, old, new)),
     )
+
+
+def _is_weighed(group: Group) -> bool:
+    return any(body.mass is not None for body in group.bodies)
 
 
 def _change(each: Measured, old: Side, new: Side) -> Change:
@@ -71,10 +75,18 @@ def _change(each: Measured, old: Side, new: Side) -> Change:
     )
 
 
-def _whole(old: Side, new: Side, tolerances: Tolerances) -> Iterator[Change]:
-    """Yield what differs of the robots as wholes: their mass, and how far they reach."""
+def _whole(
+    old: Side, new: Side, tolerances: Tolerances, alike: Mapping[int, int]
+) -> Iterator[Change]:
+    """Yield what differs of the robots as wholes: their mass, and how far they reach.
+
+    *alike* are the groups that correspond. Where one of two states a mass and the other none, as if
+    it is computed from a mesh, the mass of the whole is not known.
+    """
     mass, now = (sum(map(total_mass, each.robot.groups)) for each in (old, new))
-    if min(mass, now) > 0.0 and tolerances.apart(mass, now):
+    pairs = ((old.robot.groups[one], new.robot.groups[other]) for one, other in alike.items())
+    known = all(_is_weighed(one) == _is_weighed(other) for one, other in pairs)
+    if known and min(mass, now) > 0.0 and tolerances.apart(mass, now):
         yield Change("robot", "", "", "mass", "kg", mass, now)
     reaches = [reach(each.robot) for each in (old, new)]
     if reaches[0] is not None and reaches[1] is not None:

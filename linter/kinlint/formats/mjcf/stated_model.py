@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kinlint.document import Document
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.mjcf.asset_files import state_directories
 from kinlint.formats.mjcf.body_statements import BodyStatements
 from kinlint.formats.mjcf.compiled_model import CompiledModel
 from kinlint.formats.mjcf.convention_statements import state_conventions
@@ -19,7 +20,7 @@ from kinlint.terms import RDF_TYPE, Triple, literal
 from kinlint.text import Span
 
 UNREAD = (src("UnresolvedInclude"), src("CircularInclude"), src("RepeatedInclude"))
-UNLISTED = (src("UndeclaredAttribute"), src("UndeclaredElement"))
+UNLISTED = (src("UndeclaredAttribute"), src("UndeclaredElement"), src("LaterFeature"))
 
 
 def stated(document: Document, root: MjcfElement) -> Document:
@@ -30,6 +31,7 @@ def stated(document: Document, root: MjcfElement) -> Document:
     RelationStatements(model, said).state()
     KeyframeStatements(model, said).state()
     state_conventions(model, said)
+    state_directories(root, model.settings, said)
     found = dict(said.triples)
     unread_file = any(p == RDF_TYPE and o in UNREAD for _, p, o in document.statements)
     whole = root.tag == "mujoco" and bool(model.bodies) and not unread_file
@@ -68,7 +70,7 @@ def _state_losses(document: Document, model: CompiledModel, layer: SourceLayer) 
 def _state_unchecked(
     document: Document, root: MjcfElement, found: dict[Triple, Triple | None]
 ) -> None:
-    """State in which frame the attributes stand that the format does not have, if in any."""
+    """State in which frame attributes stand that the format, or a former one, lacks, if in any."""
     inside = {element.node: frame.node for element, frame in unchecked(root)}
     kinds = {s for s, p, o in document.statements if p == RDF_TYPE and o in UNLISTED}
     for node, predicate, element in document.statements:

@@ -63,6 +63,7 @@ class Diagnostics:
     _orders: dict[tuple[int, str], int] = field(default_factory=dict)
     _alike: dict[tuple[str, ...], str | None] = field(default_factory=dict)
     _version: str | None = None
+    _stated: bool = True
 
     def note(
         self, kind: str, number: int, place: str | None, **details: str | int | bool | None
@@ -148,6 +149,7 @@ class Diagnostics:
         """
         if not number:
             self._version = attributes.get("version", self.schema.version)
+            self._stated = "version" in type_.attributes
         for name in type_.required:
             if name not in attributes:
                 self.note(
@@ -187,8 +189,9 @@ class Diagnostics:
         if declared is None:
             return
         since, until = version(life.since or ""), version(life.until or "")
-        feature = {"feature": name, "tag": type_.tag, "declared": self._version}
-        if since is not None and declared < since:
+        stated = self._version if self._stated else None
+        feature = {"feature": name, "tag": type_.tag, "declared": stated}
+        if since is not None and (declared < since or not self._stated):
             self.note("LaterFeature", number, place, since=life.since, **feature)
         elif until is not None and declared > until:
             self.note("EarlierFeature", number, place, until=life.until, **feature)
