@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import Any
 
 import pyoxigraph as ox
 
+from kinlint.document import Document
 from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.construct_template import Made, needed, trimmed, variables_of
 from kinlint.engine.store import ASSERTED_GRAPH, Store
@@ -73,9 +74,14 @@ class Lifting:
         shared = self.name.rpartition("/")[2]
         return shared in FOUNDATION or not self.makes.isdisjoint(wanted)
 
-    def update(self, wanted: Collection[Term] | None = None) -> str:
-        """Return what stores all that it makes, or what of it `part` returns for *wanted*."""
-        return _update(self, None if wanted is None else frozenset(wanted))
+    def update(
+        self, wanted: Collection[Term] | None = None, foreign: frozenset[Term] = frozenset()
+    ) -> str:
+        """Return what stores all that it makes, or what of it `part` returns for *wanted*.
+
+        Nothing is made of *foreign* documents.
+        """
+        return _update(self, None if wanted is None else frozenset(wanted), foreign)
 
     def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], Group]:
         """Return the triples that have a property or class of the *wanted*, and their WHERE."""
@@ -95,12 +101,16 @@ def _trimmed(lifting: Lifting, used: frozenset[str]) -> Group:
 
 
 @lru_cache(maxsize=512)
-def _update(lifting: Lifting, wanted: frozenset[Term] | None) -> str:
+def _update(lifting: Lifting, wanted: frozenset[Term] | None, foreign: frozenset[Term]) -> str:
     made, where = lifting.part(wanted)
     template = " ".join(f"{s} {p} {o} ." for s, p, o in made)
+    matched = render(where)
+    if foreign and made:
+        home = f'COALESCE(STRBEFORE(STR({made[0].subject}), "#"), "")'
+        others = ", ".join(f'"{iri_value(each)}"' for each in sorted(foreign))
+        matched = f"{{ {matched} FILTER ({home} NOT IN ({others})) }}"
     return (
-        f"INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} "
-        f"USING {ASSERTED_GRAPH} WHERE {render(where)}"
+        f"INSERT {{ GRAPH {LIFTED_GRAPH} {{ {template} }} }} USING {ASSERTED_GRAPH} WHERE {matched}"
     )
 
 
@@ -139,12 +149,32 @@ def lift(
     lifted from. Raises `RuleInvalid` for a query that is no SPARQL.
     """
     store.oxigraph.clear_graph(ox.NamedNode(iri_value(LIFTED_GRAPH)))
+    foreign = foreign_documents(store.documents.values())
     for each in asked({document.format for document in store.documents.values()}, wanted):
         try:
             with part("lifting queries", f"{each.format}/{each.name}.rq"):
-                store.oxigraph.update(each.update(kept))
+                store.oxigraph.update(each.update(kept, foreign[each.format]))
         except SyntaxError as error:
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
+
+
+def foreign_documents(documents: Iterable[Document]) -> Mapping[str, frozenset[Term]]:
+    """Return the graphs of those *documents* that queries for a format, by its name, pass over.
+
+    Readers state alike what is alike: queries for one format would match elements of another one.
+    """
+    graphs: dict[str, set[Term]] = {each.name: set() for each in LIFTED}
+    for document in documents:
+        graphs.get(document.format.lifted_as, set()).add(document.graph)
+    return {
+        name: frozenset().union(*(graphs[other] for other in graphs if other != name))
+        for name in graphs
+    }
+
+
+def is_foreign(node: Term, foreign: Collection[Term]) -> bool:
+    """Tell whether *node* is one of a *foreign* document."""
+    return f"{node.partition('#')[0]}>" in foreign
 
 
 def makes(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache
 from itertools import count
 from typing import TypeAlias
@@ -12,7 +12,7 @@ import pyoxigraph as ox
 
 from kinlint.engine.compiler.query_dependencies import Dependencies, dependencies_of
 from kinlint.engine.construct_template import variables_of
-from kinlint.engine.lifting import Lifting, asked
+from kinlint.engine.lifting import Lifting, asked, foreign_documents, is_foreign
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
@@ -47,6 +47,10 @@ class Unit:
     """Properties and classes that the query names."""
     narrow: Restriction | None
     """The variable by which the query can be restricted, if there is one."""
+    format: str
+    """Format of the documents that it is for."""
+    subject: int | None
+    """Place in a solution of something that is made; None if that is the same for all."""
 
     @classmethod
     def from_lifting(cls, lifting: Lifting, kept: frozenset[Term] | None) -> Unit:
@@ -65,7 +69,9 @@ class Unit:
         within = where if narrow is None else restricted(where, narrow.root)
         template = [(each.subject, each.predicate, each.items or each.object) for each in made]
         texts = f"{head} {render(where)}", f"{head} {render(within)}"
-        return cls(*texts, names, template, dependencies, narrow)
+        subject = made[0].subject[1:] if made else ""
+        place = names.index(subject) if subject in names else None
+        return cls(*texts, names, template, dependencies, narrow, lifting.format, place)
 
     def may_make(self, triple: Triple) -> bool:
         """Tell whether one of the triples that it makes may be *triple*."""
@@ -113,6 +119,10 @@ class TrackedLifting:
         """The queries that make something wanted."""
         formats = {document.format for document in self.store.documents.values()}
         return [_unit(each, self._kept) for each in asked(formats, self._wanted)]
+
+    @cached_property
+    def _foreign(self) -> Mapping[str, frozenset[Term]]:
+        return foreign_documents(self.store.documents.values())
 
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Lift by those queries that look at what *changes* are about."""
@@ -172,11 +182,15 @@ class TrackedLifting:
         if roots is not None and unit.narrow is not None:
             select = unit.restricted.replace(GIVEN, " ".join(sorted(roots)))
         solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
+        foreign = self._foreign[unit.format]
         assert isinstance(solutions, ox.QuerySolutions)
         places = [[each.value for each in solutions.variables].index(name) for name in unit.names]
         for solution in solutions:
             terms = (solution[place] for place in places)
-            yield tuple(None if term is None else token(term) for term in terms)
+            row = tuple(None if term is None else token(term) for term in terms)
+            home = None if unit.subject is None else row[unit.subject]
+            if home is None or not is_foreign(home, foreign):
+                yield row
 
     def _known(self, unit: Unit, row: Row, used: set[Term]) -> Iterator[Triple]:
         """Yield what *unit* has made of *row*; of lists, those cells that are not *used* yet."""
