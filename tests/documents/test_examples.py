@@ -2,9 +2,11 @@
 
 import re
 import shutil
+import sqlite3
 import subprocess
 import sys
 import tomllib
+from contextlib import closing
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -44,7 +46,7 @@ HERE = {
     *(("CONTRIBUTING.md", language) for language in ("turtle", "json", "toml")),
     *((USING, language) for language in ("toml", "json", "xml", "text", "")),
     *((CONFIGURING, language) for language in ("toml", "json", "xml", "text", "")),
-    *((REPORTING, language) for language in ("toml", "json", "xml", "text", "")),
+    *((REPORTING, language) for language in ("toml", "json", "xml", "text", "", "sql")),
     *(("README.md", language) for language in ("xml", "")),
     ("linter/README.md", "mermaid"),
 }
@@ -95,6 +97,23 @@ def test_the_readme_opens_with_a_robot_and_what_is_found_in_it(capsys, monkeypat
 
     assert robot.text == (HOME / ROBOT).read_text("utf-8")
     assert (code, capsys.readouterr().out) == (1, shown)
+
+
+def test_the_questions_to_the_database_have_answers(tmp_path, monkeypatch):
+    """Between two runs of the same robot nothing is new."""
+    monkeypatch.chdir(HOME)
+    for name in ("before", "findings"):
+        assert main([ROBOT, "--isolated", "--output", f"sqlite={tmp_path / name}.db"]) == 1
+    (asked,) = blocks("linter/kinlint/reporters/README.md", language="sql")
+    monkeypatch.chdir(tmp_path)
+    with closing(sqlite3.connect("findings.db")) as database:
+        answers = [database.execute(each).fetchall() for each in asked.text.split(";")]
+        count = database.execute("SELECT count(*) FROM finding").fetchone()[0]
+
+    most, families, _, new, _ = answers
+    assert sum(row[2] for row in most) == count > 0
+    assert families
+    assert new == []
 
 
 def test_the_picture_of_the_terminal_is_fresh():
