@@ -130,7 +130,14 @@ def test_a_terminal_is_cleared_and_nothing_else(watching, write):
     master, terminal = os.openpty()
     command = [sys.executable, "-m", "kinlint", "--watch", "a.urdf", "--color", "never"]
     dumb = os.environ | {"TERM": "dumb"}
-    run = subprocess.Popen(command, stdout=terminal, stderr=terminal, stdin=terminal, env=dumb)
+    run = subprocess.Popen(
+        command,
+        stdout=terminal,
+        stderr=terminal,
+        stdin=terminal,
+        env=dumb,
+        preexec_fn=accept_interrupts,  # noqa: PLW1509  no other thread runs then
+    )
     try:
         said = b""
         while WAITING.encode() not in said:

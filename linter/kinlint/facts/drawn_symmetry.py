@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from functools import cached_property
+from math import isfinite
 from typing import NamedTuple
 
 from kinlint.facts.fact_statements import fact, numbers
@@ -256,6 +257,7 @@ def _sharing(
             or kind(joint) not in TURNING
             or each.axis is None
             or length(each.step) < NEAR
+            or not isfinite(length(each.step) / NEAR)
         ):
             continue
         space, name = split_name(joint)

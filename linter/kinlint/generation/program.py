@@ -26,7 +26,9 @@ SLOTS = ("first", "second", "out")
 def constraints(library: str) -> tuple[Path, ...]:
     """Return the SHACL files that say what a program for *library* needs, and what it can do."""
     shapes = data("shapes")
-    return shapes / "generation" / "model.ttl", shapes / "targets" / f"{library}.ttl"
+    consumer = shapes / "targets" / f"{library}.ttl"
+    own = consumer if consumer.exists() else shapes / "generation" / library / "shapes.ttl"
+    return shapes / "generation" / "model.ttl", own
 
 
 def generate(
