@@ -159,8 +159,9 @@ class DrawnSymmetry:
         for pair, fit in zip(pairs, fits[plane], strict=True):
             left, right = pair
             one = left.edge.parent == right.edge.parent
-            if fit and (pair in evident if not one else symmetric or pair in evident):
-                yield from self._turned(left, right, plane)
+            if fit:
+                if pair in evident or (one and symmetric):
+                    yield from self._turned(left, right, plane)
             elif symmetric and evident and self._carries_motion(left.edge):
                 ends = {end for end in left.edge.ends if end not in beside}
                 if not _is_turned(left, right, plane) and (
