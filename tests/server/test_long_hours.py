@@ -30,7 +30,35 @@ YAML = """controllers:
 joint_limits:
   j: {has_velocity_limits: true, max_velocity: 9.0}
 """
-NAMES = {f"arm-{form}.{form}": text for form, text in {**FILES, "yaml": YAML}.items()}
+MJCF = """<mujoco>
+  <worldbody>
+    <body name="b"><joint name="j" range="1 -1" limited="true"/><geom size="0.1"/></body>
+  </worldbody>
+</mujoco>
+"""
+USD = """#usda 1.0
+(
+    metersPerUnit = 1
+    upAxis = "Z"
+)
+def Xform "arm" (
+    prepend apiSchemas = ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]
+)
+{
+    float physics:mass = -2
+}
+"""
+COLLADA = """<COLLADA xmlns="http://www.collada.org/2008/03/COLLADASchema" version="1.5.0">
+  <asset><unit meter="1"/><up_axis>Z_UP</up_axis></asset>
+  <library_visual_scenes>
+    <visual_scene id="v"><node id="n"><instance_node url="#gone"/></node></visual_scene>
+  </library_visual_scenes>
+</COLLADA>
+"""
+TEXTS = {**FILES, "yaml": YAML, "xml": MJCF, "usda": USD, "dae": COLLADA}
+NAMES = {f"arm-{form}.{form}": text for form, text in TEXTS.items()}
+NAMED = (".ttl", ".usda", ".dae")
+"""Suffixes of files that walks pass over."""
 PLACED = (
     *("definition", "references", "hover", "documentHighlight", "codeAction", "completion"),
     *("documentSymbol", "codeLens", "documentLink", "diagnostic", "rename", "declaration"),
@@ -74,9 +102,9 @@ def told(wire, name):
 
 
 def told_of_all(wire):
-    """What the server tells of each file; nothing of YAML, as several robots fit."""
+    """What the server tells of each file; something of each."""
     answer = {name: told(wire, name) for name in NAMES}
-    assert [name for name, each in answer.items() if not each] == ["arm-yaml.yaml"]
+    assert all(answer.values())
     return answer
 
 
@@ -88,8 +116,8 @@ def found(texts, folder, capsys, monkeypatch):
         (folder / name).write_text(text, "utf-8", newline="")
     capsys.readouterr()
     monkeypatch.chdir(folder)
-    turtle = [name for name in texts if name.endswith(".ttl")]  # Walks pass them over.
-    main(["--isolated", "--no-cache", "--output-format", "json", ".", *turtle])
+    named = [name for name in texts if name.endswith(NAMED)]
+    main(["--isolated", "--no-cache", "--output-format", "json", ".", *named])
     answer = {name: [] for name in texts}
     for one in json.loads(capsys.readouterr().out):
         ends = [one["location"], one["end_location"] or one["location"]]
