@@ -21,7 +21,10 @@ class WorkerLost(Exception):
 
 
 class Workers(Executor):
-    """Workers that end with any task that has the poisonous file, and with two given after it."""
+    """Workers that end with any task that has the poisonous file, and with two given after it.
+
+    The result of one task is lost with the worker that had it.
+    """
 
     def __init__(self) -> None:
         self.given: list[list[str]] = []
@@ -37,6 +40,9 @@ class Workers(Executor):
             self.beside = 2 if poisonous else self.beside - 1
             self.lost.update(names)
             future.set_exception(WorkerLost())
+        elif names == ["r3.urdf"] and self.given.count(names) == 1:
+            future.cancel()
+            future.set_running_or_notify_cancel()
         else:
             future.set_result(function(workplace, models, errors))
         return future

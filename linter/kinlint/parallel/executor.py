@@ -19,6 +19,8 @@ from kinlint.parallel.shard import Job, Outcome
 
 PATIENCE = 5.0
 """Seconds between looks at whether there is still somebody who works."""
+MOST_DROPPED = 50
+"""Number of tasks in a row that an executor may drop, as with the worker that has the result."""
 _alone = Lock()
 """Held by the thread of a worker that lints, since all its threads have one working directory."""
 
@@ -61,6 +63,7 @@ class WorkerPool:
         tasks, suspects = TaskQueue(), deque[Task]()
         tasks.add_shares(shares, done)
         pending: dict[Future[list[Outcome]], Task] = {}
+        dropped = 0
         try:
             while tasks or suspects or pending:
                 while tasks and len(pending) < self.width:
@@ -71,35 +74,37 @@ class WorkerPool:
                     task = suspects.popleft()
                     pending[self._begin(task)] = task
                 finished, _ = wait(pending, PATIENCE, FIRST_COMPLETED)
-                if not finished:
+                if not finished or any(each.cancelled() for each in finished):
                     self.watch()
                 for each in finished:
-                    task, outcomes = pending.pop(each), self._outcomes(each)
-                    if outcomes is not None:
-                        task.done(outcomes)
-                    elif alone or task.is_divisible:
-                        waiting = len(tasks)
-                        task.done("each worker that linted it was lost")
-                        while len(tasks) > waiting:
-                            suspects.append(tasks.pop())
+                    task, dropped = pending.pop(each), dropped + 1 if each.cancelled() else 0
+                    if dropped > MOST_DROPPED:
+                        raise KinlintError("the executor drops all work that it takes")
+                    if each.cancelled():
+                        (suspects if alone else tasks).appendleft(task)
                     else:
-                        suspects.append(task)
+                        suspects.extend(self._conclude(task, each, tasks, alone=alone))
         finally:
             for each in pending:
                 each.cancel()
 
+    def _conclude(
+        self, task: Task, finished: Future[list[Outcome]], tasks: TaskQueue, *, alone: bool
+    ) -> Sequence[Task]:
+        """Pass on what came of *task*; return what is to be tried alone, if it ended its worker."""
+        try:
+            outcomes = finished.result()
+        except self.lost:
+            if not alone and not task.is_divisible:
+                return [task]
+            waiting = len(tasks)
+            task.done("each worker that linted it was lost")
+            return [tasks.pop() for _ in range(len(tasks) - waiting)]
+        task.done(outcomes)
+        return ()
+
     def _begin(self, task: Task) -> Future[list[Outcome]]:
         return self.executor.submit(lint_at, self.workplace, task.models, task.errors)
-
-    def _outcomes(self, finished: Future[list[Outcome]]) -> list[Outcome] | None:
-        """Return what came of a task; None if it ended its workers."""
-        if finished.cancelled():
-            self.watch()
-            raise KinlintError("the executor gave up work that it had taken")
-        try:
-            return finished.result()
-        except self.lost:
-            return None
 
 
 def lint_at(
