@@ -37,7 +37,7 @@ do not count. OLD and NEW are files, both directories, whose files are compared 
 name, or REVISION:PATH of the git repository here."""
 
 EPILOG = """\
-Example: kinlint diff HEAD~1:arm.urdf arm.urdf --output-format markdown
+Example: kinlint diff HEAD~1:arm.urdf arm.urdf --format markdown
 Exit code: 0 the same robot; 1 differences; 2 if something cannot be read."""
 
 
@@ -52,7 +52,9 @@ def parser() -> Parser:
     made.add_positionals("paths", "OLD NEW", "files, directories, or REVISION:PATH")
     add = made.add_argument
     add(
+        "--format",
         "--output-format",
+        dest="output_format",
         type=one_of(FORMATS),
         metavar="|".join(FORMATS),
         help="format (default: by the suffix of the output file, or text)",
