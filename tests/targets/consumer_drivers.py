@@ -19,8 +19,9 @@ from typing import Any
 Summary = dict[str, Any]
 """What a consumer made of a file.
 
-`links` has by name the mass in kg, the number of shapes that collide, and the place at the zero
-configuration as 12 numbers of a transform to the base; `joints` has by name the number of degrees
+`links` has by name the mass in kg, the number of shapes that collide, the place at the zero
+configuration as 12 numbers of a transform to the base, the kinds of the shapes, with the scale of
+meshes, and the diagonal of the inertia about the centre of mass in the axes of the link; `joints` has by name the number of degrees
 of freedom, the limits of the first (None if it has none), the greatest effort, and what it is
 coupled to; `floating` tells whether the base moves.
 """
@@ -30,8 +31,23 @@ INFINITE = 1e6
 """Number from which on engines do not mean a limit."""
 
 
-def link(mass=0.0, shapes=0, place=None):
-    return {"mass": mass, "shapes": shapes, "place": place}
+def link(mass=0.0, shapes=0, place=None, kinds=(), inertia=None):  # noqa: PLR0913, PLR0917
+    """Return a link; *kinds* are words, and of meshes the three factors of the scale."""
+    return {
+        "mass": mass,
+        "shapes": shapes,
+        "place": place,
+        "kinds": [kind if isinstance(kind, str) else list(map(float, kind)) for kind in kinds],
+        "inertia": None if inertia is None else list(map(float, inertia)),
+    }
+
+
+def turned(moments, rotation):
+    """Return the diagonal of a tensor of principal *moments* whose axes are those of *rotation*."""
+    import numpy as np
+
+    matrix = np.array(rotation, dtype=float).reshape(3, 3)
+    return np.diag(matrix @ np.diag(moments) @ matrix.T)
 
 
 def joint(freedom, limits=None, effort=None, coupled=0, dynamics=(), axis=None):  # noqa: PLR0913, PLR0917
@@ -60,8 +76,14 @@ def numbers(rotation, position):
     return [float(each) for row in rotation for each in row] + [float(each) for each in position]
 
 
+def scale(points):
+    """Return the signed size of a mesh, by that of the tetrahedron of the fixtures."""
+    return [max((point[at] for point in points), key=abs) / (at + 1) for at in range(3)]
+
+
 def mujoco(path: str) -> Summary:
     import mujoco as mj
+    import numpy as np
 
     model = mj.MjModel.from_xml_path(path)
     data = mj.MjData(model)
@@ -87,7 +109,15 @@ def mujoco(path: str) -> Summary:
         body = model.body(number)
         solid = (model.geom_bodyid == number) & (model.geom_contype > 0)
         place = numbers(data.xmat[number].reshape(3, 3), data.xpos[number])
-        links[body.name] = link(float(body.mass[0]), int(solid.sum()), place)
+        kinds = []
+        for at in solid.nonzero()[0]:
+            kind = mj.mjtGeom(model.geom_type[at]).name.removeprefix("mjGEOM_").lower()
+            mesh = model.geom_dataid[at] if kind == "mesh" else -1
+            kinds.append(kind if mesh < 0 else model.mesh_scale[mesh])
+        axes = np.zeros(9)
+        mj.mju_quat2Mat(axes, body.iquat)
+        inertia = turned(body.inertia, axes)
+        links[body.name] = link(float(body.mass[0]), int(solid.sum()), place, kinds, inertia)
     # What is welded to the world has no joint: only a free joint of the root lets it move.
     return {"links": links, "joints": joints, "floating": "base" in links}
 
@@ -99,7 +129,7 @@ def drake(path: str) -> Summary:
     from pydrake.systems.framework import DiagramBuilder
 
     builder = DiagramBuilder()
-    plant, _ = AddMultibodyPlantSceneGraph(builder, 0.001)
+    plant, graph = AddMultibodyPlantSceneGraph(builder, 0.001)
     Parser(plant).AddModels(path)
     plant.Finalize()
     count = plant.num_constraints()
@@ -133,7 +163,14 @@ def drake(path: str) -> Summary:
         pose = plant.EvalBodyPoseInWorld(context, body)
         shapes = len(plant.GetCollisionGeometriesForBody(body))
         place = numbers(pose.rotation().matrix(), pose.translation())
-        links[body.name()] = link(body.default_mass(), shapes, place)
+        kinds = []
+        for each in plant.GetCollisionGeometriesForBody(body):
+            form = graph.model_inspector().GetShape(each)
+            mesh = type(form).__name__ in {"Mesh", "Convex"}
+            kinds.append(form.scale3() if mesh else type(form).__name__.lower())
+        whole = body.default_spatial_inertia()
+        inertia = whole.Shift(whole.get_com()).CalcRotationalInertia().get_moments()
+        links[body.name()] = link(body.default_mass(), shapes, place, kinds, inertia)
     return {"links": links, "joints": joints, "floating": floating}
 
 
@@ -141,7 +178,9 @@ def pinocchio(path: str) -> Summary:
     import pinocchio as pin
 
     model = pin.buildModelFromUrdf(path)
-    shapes = pin.buildGeomFromUrdf(model, path, pin.GeometryType.COLLISION)
+    shapes = pin.buildGeomFromUrdf(
+        model, path, pin.GeometryType.COLLISION, package_dirs=[os.path.dirname(path)]
+    )
     data = model.createData()
     pin.forwardKinematics(model, data, pin.neutral(model))
     pin.updateFramePlacements(model, data)
@@ -165,8 +204,17 @@ def pinocchio(path: str) -> Summary:
         if frame.type == pin.FrameType.BODY:
             place = data.oMf[index]
             own = [each for each in shapes.geometryObjects if each.parentFrame == index]
+            forms = [type(each.geometry).__name__ for each in own]
+            kinds = [
+                each.meshScale if form.startswith(("BVH", "Convex")) else form.lower()
+                for each, form in zip(own, forms, strict=True)
+            ]
             links[frame.name] = link(
-                float(frame.inertia.mass), len(own), numbers(place.rotation, place.translation)
+                float(frame.inertia.mass),
+                len(own),
+                numbers(place.rotation, place.translation),
+                kinds,
+                model.inertias[frame.parentJoint].inertia.diagonal(),
             )
     fixed = [each.name for each in model.frames if each.type == pin.FrameType.FIXED_JOINT]
     return {
@@ -188,9 +236,14 @@ def pybullet(path: str) -> Summary:
     def add(name, number, position, orientation):
         rotation = bullet.getMatrixFromQuaternion(orientation)
         rows = [rotation[0:3], rotation[3:6], rotation[6:9]]
-        shapes = len(bullet.getCollisionShapeData(body, number))
-        mass = bullet.getDynamicsInfo(body, number)[0]
-        links[name] = link(mass, shapes, numbers(rows, position))
+        shapes = bullet.getCollisionShapeData(body, number)
+        dynamics = bullet.getDynamicsInfo(body, number)
+        names = {bullet.GEOM_BOX: "box", bullet.GEOM_SPHERE: "sphere"}
+        names |= {bullet.GEOM_CYLINDER: "cylinder", bullet.GEOM_CAPSULE: "capsule"}
+        kinds = [names.get(each[2], each[3]) for each in shapes]
+        axes = bullet.getMatrixFromQuaternion(dynamics[4])
+        inertia = turned(dynamics[2], axes)
+        links[name] = link(dynamics[0], len(shapes), numbers(rows, position), kinds, inertia)
 
     base = bullet.getBodyInfo(body)[0].decode()
     add(base, -1, *bullet.getBasePositionAndOrientation(body))
@@ -209,6 +262,7 @@ def pybullet(path: str) -> Summary:
 
 
 def yourdfpy(path: str) -> Summary:
+    import numpy as np
     from yourdfpy import URDF
 
     robot = URDF.load(
@@ -241,17 +295,35 @@ def yourdfpy(path: str) -> Summary:
             shape.geometry is not None and any(vars(shape.geometry).values())
             for shape in one.collisions
         )
-        links[name] = link(mass or 0.0, shapes, numbers(pose[:3, :3], pose[:3, 3]))
+        kinds = [
+            word if word != "mesh" else part.scale if part.scale is not None else (1, 1, 1)
+            for shape in one.collisions
+            for word, part in vars(shape.geometry).items()
+            if part is not None
+        ]
+        place = numbers(pose[:3, :3], pose[:3, 3])
+        inertia = None
+        if one.inertial is not None and one.inertial.inertia is not None:
+            about = np.eye(3) if one.inertial.origin is None else one.inertial.origin[:3, :3]
+            inertia = np.diag(about @ one.inertial.inertia @ about.T)
+        links[name] = link(mass or 0.0, shapes, place, kinds, inertia)
     return {"links": links, "joints": joints, "floating": False}
 
 
 def usd(path: str) -> Summary:
     import urdf_usd_converter
-    from pxr import Usd, UsdGeom, UsdPhysics
+    from pxr import Gf, Usd, UsdGeom, UsdPhysics
 
     def said(prim, name):
         attribute = prim.GetAttribute(name)
         return attribute.Get() if attribute and attribute.HasAuthoredValue() else None
+
+    def kind_of(prim):
+        kind = prim.GetTypeName().lower()
+        if kind in {"cube", "cylinder", "sphere", "capsule"}:
+            return kind.replace("cube", "box")
+        matrix, _ = cache.ComputeRelativeTransform(prim, prim.GetParent())
+        return scale([matrix.Transform(Gf.Vec3d(each)) for each in said(prim, "points")])
 
     def bodies(prim):
         one = UsdPhysics.Joint(prim)
@@ -286,12 +358,18 @@ def usd(path: str) -> Summary:
                 fixed = fixed or (not free and rigid == 1)
             elif prim.IsA(UsdGeom.Xform) and "/Geometry/" in str(prim.GetPath()):
                 matrix = cache.GetLocalToWorldTransform(prim)
-                turned = matrix.ExtractRotationMatrix().GetTranspose()
+                rotation = matrix.ExtractRotationMatrix().GetTranspose()
                 mass = said(prim, "physics:mass")
-                solid = sum(child.HasAPI(UsdPhysics.CollisionAPI) for child in prim.GetChildren())
-                place = numbers(turned, matrix.ExtractTranslation())
+                solid = [each for each in prim.GetChildren() if each.HasAPI(UsdPhysics.CollisionAPI)]
+                kinds = [kind_of(each) for each in solid]
+                moments, axes = (said(prim, f"physics:{x}") for x in ("diagonalInertia", "principalAxes"))
+                inertia = None
+                if moments is not None:
+                    about = Gf.Matrix3d(Gf.Rotation(axes or Gf.Quatf(1))).GetTranspose()
+                    inertia = turned(moments, [each for row in about for each in row])
+                place = numbers(rotation, matrix.ExtractTranslation())
                 # UsdPhysics: a mass of 0 is one that is not said.
-                links[name] = link(mass or -1.0, solid, place)
+                links[name] = link(mass or -1.0, len(solid), place, kinds, inertia)
         return {"links": links, "joints": joints, "floating": not fixed}
 
 
@@ -329,7 +407,17 @@ def newton(path: str) -> Summary:
         rotation = wp.quat_to_matrix(wp.quat(*pose[3:7]))
         place = numbers([[rotation[i, j] for j in range(3)] for i in range(3)], pose[0:3])
         mass = float(builder.body_mass[number])
-        links[label.rpartition("/")[2]] = link(mass, builder.shape_body.count(number), place)
+        own = [at for at, body in enumerate(builder.shape_body) if body == number]
+        forms = [nt.GeoType(builder.shape_type[at]).name.lower() for at in own]
+        kinds = [
+            scale(builder.shape_source[at].vertices * builder.shape_scale[at])
+            if form in {"mesh", "convex_mesh"}
+            else form
+            for at, form in zip(own, forms, strict=True)
+        ]
+        tensor = builder.body_inertia[number]
+        inertia = [tensor[at, at] for at in range(3)]
+        links[label.rpartition("/")[2]] = link(mass, len(own), place, kinds, inertia)
     return {"links": links, "joints": joints, "floating": floating}
 
 

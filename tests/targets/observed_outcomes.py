@@ -119,7 +119,32 @@ def broken(made):
     return "not a number" if any(map(math.isnan, numbers)) else HONOURED
 
 
+def inertial(made, expected):
+    found = upper(made)["inertia"]
+    near = all(abs(a - b) < 1e-6 for a, b in zip(found, expected, strict=True))
+    return HONOURED if near else "from shapes"
+
+
+def shaped(*kinds):
+    """Return what tells whether the link has shapes of these *kinds*."""
+    return lambda made: HONOURED if upper(made)["kinds"] == [*kinds] else "hull"
+
+
 OUTCOMES = {
+    "revolute-joint": lambda made: first((elbow(made)["freedom"] != 1, "fixed")),
+    "prismatic-joint": lambda made: first((elbow(made)["freedom"] != 1, "fixed")),
+    "position-limits": lambda made: ends(made, (-0.5, 0.5)),
+    "effort-limit": lambda made: effort(made, 6),
+    "inertia": lambda made: inertial(made, (0.03, 0.04, 0.05)),
+    "turned-inertial": lambda made: inertial(made, (0.04, 0.03, 0.05)),
+    "box": shaped("box"),
+    "cylinder": shaped("cylinder"),
+    "sphere": shaped("sphere"),
+    "stl-mesh": shaped([1, 1, 1]),
+    "obj-mesh": shaped([1, 1, 1]),
+    "collada-collision": shaped([1, 1, 1]),
+    "scaled-mesh": shaped([0.5, 0.5, 0.5]),
+    "mirrored-mesh": shaped([1, -1, 1]),
     "root-not-joined-to-world": lambda made: "moves" if made["floating"] else "stands",
     "root-fixed-to-world": lambda made: "moves" if made["floating"] else HONOURED,
     "root-with-inertia": lambda made: first(
@@ -159,6 +184,7 @@ OUTCOMES = {
     "negative-effort": lambda made: effort(made, -5),
     "missing-effort": lambda made: effort(made, 9),
     "velocity-limit": lambda made: HONOURED if elbow(made)["speed"] else "ignored",
+    "zero-velocity": lambda made: first((elbow(made)["speed"] is None, "unlimited")),
     "joint-damping": lambda made: HONOURED if elbow(made)["damping"] else "ignored",
     "damping-element": lambda made: HONOURED if elbow(made)["damping"] else "ignored",
     "joint-friction": lambda made: HONOURED if elbow(made)["friction"] else "ignored",

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from targets.consumer_drivers import MODULES
 from targets.observed_outcomes import HONOURED, outcome
-from targets.urdf_fixtures import FIXTURES
+from targets.urdf_fixtures import FIXTURES, MESHES
 
 from kinlint.targets.consumer_files import consumer_table
 from kinlint.targets.version_range import read_version
@@ -34,7 +34,14 @@ MEASURED = sorted(
         if cell.measured and cell.feature in FIXTURES
     }
 )
-UNSEEN = {"safety-controller", "transmission", "declared-version", "unknown-element"}
+UNSEEN = {
+    "declared-version",
+    "gazebo-extension",
+    "ros2-control",
+    "safety-controller",
+    "transmission",
+    "unknown-element",
+}
 """Features of which nothing shows in a robot that is loaded."""
 
 
@@ -46,6 +53,8 @@ def made(consumer, directory):
     if known.returncode:
         return f"{package} is not installed"
     files = {}
+    for name, content in MESHES.items():
+        (directory / name).write_bytes(content)
     for name, text in FIXTURES.items():
         files[name] = directory / f"{name}.urdf"
         files[name].write_text(text, "utf-8")

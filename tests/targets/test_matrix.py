@@ -4,6 +4,7 @@ import json
 from html.parser import HTMLParser
 
 import pytest
+from targets.urdf_fixtures import FIXTURES
 
 from kinlint.cli.main import main
 
@@ -49,6 +50,29 @@ def test_what_all_read_alike_is_told_too(hand, capsys):
     told = capsys.readouterr().out
     assert "quat_xyzw (1)" in told
     assert "quat_xyzw, at" not in told
+
+
+def test_a_healthy_robot_has_rows(tmp_path, monkeypatch, capsys):
+    """Features that no rule reports are told, each with its place."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "arm.urdf").write_text(FIXTURES["plain"], "utf-8")
+    assert main(["targets", "--matrix", "arm.urdf", "--output-format", "json"]) == 0
+    rows = {each["feature"]: each for each in json.loads(capsys.readouterr().out)["features"]}
+    assert rows["revolute-joint"]["places"] == ["arm.urdf:5:16", "arm.urdf:10:16"]
+    assert rows["revolute-joint"]["alike"]
+    assert rows["inertia"]["targets"]["pybullet"]["behaviour"] == "changed"
+    assert {"box", "effort-limit", "position-limits"} <= rows.keys()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("feature", sorted(FIXTURES.keys() - {"plain"}))
+def test_each_feature_has_a_row(feature, tmp_path, capsys):
+    """A rule that reports it has its name, or the vocabulary a query."""
+    (tmp_path / "arm.urdf").write_text(FIXTURES[feature], "utf-8")
+    command = ["targets", "--matrix", str(tmp_path / "arm.urdf"), "--output-format", "json"]
+    assert main(command) == 0
+    rows = json.loads(capsys.readouterr().out)["features"]
+    assert feature in {each["feature"] for each in rows}
 
 
 def test_a_table_is_divided_where_it_is_too_wide(hand, capsys, monkeypatch):

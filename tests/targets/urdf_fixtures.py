@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import struct
+
 INERTIAL = """<inertial><origin xyz="0 0 0.1"/><mass value="2"/>
       <inertia ixx="0.02" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial>"""
 BOX = '<collision><geometry><box size="0.1 0.1 0.2"/></geometry></collision>'
@@ -69,8 +71,71 @@ TURNED = '<origin xyz="0 0 1" quat_xyzw="0 0 0.70710678118654752 0.7071067811865
 MATERIAL = '<visual><geometry><box size="1 1 1"/></geometry><material name="blue"/></visual>'
 MASSIVE = f'<link name="base">{INERTIAL}{BOX}</link>'
 
+UNLIKE = """<inertial><origin xyz="0 0 0.1" rpy="{}"/><mass value="2"/>
+      <inertia ixx="0.03" iyy="0.04" izz="0.05" ixy="0" ixz="0" iyz="0"/></inertial>"""
+CORNERS = ((0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3))
+FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+OBJ = "".join(
+    [f"v {x} {y} {z}\n" for x, y, z in CORNERS]
+    + [f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in FACES]
+)
+"""A tetrahedron."""
+MESHES = {
+    "tetrahedron.obj": OBJ.encode(),
+    "tetrahedron.stl": bytes(80)
+    + struct.pack("<I", len(FACES))
+    + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *(number for at in face for number in CORNERS[at]), 0)
+        for face in FACES
+    ),
+}
+"""Meshes that files name, beside them."""
+NUMBERS = " ".join(str(number) for corner in CORNERS for number in corner)
+MESHES["tetrahedron.dae"] = f"""<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><unit meter="1"/><up_axis>Z_UP</up_axis></asset>
+  <library_geometries><geometry id="g"><mesh>
+    <source id="p"><float_array id="a" count="12">{NUMBERS}</float_array><technique_common>
+      <accessor source="#a" count="4" stride="3"><param name="X" type="float"/>
+        <param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+    </technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/>
+      <p>{" ".join(str(at) for face in FACES for at in face)}</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node>
+  </visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+""".encode()
+
+
+def mesh(suffix: str, scale: str = "1 1 1") -> str:
+    """Return an arm with a mesh that collides."""
+    return robot(shapes=shape(f'<mesh filename="tetrahedron.{suffix}" scale="{scale}"/>'))
+
+
 FIXTURES = {
     "plain": robot(),
+    "revolute-joint": robot(),
+    "prismatic-joint": robot(kind="prismatic"),
+    "position-limits": robot(limit=limit(lower=-0.5, upper=0.5)),
+    "effort-limit": robot(limit=limit(effort=6)),
+    "inertia": robot(inertial=UNLIKE.format("0 0 0")),
+    "turned-inertial": robot(inertial=UNLIKE.format("0 0 1.5707963267948966")),
+    "box": robot(),
+    "cylinder": robot(shapes=shape('<cylinder radius="0.1" length="0.3"/>')),
+    "sphere": robot(shapes=shape('<sphere radius="0.1"/>')),
+    "stl-mesh": mesh("stl"),
+    "obj-mesh": mesh("obj"),
+    "collada-collision": mesh("dae"),
+    "scaled-mesh": mesh("obj", "0.5 0.5 0.5"),
+    "mirrored-mesh": mesh("obj", "1 -1 1"),
+    "gazebo-extension": robot('<gazebo reference="upper"><mu1>0.1</mu1></gazebo>'),
+    "ros2-control": robot(
+        """<ros2_control name="arm" type="system"><hardware><plugin>acme/Arm</plugin></hardware>
+  <joint name="elbow"><command_interface name="position"/></joint></ros2_control>"""
+    ),
     "root-not-joined-to-world": robot(base=MASSIVE),
     "root-fixed-to-world": robot(
         '<link name="world"/>',
@@ -121,6 +186,7 @@ FIXTURES = {
     "equal-limits": robot(limit=limit(lower=0.5, upper=0.5)),
     "missing-upper-limit": robot(limit=limit(upper=None)),
     "zero-effort": robot(limit=limit(effort=0)),
+    "zero-velocity": robot(limit=limit(velocity=0)),
     "negative-effort": robot(limit=limit(effort=-5)),
     "missing-effort": robot(limit=limit(effort=None)),
     "infinite-limit": robot(limit=limit(upper="inf")),

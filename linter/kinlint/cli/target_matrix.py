@@ -11,12 +11,17 @@ from pathlib import Path
 from typing import TextIO
 
 from kinlint import lint
+from kinlint.catalogue.repair_file import prefixes
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
+from kinlint.engine.store import token
 from kinlint.errors import UsageError
+from kinlint.text import Location
+from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.companions import pair
 from kinlint.light_dataclasses import replace
+from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.feature_matrix import FeatureMatrix
 from kinlint.reporters.matrix_table import table
 from kinlint.reporters.reporter_registry import put
@@ -58,7 +63,20 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     examined = lint.examine(pair(sources, settings), (), settings, book)
     for error in examined.report.errors:
         raise error
-    return FeatureMatrix.from_findings(examined.builder.brief(), targets)
+    found = ((each.feature, each.location) for each in examined.builder.brief())
+    return FeatureMatrix.of([*found, *_written(examined)], targets)
+
+
+def _written(examined: Examination) -> Iterator[tuple[str, Location]]:
+    """Yield the features that no rule reports, each with a place."""
+    locator = Locator(examined.documents, examined.store)
+    heads = "".join(f"PREFIX {name}: <{space}> " for name, space in prefixes().items())
+    for name, feature in consumer_table().features.items():
+        if feature.query:
+            for row in examined.store.query(heads + feature.query):
+                place = locator.node(token(row["place"]))
+                if place is not None:
+                    yield name, place
 
 
 def _targets(names: Sequence[str]) -> Sequence[Target]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
-from kinlint.finding import Finding
+from kinlint.text import Location
 from kinlint.targets.chosen_target import Target
 from kinlint.targets.consumer import Cell, Feature
 from kinlint.targets.consumer_files import consumer_table
@@ -36,15 +36,16 @@ class FeatureMatrix(NamedTuple):
     """The rows: what consumers read differently comes first, then by name."""
 
     @classmethod
-    def from_findings(cls, findings: Iterable[Finding], targets: Sequence[Target]) -> FeatureMatrix:
-        """Return the matrix of the features that *findings* found, by *targets*."""
+    def of(
+        cls, written: Iterable[tuple[str, Location]], targets: Sequence[Target]
+    ) -> FeatureMatrix:
+        """Return the matrix of the features *written* at places, by *targets*."""
         table = consumer_table()
         found: dict[str, dict[tuple[str, int, int], None]] = {}
-        for each in findings:
-            if each.feature in table.features:
-                where = each.location
+        for name, where in written:
+            if name in table.features:
                 place = where.source.name, where.start.line, where.start.column
-                found.setdefault(each.feature, {})[place] = None
+                found.setdefault(name, {})[place] = None
         rows = [
             _row(table.features[name], sorted(places), targets) for name, places in found.items()
         ]

@@ -98,6 +98,7 @@ class _Reader:
             self._one(node, "rdfs:label"),
             self._one(node, "rdfs:comment"),
             tuple(Alternative(label, feature.removeprefix(FEATURE)) for _, label, feature in ways),
+            next(iter(self._all(node, "sh:select")), ""),
         )
 
     def _consumer(self, node: str) -> Consumer:
