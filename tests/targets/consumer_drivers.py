@@ -14,6 +14,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Mapping
 from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 Summary = dict[str, Any]
@@ -21,9 +22,9 @@ Summary = dict[str, Any]
 
 `links` has by name the mass in kg, the number of shapes that collide, the place at the zero
 configuration as 12 numbers of a transform to the base, the kinds of the shapes, with the scale of
-meshes, and the diagonal of the inertia about the centre of mass in the axes of the link; `joints` has by name the number of degrees
-of freedom, the limits of the first (None if it has none), the greatest effort, and what it is
-coupled to; `floating` tells whether the base moves.
+meshes, and the diagonal of the inertia about the centre of mass in the axes of the link;
+`joints` has by name the number of degrees of freedom, the limits of the first (None if it has
+none), the greatest effort, and what it is coupled to; `floating` tells whether the base moves.
 """
 
 
@@ -31,7 +32,7 @@ INFINITE = 1e6
 """Number from which on engines do not mean a limit."""
 
 
-def link(mass=0.0, shapes=0, place=None, kinds=(), inertia=None):  # noqa: PLR0913, PLR0917
+def link(mass=0.0, shapes=0, place=None, kinds=(), inertia=None):
     """Return a link; *kinds* are words, and of meshes the three factors of the scale."""
     return {
         "mass": mass,
@@ -179,7 +180,7 @@ def pinocchio(path: str) -> Summary:
 
     model = pin.buildModelFromUrdf(path)
     shapes = pin.buildGeomFromUrdf(
-        model, path, pin.GeometryType.COLLISION, package_dirs=[os.path.dirname(path)]
+        model, path, pin.GeometryType.COLLISION, package_dirs=[str(Path(path).parent)]
     )
     data = model.createData()
     pin.forwardKinematics(model, data, pin.neutral(model))
@@ -360,9 +361,13 @@ def usd(path: str) -> Summary:
                 matrix = cache.GetLocalToWorldTransform(prim)
                 rotation = matrix.ExtractRotationMatrix().GetTranspose()
                 mass = said(prim, "physics:mass")
-                solid = [each for each in prim.GetChildren() if each.HasAPI(UsdPhysics.CollisionAPI)]
+                solid = [
+                    each for each in prim.GetChildren() if each.HasAPI(UsdPhysics.CollisionAPI)
+                ]
                 kinds = [kind_of(each) for each in solid]
-                moments, axes = (said(prim, f"physics:{x}") for x in ("diagonalInertia", "principalAxes"))
+                moments, axes = (
+                    said(prim, f"physics:{x}") for x in ("diagonalInertia", "principalAxes")
+                )
                 inertia = None
                 if moments is not None:
                     about = Gf.Matrix3d(Gf.Rotation(axes or Gf.Quatf(1))).GetTranspose()

@@ -17,7 +17,6 @@ from kinlint.cli.model_inputs import find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
 from kinlint.engine.store import token
 from kinlint.errors import UsageError
-from kinlint.text import Location
 from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.companions import pair
 from kinlint.light_dataclasses import replace
@@ -28,6 +27,7 @@ from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.targets.chosen_target import Target, chosen_targets
 from kinlint.targets.consumer_files import consumer_table
+from kinlint.text import Location
 
 WIDE = 120
 """Number of columns of a table that goes to a file."""

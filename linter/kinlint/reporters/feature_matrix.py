@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
-from kinlint.text import Location
 from kinlint.targets.chosen_target import Target
 from kinlint.targets.consumer import Cell, Feature
 from kinlint.targets.consumer_files import consumer_table
 from kinlint.targets.portability import Portability
+from kinlint.text import Location
 
 
 class FeatureRow(NamedTuple):
