@@ -10,6 +10,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TextIO
 
+import pyoxigraph as ox
+
 from kinlint import lint
 from kinlint.catalogue.repair_file import prefixes
 from kinlint.cli.check_options import STDOUT
@@ -63,8 +65,8 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     examined = lint.examine(pair(sources, settings), (), settings, book)
     for error in examined.report.errors:
         raise error
-    found = ((each.feature, each.location) for each in examined.builder.brief())
-    return FeatureMatrix.of([*found, *_written(examined)], targets)
+    reported = ((each.feature, each.location) for each in examined.builder.brief())
+    return FeatureMatrix.of([*reported, *_written(examined)], targets)
 
 
 def _written(examined: Examination) -> Iterator[tuple[str, Location]]:
@@ -73,7 +75,9 @@ def _written(examined: Examination) -> Iterator[tuple[str, Location]]:
     heads = "".join(f"PREFIX {name}: <{space}> " for name, space in prefixes().items())
     for name, feature in consumer_table().features.items():
         if feature.query:
-            for row in examined.store.query(heads + feature.query):
+            solutions = examined.store.query(heads + feature.query)
+            assert isinstance(solutions, ox.QuerySolutions)
+            for row in solutions:
                 place = locator.node(token(row["place"]))
                 if place is not None:
                     yield name, place
