@@ -232,3 +232,13 @@ def test_the_command_suggests(capsys):
     """A slip is no error without help."""
     assert main(["targets", "mujco"]) == 2
     assert "unknown target 'mujco', did you mean 'mujoco'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("target", "expected"),
+    [("gazebo-classic", "refused"), ("gazebo-sim@6", "honoured"), ("sdformat@11", "refused")],
+)
+def test_readers_of_older_sdf_reject_newer_files(target, expected):
+    """Each release of libsdformat has a version of SDF, and converts older ones to it."""
+    (reading,) = Portability.of("sdf-1.9", chosen_targets([target])).readings
+    assert reading.cell.behaviour.name == expected
