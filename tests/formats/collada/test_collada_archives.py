@@ -69,8 +69,9 @@ def test_an_archive_is_never_written() -> None:
         (packed({"manifest.xml": manifest("../a.dae"), "a.dae": ROBOT}), "leads out"),
         (packed({"manifest.xml": manifest("/a.dae"), "a.dae": ROBOT}), "leads out"),
         (packed({"manifest.xml": manifest("file:/a.dae"), "a.dae": ROBOT}), "leads out"),
+        (packed({"a.dae": ROBOT, "../../a.sh": ""}), "leads out"),
     ],
-    ids=range(10),  # archives have the time in them, and all processes of a run need the same ids
+    ids=range(11),  # archives have the time in them, and all processes of a run need the same ids
 )
 def test_what_is_no_archive_with_a_document_is_told(data: bytes, cause: str) -> None:
     with pytest.raises(SourceError, match=cause) as raised:

@@ -113,3 +113,11 @@ def test_a_package_is_not_unpacked(tmp_path: Path) -> None:
 
     with pytest.raises(SourceError, match="is compressed, which packages of USD are not"):
         document(bomb)
+
+
+@pytest.mark.parametrize("path", ["../x.sh", "/etc/x", "..\\x", "a/../../x", "C:/x"])
+def test_members_that_lead_out_are_refused(path: str, tmp_path: Path) -> None:
+    package = packed(tmp_path / "a.usdz", {"a.usda": TEXT.encode(), path: b""})
+
+    with pytest.raises(SourceError, match="leads out of the archive"):
+        document(package)

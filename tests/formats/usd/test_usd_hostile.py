@@ -13,6 +13,9 @@ from kinlint.document import Document
 from kinlint.errors import SourceError
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
+from kinlint.formats.usd.usda_parser import parse
+from kinlint.formats.usd.usda_scanner import MalformedLayer
+from kinlint.text import SourceText
 
 
 def prim(name: str, *metadata: str, content: str = "") -> str:
@@ -106,3 +109,49 @@ def test_long_chains_of_references_end(tmp_path: Path) -> None:
 
     assert isinstance(answer, SourceError)
     assert answer.cause == "more than 60 arcs lead from one to the next"
+
+
+def assigned(name: str, item: str, count: int) -> str:
+    return f"{name} = [{', '.join([item] * count)}]"
+
+
+REFUSED = {
+    "operations": ("xformOpOrder", assigned("token[] xformOpOrder", '"xformOp:scale"', 6_000)),
+    "targets": ("'r' has more than", assigned("rel r", "</a>", 6_000)),
+    "properties": ("more than 2000 properties", "\n".join(f"int i{n}" for n in range(2_001))),
+    "words": ("over 100000 members", assigned("token[] t", '""', 100_001)),
+    "depth": ("nested more than", "int[] i = " + "[" * 300),
+    "a number": ("over 1000 characters", f"double d = {'9' * 1_001}"),
+    "a path": ("over 4000 characters", f"rel r = </{'a/' * 2_001}a>"),
+}
+
+
+@pytest.mark.parametrize(("cause", "content"), REFUSED.values(), ids=REFUSED)
+def test_what_no_scene_has_is_refused_where_it_is(cause: str, content: str, tmp_path: Path) -> None:
+    answer = answered(written(tmp_path, {"a.usda": layer(prim("a", content=content))}))
+
+    assert isinstance(answer, SourceError)
+    assert cause in answer.cause
+    assert answer.line is not None
+    assert answer.line > 7
+
+
+@pytest.mark.parametrize("end", ["x]", "(1, 2 3)]", "}", '"a"]', ""])
+def test_arrays_are_broken_at_the_member_that_is(end: str) -> None:
+    points = "(1, 2, 3),\n" * 100 + "# a\n(4, 5e-1, -.6),\n" * 50
+    text = layer(f'def Mesh "m"\n{{\n    point3f[] points = [{points}{end}\n}}')
+
+    with pytest.raises(MalformedLayer) as raised:
+        parse(SourceText("mesh.usda", text))
+    assert text.count("\n", 0, raised.value.span.start) >= 208
+
+
+def test_sublayers_that_lead_back_are_told(tmp_path: Path) -> None:
+    layers = {
+        f"{name}.usda": layer(prim("p"), more=f"    subLayers = [@{below}.usda@]")
+        for name, below in ("ab", "bc", "ca")
+    }
+    answer = answered(written(tmp_path, layers))
+
+    assert isinstance(answer, Document)
+    assert list(values(answer, "reason").values()) == ["it leads back to where it stands"]

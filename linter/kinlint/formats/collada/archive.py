@@ -13,6 +13,7 @@ from posixpath import normpath
 from urllib.parse import unquote
 
 from kinlint.errors import SourceError
+from kinlint.formats.archive_members import leads_out, refuse_members_outside
 from kinlint.formats.recognition import with_format
 from kinlint.formats.xml import encoding
 from kinlint.light_dataclasses import replace
@@ -50,6 +51,7 @@ def _unpacked(name: str, data: bytes) -> tuple[str, bytes]:
             members = {each.filename: each for each in archive.infolist()}
             if len(archive.infolist()) > MOST_MEMBERS:
                 raise SourceError(name, f"the archive has more than {MOST_MEMBERS} files", 1, 1)
+            refuse_members_outside(name, archive)
             path = _document(name, archive, members)
             return path, _content(name, archive, members[path], LARGEST_DOCUMENT)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
@@ -67,7 +69,7 @@ def _document(name: str, archive: zipfile.ZipFile, members: dict[str, zipfile.Zi
             raise SourceError(name, f"{MANIFEST} has no <dae_root>", 1, 1)
         written = found[1].decode("utf-8", "replace").strip()
         path = normpath(unquote(written.partition("#")[0]))
-        if path.startswith(("/", "..")) or ":" in path:
+        if leads_out(path):
             raise SourceError(name, f"{MANIFEST} leads out of the archive: '{written}'", 1, 1)
         if path not in members:
             raise SourceError(name, f"{MANIFEST} names '{written}', which is not there", 1, 1)

@@ -15,6 +15,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from kinlint.errors import SourceError
+from kinlint.formats.archive_members import refuse_members_outside
 from kinlint.formats.decoding import decode as decoded
 from kinlint.formats.usd.format import CRATE, NEEDED, PACKAGE, USD
 from kinlint.text import SourceText
@@ -65,6 +66,7 @@ def _archive(name: str, data: bytes) -> zipfile.ZipFile:
         raise SourceError(name, f"not a package of USD: {error}", 1, 1) from None
     if not 0 < len(archive.infolist()) <= MOST_MEMBERS:
         raise SourceError(name, f"a package of {len(archive.infolist())} files", 1, 1)
+    refuse_members_outside(name, archive)
     return archive
 
 
@@ -78,8 +80,14 @@ def _member(name: str, archive: zipfile.ZipFile, path: str, original: bytes) -> 
         data = archive.read(info)
     except (zipfile.BadZipFile, ValueError, EOFError, OSError) as error:
         raise SourceError(name, f"{path} cannot be read: {error}", 1, 1) from None
-    is_crate = data.startswith(CRATE)
-    text = _crate_text(name, data) if is_crate else decoded("layer.usda", data).text
+    if data.startswith(CRATE):
+        text = _crate_text(name, data)
+    else:
+        try:
+            text = decoded("layer.usda", data).text
+        except SourceError as error:
+            cause = f"{path}: {error.cause}"
+            raise SourceError(name, cause, error.line, error.column) from None
     return SourceText(name, text, encoding="", original=original, format=USD)
 
 

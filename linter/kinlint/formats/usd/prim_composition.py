@@ -57,17 +57,19 @@ class Composer:
     def _stack(self, layer: Layer) -> Stack:
         """Return *layer* with its sublayers, strongest first, each once."""
         found: dict[Layer, None] = {}
+        around: list[Layer] = []
 
         def add(at: Layer) -> None:
-            if at in found:
-                return
             found[at] = None
+            around.append(at)
             for given in at.root.metadata:
-                if given.name == "subLayers":
-                    for item in given.value.items:
-                        below = self.layers.follow(item.text, at, item)
-                        if below is not None:
-                            add(below)
+                for item in listed(given.value) if given.name == "subLayers" else ():
+                    below = self.layers.follow(item.text, at, item)
+                    if below in around:
+                        self.cycles.append((at, item))
+                    elif below is not None and below not in found:
+                        add(below)
+            around.pop()
 
         add(layer)
         return tuple(found)

@@ -11,7 +11,7 @@ from functools import cache
 from typing import TypeAlias
 
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.formats.usd.layer_opinions import Opinions, opinions_of, specs
+from kinlint.formats.usd.layer_opinions import Opinions, specs
 from kinlint.formats.usd.prim_schemas import (
     PropertyType,
     base_types,
@@ -61,9 +61,10 @@ TYPES = (
 """Types that one that is not known is compared with."""
 
 
-def state_deviations(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer) -> None:
+def state_deviations(
+    root: Prim, node_of: Mapping[Prim, Term], opinions: Mapping[str, Opinions], layer: SourceLayer
+) -> None:
     """State where the layer *root*, whose prims have the nodes *node_of*, departs from schemas."""
-    opinions = opinions_of(root)
     whole = _Check(root, node_of[root], Opinions("", (), whole=True), layer)
     axis = root.field("upAxis")
     if axis is not None:

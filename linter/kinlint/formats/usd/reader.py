@@ -11,6 +11,7 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.format import USD
+from kinlint.formats.usd.layer_opinions import opinions_of
 from kinlint.formats.usd.layer_statements import LayerStatements
 from kinlint.formats.usd.mesh_counts import state_mesh_counts
 from kinlint.formats.usd.physics_statements import PhysicsStatements
@@ -63,11 +64,12 @@ def read_layer(source: SourceText) -> Layer:
     layer.state_file(USD.name, source.name, Span(0, len(source.text)))
     said = LayerStatements(source, graph, layer)
     said.state(root)
-    state_deviations(root, said.node_of, layer)
-    state_dangling(root, said.node_of, layer)
+    opinions = opinions_of(root)
+    state_deviations(root, said.node_of, opinions, layer)
+    state_dangling(root, said.node_of, opinions, layer)
     state_mesh_counts(source.text, root, said.node_of, layer)
     state_suppressions(source.text, root, layer)
-    state_unread_operations(root, said.node_of, layer)
+    state_unread_operations(root, said.node_of, opinions, layer)
     place = said.nodes[root_of(graph)].best
     layer.triples[root_of(graph), src("describedIn"), graph] = place
     for space in (f"{graph[1:-1]}#/", f"{graph[1:-1]}#"):

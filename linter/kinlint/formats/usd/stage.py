@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinlint.errors import SourceError
 from kinlint.formats.usd.list_operations import changed
 from kinlint.formats.usd.prim_composition import Composer
 from kinlint.formats.usd.prim_paths import absolute_path, joined
@@ -145,7 +146,7 @@ class StagePrim:
 class Stage:
     """The stage that *composer* composes.
 
-    Prims that are not active are left out, with all below them.
+    Prims that are not active are left out, with all below them. Raises SourceError for too many.
     """
 
     def __init__(self, composer: Composer) -> None:
@@ -154,7 +155,10 @@ class Stage:
         self.prims: dict[str, StagePrim] = {"/": self.root}
         """Prims by their paths."""
         pending = [self.root]
-        while pending and len(self.prims) <= MOST_PRIMS:
+        while pending:
+            if len(self.prims) > MOST_PRIMS:
+                source = composer.layers.root.document.source
+                raise SourceError(source.name, f"a stage of more than {MOST_PRIMS} prims", 1, 1)
             at = pending.pop()
             at.children = list(self._children(at))
             pending += at.children[::-1]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.formats.usd.layer_opinions import Opinions, opinions_of, specs
+from kinlint.formats.usd.layer_opinions import Opinions, specs
 from kinlint.formats.usd.prim_paths import absolute_path, ancestors
 from kinlint.formats.usd.usda_syntax import Prim, Value
 from kinlint.suggestion import nearest
@@ -21,9 +21,10 @@ MOST_EXPLAINED = 200
 """Most paths of a layer for which another one is suggested."""
 
 
-def state_dangling(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer) -> None:
+def state_dangling(
+    root: Prim, node_of: Mapping[Prim, Term], opinions: Mapping[str, Opinions], layer: SourceLayer
+) -> None:
     """State the targets in the layer *root*, whose prims have the nodes *node_of*."""
-    opinions = opinions_of(root)
     layered = any(each.name == "subLayers" for each in root.metadata)
     if layered or any(each.specifier == "over" for each in root.children):
         return

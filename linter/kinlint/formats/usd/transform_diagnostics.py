@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from kinlint.formats.source_layer import SourceLayer
-from kinlint.formats.usd.layer_opinions import opinions_of, specs
+from kinlint.formats.usd.layer_opinions import Opinions, specs
 from kinlint.formats.usd.prim_schemas import base_types, prim_schemas
 from kinlint.formats.usd.usda_syntax import Prim, Property, Value
 from kinlint.terms import Term, literal
@@ -18,13 +18,14 @@ RESET = "!resetXformStack!"
 PLACED = "Xformable"
 
 
-def state_unread_operations(root: Prim, node_of: Mapping[Prim, Term], layer: SourceLayer) -> None:
+def state_unread_operations(
+    root: Prim, node_of: Mapping[Prim, Term], opinions: Mapping[str, Opinions], layer: SourceLayer
+) -> None:
     """State the operations in the layer *root*, whose prims have the nodes *node_of*.
 
     An order that stands beside operations is in force for them. Without one, nothing is told of a
     prim to which other layers, classes or references may give one.
     """
-    opinions = opinions_of(root)
     ordered = {path for path, prim in specs(root) if _order(prim) is not None}
     classes = tuple(f"/{each.name}" for each in root.children if each.specifier == "class")
     for path, prim in specs(root):

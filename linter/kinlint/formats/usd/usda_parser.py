@@ -7,7 +7,7 @@ keep their spelling.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sized
 
 from kinlint.formats.usd.usda_scanner import MalformedLayer, Scanner, unquoted
 from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
@@ -16,6 +16,13 @@ from kinlint.text import SourceText, Span
 HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
 LATEST = (1, 4)
 """Version of the text format that is read."""
+
+MOST_PRIMS = 100_000
+MOST_PROPERTIES = 2_000
+MOST_TARGETS = 5_000
+MOST_ITEMS = 100_000
+"""Most prims of a layer, properties or metadata of one, targets of a relationship or operations of
+a transform, and members of another list that are no numbers."""
 
 SPECIFIERS = frozenset({"def", "over", "class"})
 OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
@@ -63,6 +70,9 @@ class _Parser(Scanner):
 
     def _prim(self) -> Prim:
         self.enter()
+        self.prims += 1
+        if self.prims > MOST_PRIMS:
+            self.refuse(f"a layer of more than {MOST_PRIMS} prims")
         start, specifier = self.at, self.word
         self.advance()
         type_name, type_span = "", None
@@ -101,6 +111,11 @@ class _Parser(Scanner):
             self._skip_reorder()
         else:
             prim.properties.append(self._property())
+            self._bound(prim.properties, "properties")
+
+    def _bound(self, found: Sized, what: str) -> None:
+        if len(found) > MOST_PROPERTIES:
+            self.refuse(f"one prim or property has more than {MOST_PROPERTIES} {what}")
 
     def _skip_reorder(self) -> None:
         self.advance()
@@ -158,6 +173,9 @@ class _Parser(Scanner):
         if self.word == "=":
             self.advance()
             found.value = self._value()
+            names = found.type_name == "rel" or found.name == "xformOpOrder"
+            if names and len(found.value.items) > MOST_TARGETS:
+                self.refuse(f"'{found.name}' has more than {MOST_TARGETS} members")
         elif suffix or operation:
             self.fail("expected '='")
         if self.word == "(":
@@ -178,6 +196,7 @@ class _Parser(Scanner):
         self.enter()
         self.expect("(")
         while self.word != ")" or self.kind != "mark":
+            self._bound(into, "metadata")
             if not self.kind:
                 self.fail("expected ')'")
             if self.kind == "string":
@@ -185,6 +204,8 @@ class _Parser(Scanner):
                 into.append(Field("documentation", value.span, value))
             else:
                 into.append(self._field())
+            if len(into[-1].value.items) > MOST_PROPERTIES:
+                self.refuse(f"'{into[-1].name}' has more than {MOST_PROPERTIES} members")
             self.separate(")")
         self.advance()
         self.depth -= 1
@@ -200,11 +221,14 @@ class _Parser(Scanner):
 
     def _value(self) -> Value:
         start, kind = self.at, self.kind
-        if kind == "mark" and self.word in _BRACKETS:
+        is_cut = kind == "bulk" and self.word[-1] != "]"
+        if is_cut or (kind == "mark" and self.word in _BRACKETS):
             self.enter()
-            reader: Callable[[_Parser], Value] = _BRACKETS[self.word]
+            reader: Callable[[_Parser], Value] = _BRACKETS[self.word[0]]
             found = reader(self)
             found.span = Span(start, self.end)
+            if is_cut:
+                found = Value("bulk", "", found.span)
             self.depth -= 1
             return found
         if not kind or kind == "mark":
@@ -226,9 +250,14 @@ class _Parser(Scanner):
 
     def _sequence(self, kind: str, closing: str) -> Value:
         found = Value(kind, "", Span(self.at, self.at))
+        is_cut = self.kind == "bulk"
         self.advance()
         while self.word != closing or self.kind != "mark":
+            if is_cut and self.kind not in ("number", "mark"):
+                self.fail("expected a number")
             found.items.append(self._value())
+            if len(found.items) > MOST_ITEMS:
+                self.refuse(f"a list has over {MOST_ITEMS} members that are no plain numbers")
             if self.word == ",":
                 self.advance()
             elif self.word != closing:

@@ -11,12 +11,17 @@ from kinlint.text import SourceText, Span
 MOST_DEEP = 200
 MOST_STATEMENTS = 1_000_000
 LONGEST_NAME = 4_000
+LONGEST_NUMBER = 1_000
 
 
 _SPACE = re.compile(r"(?:[ \t\r\n]++|#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/)*+")
+_GAP = r"\s*+(?:\#[^\n]*+\s*+)*+"
+_PLAIN = r"-?+(?:\d++(?:\.\d*+)?+(?:[eE][-+]?\d++)?+|\.\d++(?:[eE][-+]?\d++)?+|inf|nan)"
+_ROW = rf"\({_GAP}{_PLAIN}(?:{_GAP},{_GAP}{_PLAIN})*+{_GAP}\)"
+_ELEMENT = rf"(?:{_PLAIN}|{_ROW}|\({_GAP}{_ROW}(?:{_GAP},{_GAP}{_ROW})*+{_GAP}\))"
 _TOKEN = re.compile(
     r"""
-      (?P<bulk>\[[\d\s.,()+\-einfa]{40,}+\])
+      (?P<bulk>\[(?=[\d\s.,()+\-einfa]{40})GAP(?:ELEMENT GAP(?:,GAP|(?=\])))*+\]?+)
     | (?P<string>\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+\"{3}|'{3}(?:[^'\\]|\\(?s:.)|'(?!''))*+'{3}
         |"(?!"")(?:[^"\\\n]|\\(?s:.))*+"|'(?!'')(?:[^'\\\n]|\\(?s:.))*+'|""(?!")|''(?!'))
     | (?P<asset>@@@(?s:.*?)@@@(?!@)|@(?!@@)[^@\n]*+@)
@@ -24,12 +29,14 @@ _TOKEN = re.compile(
     | (?P<number>-?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?(?![\w.])|-?(?:inf|nan)(?!\w))
     | (?P<name>[^\W\d]\w*+(?:::?\w++)*+(?:\.[^\W\d]\w*+)?+)
     | (?P<mark>[()\[\]{}=,;:.])
-    """,
+    """.replace("ELEMENT", _ELEMENT).replace("GAP", _GAP),
     re.VERBOSE,
 )
+"""Tokens. A long array of numbers is one, up to its end or to the member that is no such thing."""
 _ESCAPE = re.compile(r"\\(x[0-9a-fA-F]{1,2}|[0-7]{1,3}|(?s:.))")
 _ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v", "\n": ""}
 _END = "the end of the file"
+_LONGEST = {"name": LONGEST_NAME, "path": LONGEST_NAME, "number": LONGEST_NUMBER}
 
 
 class MalformedLayer(Exception):
@@ -53,7 +60,7 @@ class Scanner:
         self.fresh = True
         """True if a line break stands before the current token."""
         self.stop = 0
-        self.depth = self.count = 0
+        self.depth = self.count = self.prims = 0
 
     def advance(self) -> None:
         """Go to the next token."""
@@ -70,6 +77,9 @@ class Scanner:
             self.stop = start
             return
         self.kind, self.word, self.stop = found.lastgroup or "", found[0], found.end()
+        longest = _LONGEST.get(self.kind)
+        if longest is not None and self.stop - start > longest:
+            self.refuse(f"a {self.kind} has over {longest} characters")
 
     def _unknown(self, start: int) -> NoReturn:
         """Say what is wrong with a character that begins no token."""
@@ -111,11 +121,12 @@ class Scanner:
         self.depth += 1
         self.count += 1
         if self.depth > MOST_DEEP:
-            self._refuse(f"blocks and values are nested more than {MOST_DEEP} deep")
+            self.refuse(f"blocks and values are nested more than {MOST_DEEP} deep")
         if self.count > MOST_STATEMENTS:
-            self._refuse(f"more than {MOST_STATEMENTS} statements and values")
+            self.refuse(f"more than {MOST_STATEMENTS} statements and values")
 
-    def _refuse(self, cause: str) -> NoReturn:
+    def refuse(self, cause: str) -> NoReturn:
+        """Raise SourceError at the current token for what no scene has."""
         line, column = self.source.position(self.at)
         raise SourceError(self.source.name, cause, line, column)
 
@@ -125,7 +136,7 @@ class Scanner:
             self.fail(f"expected {what} in quotes")
         text, span = unquoted(self.word), Span(self.at, self.stop)
         if len(text) > LONGEST_NAME:
-            self._refuse(f"a name has over {LONGEST_NAME} characters")
+            self.refuse(f"a name has over {LONGEST_NAME} characters")
         self.advance()
         return text, span
 
