@@ -7,7 +7,7 @@ keep their spelling.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sized
+from collections.abc import Callable, Collection
 
 from kinlint.formats.usd.usda_scanner import MalformedLayer, Scanner, unquoted
 from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
@@ -16,13 +16,6 @@ from kinlint.text import SourceText, Span
 HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
 LATEST = (1, 4)
 """Version of the text format that is read."""
-
-MOST_PRIMS = 100_000
-MOST_PROPERTIES = 2_000
-MOST_TARGETS = 5_000
-MOST_ITEMS = 100_000
-"""Most prims of a layer, properties or metadata of one, targets of a relationship or operations of
-a transform, and members of another list that are no numbers."""
 
 SPECIFIERS = frozenset({"def", "over", "class"})
 OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
@@ -71,8 +64,7 @@ class _Parser(Scanner):
     def _prim(self) -> Prim:
         self.enter()
         self.prims += 1
-        if self.prims > MOST_PRIMS:
-            self.refuse(f"a layer of more than {MOST_PRIMS} prims")
+        self.bound(self.prims, "the layer", "prims")
         start, specifier = self.at, self.word
         self.advance()
         type_name, type_span = "", None
@@ -111,11 +103,7 @@ class _Parser(Scanner):
             self._skip_reorder()
         else:
             prim.properties.append(self._property())
-            self._bound(prim.properties, "properties")
-
-    def _bound(self, found: Sized, what: str) -> None:
-        if len(found) > MOST_PROPERTIES:
-            self.refuse(f"one prim or property has more than {MOST_PROPERTIES} {what}")
+            self.bound(len(prim.properties), "a prim", "properties")
 
     def _skip_reorder(self) -> None:
         self.advance()
@@ -174,8 +162,8 @@ class _Parser(Scanner):
             self.advance()
             found.value = self._value()
             names = found.type_name == "rel" or found.name == "xformOpOrder"
-            if names and len(found.value.items) > MOST_TARGETS:
-                self.refuse(f"'{found.name}' has more than {MOST_TARGETS} members")
+            if names:
+                self.bound(len(found.value.items), f"'{found.name}'", "targets or operations")
         elif suffix or operation:
             self.fail("expected '='")
         if self.word == "(":
@@ -196,7 +184,7 @@ class _Parser(Scanner):
         self.enter()
         self.expect("(")
         while self.word != ")" or self.kind != "mark":
-            self._bound(into, "metadata")
+            self.bound(len(into), "a prim or property", "metadata")
             if not self.kind:
                 self.fail("expected ')'")
             if self.kind == "string":
@@ -204,8 +192,8 @@ class _Parser(Scanner):
                 into.append(Field("documentation", value.span, value))
             else:
                 into.append(self._field())
-            if len(into[-1].value.items) > MOST_PROPERTIES:
-                self.refuse(f"'{into[-1].name}' has more than {MOST_PROPERTIES} members")
+            last = into[-1]
+            self.bound(len(last.value.items), f"'{last.name}'", "entries")
             self.separate(")")
         self.advance()
         self.depth -= 1
@@ -256,8 +244,7 @@ class _Parser(Scanner):
             if is_cut and self.kind not in ("number", "mark"):
                 self.fail("expected a number")
             found.items.append(self._value())
-            if len(found.items) > MOST_ITEMS:
-                self.refuse(f"a list has over {MOST_ITEMS} members that are no plain numbers")
+            self.bound(len(found.items), "a list", "members other than numbers")
             if self.word == ",":
                 self.advance()
             elif self.word != closing:

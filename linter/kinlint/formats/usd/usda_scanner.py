@@ -12,6 +12,15 @@ MOST_DEEP = 200
 MOST_STATEMENTS = 1_000_000
 LONGEST_NAME = 4_000
 LONGEST_NUMBER = 1_000
+MOST = {
+    "prims": 100_000,
+    "properties": 2_000,
+    "metadata": 2_000,
+    "entries": 2_000,
+    "targets or operations": 5_000,
+    "members other than numbers": 100_000,
+}
+"""Most of what a layer, a prim, a property, or a list has."""
 
 
 _SPACE = re.compile(r"(?:[ \t\r\n]++|#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/)*+")
@@ -124,6 +133,11 @@ class Scanner:
             self.refuse(f"blocks and values are nested more than {MOST_DEEP} deep")
         if self.count > MOST_STATEMENTS:
             self.refuse(f"more than {MOST_STATEMENTS} statements and values")
+
+    def bound(self, count: int, where: str, what: str) -> None:
+        """Refuse a *count* of *what*, a key of `MOST`, that is too great."""
+        if count > MOST[what]:
+            self.refuse(f"{where} has more than {MOST[what]} {what}")
 
     def refuse(self, cause: str) -> NoReturn:
         """Raise SourceError at the current token for what no scene has."""
