@@ -19,18 +19,18 @@ from urllib.parse import quote, unquote
 
 from kinlint.terms import Term, iri
 
-_DOCUMENT = "urn:kinlint:document:"
-_TERM = f"<{_DOCUMENT}"
+DOCUMENT = "urn:kinlint:document:"
+_TERM = f"<{DOCUMENT}"
 
 
 def document_iri(name: str) -> Term:
     """Return the IRI of the document called *name*, which is also the graph of what it states."""
-    return iri(_DOCUMENT + quote(name, safe="/.-_~", errors="replace"))
+    return iri(DOCUMENT + quote(name, safe="/.-_~", errors="replace"))
 
 
 def is_address(node: str) -> bool:
     """Tell whether *node*, an IRI with or without its brackets, is an address."""
-    return node.startswith((_TERM, _DOCUMENT))
+    return node.startswith((_TERM, DOCUMENT))
 
 
 def document_of(node: Term) -> Term:
@@ -46,13 +46,13 @@ def root_of(node: Term) -> Term:
 
 def split(address: str) -> tuple[str, str]:
     """Return the quoted name of the file and the quoted path of an *address* without brackets."""
-    file, _, path = address.removeprefix(_DOCUMENT).partition("#")
+    file, _, path = address.removeprefix(DOCUMENT).partition("#")
     return file, path
 
 
 def without_file(address: str) -> str:
     """Return *address*, without brackets, less the name of the file, which may be moved."""
-    return f"{_DOCUMENT}{address.partition('#')[2]}"
+    return f"{DOCUMENT}{address.partition('#')[2]}"
 
 
 def abbreviated(text: str) -> str:

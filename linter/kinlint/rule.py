@@ -55,6 +55,9 @@ class Applicability(IntEnum):
         return "display-only" if self is Applicability.DISPLAY else self.name.lower()
 
 
+PROGRAMS = "GEN"
+"""The family of the rules for generated programs; only `kinlint generate` runs them."""
+
 SEVERITY_BY_IRI = {
     f"{SH}Violation": Severity.ERROR,
     f"{SH}Warning": Severity.WARNING,

@@ -16,15 +16,15 @@ from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.facts.part_names import PartNames
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
-from kinlint.generation.program import constraints, generate
+from kinlint.generation.program import abilities, generate, rule_files
 from kinlint.pipeline.analyzer import Analyzer
-from kinlint.rule import Severity
+from kinlint.rule import PROGRAMS, Severity
 
 
 @cache
 def book(library: str, kept: Path) -> rulebook.Rulebook:
     """The rules for programs of *library*, compiled once."""
-    return rulebook.load(shapes=constraints(library), cache=kept)
+    return rulebook.load([rule_files()], [abilities(library)], kept)
 
 
 def program(
@@ -34,8 +34,8 @@ def program(
 
     Unless *general*, only those count that are of the library's concern.
     """
-    chosen = () if general else (Choice(select=("SHACL",)),)
-    settings = Settings(shapes=constraints(library), default=FileSettings(choices=chosen))
+    choices = () if general else (Choice(select=(PROGRAMS,)),)
+    settings = Settings(default=FileSettings(choices=choices))
     found = Analyzer(settings, book(library, kept), repeated=True).examine(sources(files))
     errors = [each for each in found.report.unsuppressed if each.severity >= Severity.ERROR]
     if errors or found.report.errors:

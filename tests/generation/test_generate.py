@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from programs import module
+from programs import module, program
 
 from kinlint.cli.main import main
 
@@ -122,10 +123,110 @@ def test_one_fault_stops_it(here, capsys, fault, told):
     assert (code, f"error[{told}]" in out, Path("out").exists()) == (1, True, False)
 
 
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--select", "UNI"),
+        ("--ignore", "GEN001"),
+        ("--ignore", "ALL"),
+        ("--config", 'severity.GEN001="info"'),
+        ("--fail-on", "error"),
+    ],
+)
+def test_nothing_turns_off_what_a_library_cannot_do(here, capsys, options):
+    comment = "<!-- kinlint: ignore[GEN001] -->"
+    Path("r.urdf").write_text(robot("planar").replace("<joint", f"{comment}\n<joint"))
+    code, out, _ = generate(capsys, "--for", "kdl", "r.urdf", "-o", "out", *options)
+    assert (code, "error[GEN001]" in out, Path("out").exists()) == (1, True, False)
+
+
+def test_a_warning_stops_it_unless_accepted(here, capsys):
+    Path("r.urdf").write_text(robot().replace('upper="1"', 'upper="90"'))
+    arguments = ("--for", "numpy", "r.urdf", "-o", "out")
+    code, out, err = generate(capsys, *arguments)
+    assert (code, "warning[" in out, "error[" in out) == (1, True, False)
+    assert "the models have warnings, which --fail-on error accepts" in err
+    assert not Path("out").exists()
+    assert generate(capsys, *arguments, "-q", "--fail-on", "error") == (0, "", "")
+
+
+def test_the_rules_have_pages(capsys, rules_cache):
+    assert main(["rule", "GEN"]) == 0
+    out = capsys.readouterr().out
+    codes = [line[:6] for line in out.splitlines() if line.startswith("GEN")]
+    assert codes == [f"GEN{number:03}" for number in range(1, 9)]
+    assert "To ignore" not in out
+    assert main(["rule", "SHACL001"]) == 2
+    assert "add --shapes FILE" in capsys.readouterr().err
+
+
 def test_two_trees_and_loops_are_found(here, capsys):
     loop = (SAMPLES / "four-bar").glob("*.jsonld")
     code, out, _ = generate(capsys, "--for", "kdl", *map(str, loop), "-o", "out")
     assert (code, "closes a loop" in out) == (1, True)
+
+
+SDF = """<sdf version="1.9"><model name="m"><link name="a"/><link name="b"/>
+<joint name="j" type="{}"><parent>a</parent><child>b</child>
+<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 1 0</xyz></axis2></joint></model></sdf>"""
+MJCF = """<mujoco><worldbody><body name="a"><joint name="j"/><geom size="1"/><body name="b">
+{}<geom size="1"/></body></body></worldbody>
+{}</mujoco>"""
+HINGE = '<joint name="k"/>'
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "code"),
+    [
+        *(("r.sdf", SDF.format(each), "GEN001") for each in ("ball", "universal", "screw")),
+        *(("r.sdf", SDF.format(each), "GEN001") for each in ("revolute2", "gearbox")),
+        ("r.urdf", robot("floating"), "GEN001"),
+        ("r.xml", MJCF.format('<joint type="ball"/>', ""), "GEN001"),
+        ("r.xml", MJCF.format("", "").replace('<joint name="j"/>', "<freejoint/>"), "GEN001"),
+        *(
+            ("r.xml", MJCF.format(HINGE, f"<equality>{law}</equality>"), code)
+            for law, code in (
+                ('<joint joint1="j"/>', "GEN005"),
+                ('<joint joint1="j" joint2="k" polycoef="0 1 2 0 0"/>', "GEN005"),
+                ('<connect body1="a" body2="b" anchor="0 0 0"/>', "GEN003"),
+                ('<weld body1="a" body2="b"/>', "GEN003"),
+            )
+        ),
+        *(
+            ("r.urdf", robot().replace("<limit", f"<mimic joint={leader}/><limit"), "GEN005")
+            for leader in ("'j'", "'lost'")
+        ),
+    ],
+)
+def test_no_joint_and_no_law_is_lost(tmp_path_factory, name, text, code):
+    kept = tmp_path_factory.getbasetemp() / "rules"
+    errors, files = program({name: text}, "numpy", kept, general=False)
+    assert code in {each.rule.code for each in errors}
+    assert files == {}
+
+
+@pytest.mark.parametrize("library", ["kdl", "numpy", "pinocchio"])
+def test_is_the_same_from_elsewhere(here, capsys, library, monkeypatch):
+    twins = robot().replace('name="hand"', 'name="base/hand"').replace('"hand"', '"base/hand"')
+    Path("in").mkdir()
+    Path("in/r.urdf").write_text(twins)
+    found = []
+    for place, way in ((".", "in/r.urdf"), ("in", "r.urdf"), ("/", str(here / "in" / "r.urdf"))):
+        monkeypatch.chdir(here / place)
+        out = here / f"out{len(found)}"
+        assert generate(capsys, "--for", library, way, "-o", str(out), "-q")[0] == 0
+        found.append(written(out))
+    assert found[0] == found[1] == found[2]
+
+
+@pytest.mark.slow
+def test_is_the_same_whatever_the_hashes(here):
+    models = map(str, sorted((SAMPLES / "one-dof").glob("*.jsonld")))
+    command = [sys.executable, "-m", "kinlint", "generate", "--for", "kdl", *models, "-q", "-o"]
+    for seed in ("1", "2", "3"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        subprocess.run([*command, seed], env=environment, check=True)
+    assert written(here / "1") == written(here / "2") == written(here / "3") != {}
 
 
 def test_names_are_spelt(here, capsys):
@@ -171,6 +272,25 @@ def test_needs_jinja(here, capsys, monkeypatch):
         "",
         "kinlint: error: programs are rendered by Jinja: pip install 'kinlint[generate]'\n",
     )
+
+
+def test_keeps_to_its_directory(here, capsys):
+    """What else is there stays, and what is in the way is told."""
+    Path("r.urdf").write_text(robot())
+    Path("out").mkdir()
+    Path("out/notes.txt").write_text("mine")
+    arguments = ("--for", "kdl", "r.urdf", "-o", "out", "-q")
+    assert generate(capsys, *arguments)[0] == 0
+    assert Path("out/notes.txt").read_text() == "mine"
+    Path("out/main.cpp").unlink()
+    Path("out/main.cpp").mkdir()
+    Path("out/robot.hpp").write_text("old")
+    code, _, err = generate(capsys, *arguments)
+    assert (code, err.count("\n"), "out/main.cpp" in err) == (2, 1, True)
+    assert Path("out/robot.hpp").read_text() == "old"
+    Path("file").write_text("")
+    code, _, err = generate(capsys, *arguments[:3], "-o", "file")
+    assert (code, "cannot make directory file" in err) == (2, True)
 
 
 def test_writes_through_no_link(here, capsys):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 from functools import partial
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 from data import locate_data
 from pinocchio_robots import silence
-from programs import module, program, texts
+from programs import lines, module, program, texts
 
 pytest.importorskip("jinja2")
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("Pinocchio")]
@@ -25,7 +26,11 @@ EACH = int(os.environ.get("KINLINT_EACH_ROBOT", "2"))
 FEWEST = 240 // EACH
 """Of these, programs are made of this many at least."""
 COMPILED = 12
-"""The number of these that programs for Pinocchio are made of, spread evenly."""
+"""So many of these have programs for KDL and Pinocchio, too, spread evenly; or else all."""
+WHOLE = 1 if EACH == 1 else 25
+"""One configuration of so many is compared in twists and forces, too, with numpy."""
+INCLUDED = ("cstdio", "cstdlib", "iostream", "sstream", "string", "vector")
+"""What is compiled ahead of the programs, besides what all of them have in common."""
 SAME = (
     *(("urdf", "six-axis.urdf"), ("six-axis", "*.jsonld")),
     *(("sdf", "six-axis.sdf"), ("mjcf", "six-axis.xml")),
@@ -95,18 +100,19 @@ def worst(ours, theirs) -> float:
 
 
 def compare(reference, robot, configurations=CONFIGURATIONS) -> float:
-    """The largest difference of poses; of twists and forces in the first configuration."""
+    """The largest difference of poses; of twists and forces in some configurations."""
     numbers = np.random.default_rng(20)
     found = 0.0
     for number in range(configurations):
         q, v, a = numbers.uniform(-3.0, 3.0, (3, len(robot.POSITIONS)))
-        if number:
+        if number % WHOLE:
             reference.move(q)
             found = max(found, worst(robot.forward_position(q), reference.poses()))
             continue
         state = reference.move(q, v, a)
         twists = reference.twists()
         found = max(
+            found,
             worst(robot.forward_position(q), reference.poses()),
             worst(robot.forward_velocity(q, v), twists),
             worst({link: robot.jacobian(q, link) @ v for link in twists}, twists),
@@ -150,10 +156,14 @@ def test_public_robots_move_as_pinocchio_moves_them(pin, robots):
     assert sum(hasattr(robot, "inverse_dynamics") for _, robot in robots.values()) > FEWEST // 3
 
 
+def spread_over(robots):
+    """Some of *robots*, or all if all are compared."""
+    return [*robots][:: 1 if EACH == 1 else max(1, len(robots) // COMPILED)]
+
+
 @pytest.mark.corpus
 def test_pinocchio_agrees(pin, robots, make):
-    """On robots spread over all."""
-    for path in [*robots][:: max(1, len(robots) // COMPILED)]:
+    for path in spread_over(robots):
         files = {Path(path).name: Path(path).read_bytes()}
         robot = module(make(files, "pinocchio", general=False)[1]["robot.py"])
         model, reference = robots[path]
@@ -167,9 +177,49 @@ def flat(poses):
     }
 
 
-def compiled(folder, *options):
-    command = ["g++", "-std=c++17", *options, "-I/usr/include/eigen3", "main.cpp", "-o", "robot"]
-    subprocess.run([*command, "-lorocos-kdl"], cwd=folder, check=True)
+@pytest.mark.corpus
+def test_kdl_agrees(pin, robots, make, tmp_path):
+    """Each program is compiled, unoptimised, and moves as Pinocchio has it."""
+    if not shutil.which("g++") or not Path("/usr/include/kdl/tree.hpp").exists():
+        pytest.skip("compiles with KDL, Debian's liborocos-kdl-dev")
+    for path in spread_over(robots):
+        text = {Path(path).name: Path(path).read_bytes()}
+        for name, code in make(text, "kdl", general=False)[1].items():
+            (tmp_path / name).write_text(code)
+        compiled(tmp_path)
+        assert compare_kdl(Reference(pin, *robots[path]), tmp_path / "robot") <= TOLERANCE, path
+
+
+def compiled(folder):
+    """Compile the program in *folder*; what others have in common with it, the first time only."""
+    options = ["g++", "-std=c++17", "-O0", "-I/usr/include/eigen3"]
+    common = folder / "common.hpp"
+    if not common.exists():
+        lines = [*(f"#include <{each}>" for each in INCLUDED), '#include "kinematics.hpp"', ""]
+        common.write_text("\n".join(lines))
+        subprocess.run([*options, "-x", "c++-header", "common.hpp"], cwd=folder, check=True)
+    command = [*options, "-include", "common.hpp", "main.cpp", "-o", "robot", "-lorocos-kdl"]
+    subprocess.run(command, cwd=folder, check=True)
+
+
+def compare_kdl(reference, command) -> float:
+    """The largest difference of what *command* prints of poses, twists and forces."""
+    count = len(reference.robot.POSITIONS)
+    given = np.random.default_rng(21).uniform(-3.0, 3.0, (CONFIGURATIONS, 3, count))
+    stdin = "".join(" ".join(map(repr, each.ravel().tolist())) + "\n" for each in given)
+    run = subprocess.run([command, "-"], input=stdin, capture_output=True, text=True, check=True)
+    printed = lines(run.stdout)
+    assert len(printed) == CONFIGURATIONS
+    found = 0.0
+    for line, (q, v, a) in zip(printed, given, strict=True):
+        state = reference.move(q, v, a)
+        found = max(found, worst(line["poses"], flat(reference.poses())))
+        if count:  # without a position, there is nothing to give velocities of
+            found = max(found, worst(line["twists"], reference.twists()))
+        if hasattr(reference.robot, "inverse_dynamics") and count:
+            forces = reference.pin.rnea(reference.model, reference.data, *state)
+            found = max(found, apart(line["forces"], reference.spread.T @ forces))
+    return found
 
 
 @pytest.mark.parametrize("library", ["numpy", "pinocchio"])

@@ -31,11 +31,15 @@ README = {
 """The numbers that the README of the published code generator shows: position and rotation."""
 REFLECTED = {"pose-link1-joint1-wrt-link1-root", "pose-link2-root-wrt-link1-root"}
 """The poses that are reflections there: made rotations, their third column has the other sign."""
+ORIGIN = '{ "@id": "rob:link1-root-origin", "@type": [ "3D", "Euclidean", "Point" ] }'
 BY_HAND = (
     ("cartesian-coordinates.json", r'("direction-cosine-z": \[ )1\.0', r"\g<1>-1.0"),
     ("cartesian-coordinates.json", r'.*"with-respect-to".*\n', ""),
+    ("joint-coordinates.json", r'"rob:chain"', '"rob:joint-coordinates"'),
+    ("skeleton.json", r'("@id": "rob:link1-root",)', r'\1 "origin": "rob:link1-root-origin",'),
+    ("skeleton.json", r'("@graph": \[)', rf"\1 {ORIGIN},"),
 )
-"""What no fix can decide: a reflection, and a key without a meaning."""
+"""What no fix can decide: a reflection, a key without a meaning, a name used twice, an origin."""
 WITHOUT = "dynamics.json"
 """The file of the masses, which the algorithm does not read."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from argparse import Namespace
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 from difflib import unified_diff
 from importlib.util import find_spec
 from pathlib import Path
@@ -12,13 +13,16 @@ from pathlib import Path
 from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.cli.model_inputs import add_input_options, find_inputs, read_inputs
+from kinlint.cli.progress import ProgressBar
 from kinlint.cli.report_outputs import replacing
 from kinlint.cli.xacro_arguments import take_arguments
+from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError
 from kinlint.light_dataclasses import replace
+from kinlint.report import Report
 from kinlint.reporters.reporter_registry import write, write_summary
 from kinlint.reporters.terminal_style import detect_style
-from kinlint.rule import Severity
+from kinlint.rule import PROGRAMS, Severity
 
 LIBRARIES = ("kdl", "numpy", "pinocchio")
 CLEAN, FOUND = 0, 1
@@ -27,11 +31,11 @@ DESCRIPTION = """\
 Generate a program for a library of robot kinematics: from a schedule of operators if the models
 have one, else from a tree of joints, in any format, with forward kinematics of positions and
 velocities and, where all inertias are known, inverse dynamics. The models are linted first, also
-for what the library can do; nothing is written if there are errors."""
+for what the library can do; nothing is written unless they lint clean."""
 
 EPILOG = """\
 Example: kinlint generate --for numpy arm.urdf -o arm/ && python arm/robot.py
-Exit code: 0 written; 1 errors in the models, or with --check or --diff, files that would change;
+Exit code: 0 written; 1 findings in the models, or with --check or --diff, files that would change;
 2 if something cannot be read or written."""
 
 
@@ -59,6 +63,13 @@ def parser() -> Parser:
     add("--select", metavar="R", **linting.LISTS, help="lint by these rules only")
     add("--extend-select", metavar="R", **linting.LISTS, help="lint by these rules too")
     add("--ignore", metavar="R", **linting.LISTS, help="lint without these rules")
+    add(
+        "--fail-on",
+        type=one_of(("warning", "error")),
+        metavar="warning|error",
+        default="warning",
+        help="least severity that keeps a program from being written (default: warning)",
+    )
     add_input_options(add, "add the rule files in DIR")
     add(
         "--color",
@@ -104,34 +115,75 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | None:
-    """Return the files of the program by name; None, with findings shown, if there are errors."""
+    """Return the files of the program by name; None, with findings shown, if it must not be."""
     from kinlint.configuration.selection import Policies  # noqa: PLC0415  engines are slow to import
     from kinlint.facts.part_names import PartNames  # noqa: PLC0415
     from kinlint.findings.locator import Locator  # noqa: PLC0415
     from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
-    from kinlint.generation.program import constraints, generate  # noqa: PLC0415
+    from kinlint.generation.program import generate  # noqa: PLC0415
     from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415
 
     found, settings = find_inputs(options)
     if not found.inputs and not found.errors:
         raise UsageError(f"no robot found in '{found.barren[0]}'")
-    needs = constraints(options.library)
-    settings = replace(settings, shapes=(*settings.shapes, *needs), drawn=False)
-    sources, book = read_inputs(found, settings, options)
-    Policies(settings, book.rules).check_selectors()
-    examined = Analyzer(settings, book, repeated=True).examine(pair(sources, settings))
-    for error in examined.report.errors:
-        raise error
-    worst = max((each.severity for each in examined.report.unsuppressed), default=Severity.INFO)
-    if worst >= Severity.ERROR:
-        style = detect_style(sys.stdout, options.color)
-        shown = examined.report.shown_from(Severity.WARNING)
-        write(shown, "full", sys.stdout, style, summarise=False)
-        write_summary(shown, sys.stdout, style)
-        sys.stderr.write("kinlint: nothing is written: the models have errors\n")
+    settings = _strict(settings, options.library)
+    with ProgressBar(len(found.inputs), wanted=not options.quiet, color=options.color) as bar:
+        sources, book = read_inputs(found, settings, options, bar)
+        Policies(settings, book.rules).check_selectors()
+        examined = Analyzer(settings, book, repeated=True).examine(pair(sources, settings))
+        bar.advance(len(found.inputs))
+        for error in examined.report.errors:
+            raise error
+        if (refused := _refused(examined.report, Severity[options.fail_on.upper()])) is None:
+            names = PartNames(Locator(examined.documents, examined.store)).names
+            return generate(examined.store, names, options.library, templates)
+    style = detect_style(sys.stdout, options.color)
+    write(refused, "full", sys.stdout, style, summarise=False)
+    write_summary(refused, sys.stdout, style)
+    sys.stderr.write(f"kinlint: nothing is written: {_cause(refused)}\n")
+    return None
+
+
+def _strict(settings: Settings, library: str) -> Settings:
+    """Return *settings* with the rules of programs for *library*, which nothing turns off."""
+    from kinlint.generation.program import abilities, rule_files  # noqa: PLC0415  slow
+
+    always = Choice(extend_select=(PROGRAMS,), severity=((PROGRAMS, Severity.ERROR),))
+
+    def strict(each: FileSettings) -> FileSettings:
+        return replace(each, choices=(*each.choices, always))
+
+    return replace(
+        settings,
+        rules=(*settings.rules, rule_files()),
+        shapes=(*settings.shapes, abilities(library)),
+        default=strict(settings.default),
+        files={name: strict(each) for name, each in settings.files.items()},
+        drawn=False,
+    )
+
+
+def _refused(report: Report, least: Severity) -> Report | None:
+    """Return what *report* shows if a finding forbids a program; None if none does.
+
+    Nobody can suppress what a library cannot do, since the program would do something else.
+    """
+    findings = (*report.findings, *report.suppressed)
+    needed = [each for each in findings if each.rule.family == PROGRAMS]
+    found = [replace(each, suppressed=None) for each in needed]
+    found += [each for each in report.unsuppressed if each.rule.family != PROGRAMS]
+    if not any(each.severity >= least for each in found):
         return None
-    names = PartNames(Locator(examined.documents, examined.store)).names
-    return generate(examined.store, names, options.library, templates)
+    found.sort(key=lambda each: each.sort_key)
+    rest = tuple(each for each in report.suppressed if each.rule.family != PROGRAMS)
+    return replace(report, findings=tuple(found), suppressed=rest).shown_from(Severity.WARNING)
+
+
+def _cause(report: Report) -> str:
+    """Say why *report* forbids a program, and what to do where nothing but warnings does."""
+    if any(each.severity >= Severity.ERROR for each in report.findings):
+        return "the models have errors"
+    return "the models have warnings, which --fail-on error accepts"
 
 
 def _read(path: Path) -> str | None:
@@ -151,6 +203,6 @@ def _write(home: Path, files: Mapping[str, str]) -> None:
     for name in files:
         if (home / name).is_symlink():
             raise UsageError(f"{home / name} is a link: nothing is written outside of {home}")
-    for name, text in files.items():
-        with replacing(home / name) as stream:
-            stream.write(text)
+    with ExitStack() as complete:  # no file is replaced before all of them are written
+        for name, text in files.items():
+            complete.enter_context(replacing(home / name)).write(text)

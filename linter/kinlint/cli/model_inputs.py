@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from argparse import Namespace
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
@@ -19,6 +20,9 @@ from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.text import SourceText
+
+if TYPE_CHECKING:
+    from kinlint.cli.progress import ProgressBar
 
 PASSED = ("select", "extend_select", "ignore", "target", "rules", "config", "package", "xacro_arg")
 """Options that mean what they mean to `kinlint check`."""
@@ -62,12 +66,16 @@ def find_inputs(options: Namespace) -> tuple[Found, Settings]:
 
 
 def read_inputs(
-    found: Found, settings: Settings, options: Namespace
+    found: Found, settings: Settings, options: Namespace, bar: ProgressBar | None = None
 ) -> tuple[Sequence[SourceText], Rulebook]:
-    """Return the texts of *found* and the rules. Raises `SourceError` for what cannot be read."""
+    """Return the texts of *found*, counted by *bar*, and the rules.
+
+    Raises `SourceError` for what cannot be read.
+    """
     from kinlint.project.reading import read_models  # noqa: PLC0415  help does without
 
-    sources, errors = read_models(found.inputs, settings)
+    inputs = found.inputs if bar is None else bar.reading(found.inputs)
+    sources, errors = read_models(inputs, settings)
     for error in (*found.errors, *errors):
         raise error
     cache = cache_directory(os.environ, options.cache_dir)

@@ -16,12 +16,14 @@ from kinlint.configuration.selectors import Catalogue
 from kinlint.errors import UsageError
 from kinlint.files.atomic_write import replacement
 from kinlint.files.pathglob import absolute
+from kinlint.findings.message_of_result import SHAPE
 from kinlint.project.layers import cache_directory
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages
 from kinlint.reporters.terminal_style import detect_style
-from kinlint.rule import Rule
+from kinlint.resources import data
+from kinlint.rule import PROGRAMS, Rule
 
 FORMATS = ("text", "markdown", "json", "turtle")
 
@@ -40,6 +42,9 @@ def parser() -> Parser:
         help="write all as Markdown: an index, and a page for each family",
     )
     made.add_argument("--rules", metavar="DIR", action="append", help="add the rules in DIR")
+    made.add_argument(
+        "--shapes", metavar="FILE", action="append", help="add the SHACL shapes in FILE: SHACL001"
+    )
     made.add_argument("--trust", action="store_true", help="add the project's own rules")
     add_color(made.add_argument)
     return made
@@ -52,8 +57,14 @@ def run(arguments: Sequence[str]) -> int:
         raise UsageError("name a rule, such as UNI002; kinlint rules lists them")
     extra = [absolute(path) for path in options.rules or ()]
     extra += [path for path in project_rules(trust=options.trust) if path not in extra]
-    book = rulebook.load(extra, (), cache_directory(os.environ))
+    if any(each.startswith(PROGRAMS) for each in options.names):
+        extra.append(data("shapes") / "generation" / "rules")
+    shapes = [absolute(path) for path in options.shapes or ()]
+    book = rulebook.load(extra, shapes, cache_directory(os.environ))
     known = Catalogue(book.rules)
+    unknown = next((each for each in options.names if each.startswith(SHAPE)), "")
+    if unknown and unknown not in known.exact:
+        raise UsageError(f"{unknown} is a SHACL shape that a run was given: add --shapes FILE")
     if options.all and options.names:
         raise UsageError(f"--all is every rule, '{options.names[0]}' among them: give one of both")
     wanted = options.names or ["ALL"]

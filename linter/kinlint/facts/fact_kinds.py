@@ -55,7 +55,7 @@ from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple, iri
 from kinlint.vocabulary import GENERATION
 
-PROGRAM = iri(f"{GENERATION}Program")
+LIBRARY = iri(f"{GENERATION}Library")
 LABELLED = 4
 """The number of facts in the label of a kind."""
 
@@ -90,11 +90,11 @@ def _related(context: FactContext) -> Iterator[Triple]:
 
 
 def _motions(context: FactContext) -> Iterator[Triple]:
-    """Yield what keeps joints from being one tree, where the vocabulary asks for a program.
+    """Yield what keeps joints from being one tree, where the vocabulary has a library of programs.
 
     Rules that ask for any property would have it computed in every run.
     """
-    if context.scan.part("motions").instances(PROGRAM):
+    if context.scan.part("motions").instances(LIBRARY):
         yield from context.motions.facts()
 
 

@@ -3,32 +3,39 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from kinlint.addresses import DOCUMENT, document_iri
 from kinlint.engine.store import Store
 from kinlint.errors import UsageError
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.files.pathglob import absolute
 from kinlint.formats.jsonld.framing import tree
 from kinlint.generation.library_rewriting import rewritten
-from kinlint.generation.program_statements import FIXED, ModelStatements
+from kinlint.generation.program_statements import FILE, FIXED, NAMED, ModelStatements
 from kinlint.generation.rendering import render
 from kinlint.resources import data
-from kinlint.terms import Term
+from kinlint.terms import Term, Triple, is_iri, literal
 
 Node: TypeAlias = dict[str, Any]
 SLOTS = ("first", "second", "out")
 """The poses of operators."""
 
 
-def constraints(library: str) -> tuple[Path, ...]:
-    """Return the SHACL files that say what a program for *library* needs, and what it can do."""
+def rule_files() -> Path:
+    """Return the directory of the rules of what programs need."""
+    return data("shapes") / "generation" / "rules"
+
+
+def abilities(library: str) -> Path:
+    """Return the file that says what programs for *library* can do."""
     shapes = data("shapes")
     consumer = shapes / "targets" / f"{library}.ttl"
-    own = consumer if consumer.exists() else shapes / "generation" / library / "shapes.ttl"
-    return shapes / "generation" / "model.ttl", own
+    return consumer if consumer.exists() else shapes / "generation" / library / "library.ttl"
 
 
 def generate(
@@ -42,12 +49,40 @@ def generate(
     Raises `UsageError` where there is neither a chain nor a schedule.
     """
     numbers = ModelStatements(FactContext(PredicateIndex(model)), names)
-    quads = rewritten(model, numbers, library)
+    quads = _portable(rewritten(model, numbers, library), numbers.files)
     frame = (data("shapes") / "generation" / "frame.json").read_text(encoding="utf-8")
     found = arranged(tree(quads, json.loads(frame)))
     if not found["joint"]:
         raise UsageError("no joints, so there is nothing to generate")
     return render(found, library, templates)
+
+
+def _portable(statements: Iterable[Triple], files: Sequence[str]) -> Sequence[Triple]:
+    """Return *statements* with *files* named as seen from the directory that all are below.
+
+    So programs are the same wherever they are generated from.
+    """
+    paths = [absolute(each) for each in files]
+    home = os.path.commonpath([each.parent for each in paths])
+    places = [each.relative_to(home).as_posix() for each in paths]
+    names = {literal(old): literal(new) for old, new in zip(files, places, strict=True)}
+    documents = {
+        document_iri(old)[1:-1]: document_iri(new)[1:-1]
+        for old, new in zip(files, places, strict=True)
+    }
+
+    def renamed(node: Term) -> Term:
+        place, sharp, rest = node[1:].partition("#")
+        return f"{node[0]}{documents.get(place, place)}{sharp}{rest}" if sharp else node
+
+    def renamed_value(predicate: Term, value: Term) -> Term:
+        if predicate == FILE:
+            return names.get(value, value)
+        if predicate == NAMED:
+            return renamed(value).replace(f'"{DOCUMENT}', '"', 1)
+        return renamed(value) if is_iri(value) else value
+
+    return sorted((renamed(s), p, renamed_value(p, o)) for s, p, o in statements)
 
 
 def arranged(found: Mapping[str, Any]) -> Node:

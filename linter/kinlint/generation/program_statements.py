@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kinlint.addresses import is_address, split
 from kinlint.facts.body_frames import Transform
 from kinlint.facts.coordinate_pairs import CoordinatePairs
 from kinlint.facts.fact_context import FactContext
@@ -25,6 +26,7 @@ from kinlint.vocabulary import GENERATION
 
 gen = terms_in(GENERATION)
 PROGRAM = gen("program")
+FILE, NAMED = gen("file"), gen("iri")
 AXES = "xyz"
 FIXED, REVOLUTE, PRISMATIC = "fixed", "revolute", "prismatic"
 
@@ -52,6 +54,12 @@ class ModelStatements:
         self.motions = [context.motions.motion(each) for each in context.motions.in_tree_order]
         self._nodes = 0
 
+    @property
+    def files(self) -> Sequence[str]:
+        """The names of the files that the model was read from."""
+        documents = self.context.scan.documents
+        return [source.name for document in documents for source in document.sources]
+
     def __iter__(self) -> Iterator[Triple]:
         """Yield all statements, each once."""
         yield from self._files()
@@ -61,9 +69,8 @@ class ModelStatements:
         yield from self._values()
 
     def _files(self) -> Iterator[Triple]:
-        for document in self.context.scan.documents:
-            for source in document.sources:
-                yield PROGRAM, gen("file"), literal(source.name)
+        for name in self.files:
+            yield PROGRAM, FILE, literal(name)
 
     def _tree(self, motions: Sequence[JointMotion]) -> Iterator[Triple]:
         bodies = [*self.context.motions.roots[:1], *(each.edge.child or "" for each in motions)]
@@ -93,10 +100,10 @@ class ModelStatements:
         yield PROGRAM, gen(kind), node
         yield node, gen("order"), integer(number)
         yield node, gen("name"), literal(names[node])
-        yield node, gen("iri"), literal(named(node).removeprefix("urn:kinlint:document:"))
+        yield node, NAMED, literal(named(node))
 
     def _distinct(self, parts: Sequence[Term]) -> Mapping[Term, str]:
-        """Return the names of *parts*; the IRI where two bodies, or two joints, share one."""
+        """Return the names of *parts*; the path where two bodies, or two joints, share one."""
         found: dict[Term, str] = {}
         taken: dict[str, int] = {}
         for group in (
@@ -108,7 +115,7 @@ class ModelStatements:
             for name in own.values():
                 taken[name] = taken.get(name, 0) + 1
             found.update(
-                {each: name if taken[name] == 1 else named(each) for each, name in own.items()}
+                {each: name if taken[name] == 1 else _path(each) for each, name in own.items()}
             )
         return found
 
@@ -205,3 +212,9 @@ class ModelStatements:
         for node, name, number in self.context.values.values:
             if name == "value" and node not in joints:
                 yield node, gen("number"), double(number)
+
+
+def _path(part: Term) -> str:
+    """Return the path of *part* in its file, or its IRI if it has one of its own."""
+    name = named(part)
+    return split(name)[1] if is_address(name) else name

@@ -15,7 +15,7 @@ from kinlint.reporters.rule_example import MarkedText, parse_marks
 from kinlint.reporters.rule_fix_section import heading, repair_object
 from kinlint.reporters.symptoms import SYMPTOMS
 from kinlint.reporters.terminal_style import Style
-from kinlint.rule import Example, Rule
+from kinlint.rule import PROGRAMS, Example, Rule
 
 _NAMES = {pattern.id: pattern.name for pattern in ANTIPATTERNS}
 _FENCES = {each.name: each.fence for each in FORMATS}
@@ -78,7 +78,7 @@ def markdown(rule: Rule) -> str:
 def help_markdown(rule: Rule) -> str:
     """The page as Markdown, without what SARIF viewers show above it."""
     ways = "\n".join(f"- {way}" for way in _ignoring(rule))
-    return _joined(*_explained(rule), "To ignore it:", ways, *_links(rule))
+    return _joined(*_explained(rule), *(("To ignore it:", ways) if ways else ()), *_links(rule))
 
 
 def section(rule: Rule, directory: str = "") -> str:
@@ -224,6 +224,8 @@ def _cases(rule: Rule) -> Iterator[tuple[str, MarkedText]]:
 
 def _ignoring(rule: Rule) -> list[str]:
     """Return the ways to ignore *rule*, by where they are written."""
+    if rule.family == PROGRAMS:
+        return []  # nothing turns off what the program would do wrong
     ways = [
         f"for one run: `--ignore {rule.code}`",
         f'for a project: `ignore = ["{rule.code}"]` in `kinlint.toml`',
