@@ -262,6 +262,26 @@ def test_a_configuration_of_a_package_that_depends_on_nothing(configured, kinlin
     assert told.endswith("such as 'elbo', so they are not checked. [CMP019]")
 
 
+CALLS = f"""<robot name="my_arm" {ros_workspace.XMLNS}>
+  <xacro:include filename="macro.xacro"/>
+  <xacro:arm/>
+</robot>
+"""
+
+
+def test_a_robot_of_nothing_but_calls(configured, kinlint):
+    """Its file has no link and no joint: it calls the macro of another file that makes them."""
+    own = configured.top / ARM_FILE
+    text = own.read_text("utf-8").replace(' name="my_arm"', "")
+    text = text.replace("  <link", "  <xacro:macro name='arm'>\n  <link", 1)
+    configured.write(
+        ARM_FILE.replace("my_arm.urdf", "macro"), text.replace("</robot>", "</xacro:macro></robot>")
+    )
+    own.write_text(CALLS, "utf-8")
+    configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
+    assert of_yaml(kinlint) == [UNKNOWN]
+
+
 def test_limits_wider_than_those_of_the_robot(configured, kinlint):
     """Only those that count."""
     configured.write(f"{CONFIG}joint_limits.yaml", LIMITS.format("2.5"))

@@ -225,4 +225,5 @@ def _robot(source: SourceText) -> Description | None:
     found = describe(source)
     if found is None or found.unexpanded:
         return None
-    return found if found.robot and (found.names or found.kind == SRDF) else None
+    has_parts = found.names or found.kind == SRDF or found.mentions.calls_macros
+    return found if found.robot and has_parts else None

@@ -25,6 +25,10 @@ _FILENAME = re.compile(rf"<(?:[\w-]+:)?include\b[^<>]*?\sfilename{_VALUE}")
 _INCLUDE = re.compile(r"<include\b[^<>]*>(.*?)(?:</include>|\Z)", re.DOTALL)
 _URI = re.compile(r"<uri\b[^<>]*>([^<]*)<")
 _ARGUMENT = "<xacro:arg"
+_DEFINITION = re.compile(r"<xacro:macro\b.*?</xacro:macro\s*>", re.DOTALL)
+_CALL = re.compile(
+    r"<xacro:(?!(?:arg|attribute|element|if|include|insert_block|macro|property|unless)\b)\w"
+)
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,11 @@ class Mentions:
         uris = (uri for nested in _INCLUDE.findall(self._text) for uri in _URI.findall(nested))
         paths = (*_values(_FILENAME.findall(self._text)), *uris)
         return tuple(unquote(path.strip().rstrip("/")).rpartition("/")[2] for path in paths)
+
+    @cached_property
+    def calls_macros(self) -> bool:
+        """Tell whether macros make parts of it, and not only of what others make of it."""
+        return _CALL.search(_DEFINITION.sub("", self._text)) is not None
 
     @property
     def has_arguments(self) -> bool:
