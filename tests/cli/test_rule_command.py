@@ -1,11 +1,14 @@
 """`kinlint rule` and `kinlint test-rules`."""
 
 import json
+import textwrap
 
 import pytest
 from pipeline import BOOK, RULES
 
 from kinlint.cli import test_rules_command
+from kinlint.light_dataclasses import replace
+from kinlint.rule import Applicability, Example, Repair
 
 
 @pytest.fixture(autouse=True)
@@ -59,6 +62,44 @@ def test_all_rules_as_text(kinlint):
     assert [rule.code for rule in RULES if f"{rule.code} {rule.name}: " in out] == [
         rule.code for rule in RULES
     ]
+
+
+def test_a_rule_on_one_screen(monkeypatch, kinlint):
+    """One example, as far as it shows the fault, and no query; all of it with --full."""
+    filler = "".join(f'  <link name="l{n}"/>\n' for n in range(20))
+    robot = '<robot name="r">\n{}  <joint name="{}">\n    <parent link="{}"/>\n  </joint>\n</robot>'
+    bad = robot.format(filler, "a", "[|missing|]")
+    pairs = [Example("urdf", bad, robot.format(filler, "a", "l1"))] * 2
+    repair = Repair("Use '{?near}'", Applicability.UNSAFE, "DELETE { } WHERE { }", "", (), (), ())
+    rule = replace(RULES[0], examples=pairs, repairs=[repair])
+    monkeypatch.setattr("kinlint.catalogue.rulebook.load", lambda *_: replace(BOOK, rules=[rule]))
+    out = kinlint("rule", rule.code)[1]
+    shown = out.partition("Bad:\n\n")[2].partition("\n\nFix: Use ... (unsafe")[0]
+    assert textwrap.dedent(shown) == textwrap.dedent("""\
+            ...
+            <joint name="a">
+              <parent link="missing"/>
+                            ^^^^^^^
+            </joint>
+            ...
+
+        Good:
+
+            ...
+            <joint name="a">
+              <parent link="l1"/>
+            </joint>
+            ...""")
+    assert "DELETE" not in out
+    assert out.endswith(f"kinlint rule {rule.code} --full\n")
+    full = kinlint("rule", rule.code, "--full")[1]
+    assert (full.count("Bad:"), full.count("DELETE"), full.count("l19")) == (2, 1, 4)
+
+
+def test_format_is_short_for_output_format(kinlint):
+    """With a word of its own or with an equals sign."""
+    for form in (["--format", "json"], ["--format=json"]):
+        assert json.loads(kinlint("rule", "LD001", *form)[1])["code"] == "LD001"
 
 
 def test_color_for_a_rule(kinlint):

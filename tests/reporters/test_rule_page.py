@@ -12,7 +12,7 @@ from kinlint.text import Span
 
 
 def test_the_text_explains_the_rule() -> None:
-    assert "".join(rule_page.text(INERTIA, Style())) == (
+    assert "".join(rule_page.text(INERTIA, Style(), full=True)) == (
         """\
 INE007 inertia-seen-by-foreign-frame: inertia is seen by a frame of another body
 
@@ -66,7 +66,7 @@ MENDED = replace(INERTIA, repairs=(REPAIR, SURE))
 
 def test_the_page_tells_what_a_fix_does_and_how_far_to_trust_it() -> None:
     """With the update, as it stands in the rule file."""
-    page = "".join(rule_page.text(MENDED, Style()))
+    page = "".join(rule_page.text(MENDED, Style(), full=True))
     assert (
         """
 Fix: Swap the limits in urdf and sdf (unsafe, so only --fix --unsafe-fixes makes
@@ -91,7 +91,7 @@ Fix: Swap the limits in urdf and sdf (safe, so --fix makes it).
 
 
 def test_the_page_is_drawn_where_there_are_colours() -> None:
-    text = "".join(rule_page.text(INERTIA, Style(color=True)))
+    text = "".join(rule_page.text(INERTIA, Style(color=True), full=True))
     assert "\x1b[" in text
     assert "rob:link2-root" in text
 
@@ -164,7 +164,7 @@ def test_rules_that_lie_in_no_family_are_explained_in_the_index() -> None:
 
 def test_a_rule_that_says_little_has_a_page() -> None:
     rule = replace(INERTIA, why="", examples=(), links=(), antipatterns=(), formats=(), since="")
-    assert "Severity: error\n\nTo ignore it" in "".join(rule_page.text(rule, Style()))
+    assert "Severity: error\n\nTo ignore it" in "".join(rule_page.text(rule, Style(), full=True))
     assert rule_page.help_text(rule) == "kinlint rule INE007"
 
 

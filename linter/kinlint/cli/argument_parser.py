@@ -11,6 +11,8 @@ from kinlint.configuration.value_kinds import SECONDS, unknown_message
 from kinlint.errors import UsageError
 from kinlint.suggestion import did_you_mean
 
+FORMAT, OUTPUT_FORMAT = "--format", "--output-format"
+_FORMAT_WORD = re.compile(rf"{FORMAT}(?==|\Z)")
 SILENCE = 120.0
 """Seconds that a store may be silent by default."""
 
@@ -32,10 +34,13 @@ class Parser(argparse.ArgumentParser):
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
         """The options in *arguments*, which may stand between the positional words.
 
-        What follows `--` is no option.
+        What follows `--` is no option. `--format` is short for `--output-format`, unless it means
+        the format of something else here.
         """
         end = arguments.index("--") if "--" in arguments else len(arguments)
         words = [f"{word}=" if word in self._bare else word for word in arguments[:end]]
+        if OUTPUT_FORMAT in self._option_string_actions and FORMAT not in self._option_string_actions:
+            words = [_FORMAT_WORD.sub(OUTPUT_FORMAT, word) for word in words]
         options, strange = self.parse_known_intermixed_args(words)
         words = [word for word in strange if not word.startswith("-")] + list(arguments[end + 1 :])
         wrong = next((word for word in strange if word.startswith("-")), None)

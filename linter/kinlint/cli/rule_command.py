@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -33,6 +34,9 @@ def parser() -> Parser:
     made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
     made.add_positionals("names", "R", "code, name, family (topology, TOP) or anti-pattern (AP3)")
     made.add_argument("--all", action="store_true", help="every rule")
+    made.add_argument(
+        "--full", action="store_true", help="text: every example, the queries of fixes, the facts"
+    )
     made.add_argument(
         "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
     )
@@ -87,7 +91,7 @@ def run(arguments: Sequence[str]) -> int:
     elif options.output_format == "turtle":
         put(iter([shacl(Path(rule.path) for rule in rules)]), sys.stdout)
     else:
-        put(_pages(rules, options.output_format, options.color), sys.stdout)
+        put(_pages(rules, options), sys.stdout)
     return 0
 
 
@@ -104,12 +108,15 @@ def _write(rules: Sequence[Rule], directory: Path) -> int:
     return 0
 
 
-def _pages(rules: Sequence[Rule], form: str, color: str) -> Iterator[str]:
-    style = detect_style(sys.stdout, color)  # type: ignore[arg-type]
+def _pages(rules: Sequence[Rule], options: Namespace) -> Iterator[str]:
+    form = options.output_format
+    style = detect_style(sys.stdout, options.color)
     for number, rule in enumerate(rules):
         if number:
             yield "\n" if form == "markdown" else "\n" + "-" * 80 + "\n\n"
         if form == "markdown":
             yield markdown(rule)
         else:
-            yield from text(rule, style)
+            yield from text(rule, style, full=options.full)
+    if form == "text" and len(rules) == 1 and not options.full:
+        yield f"\nAll examples, queries and facts: kinlint rule {rules[0].code} --full\n"

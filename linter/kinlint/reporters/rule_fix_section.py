@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
-from kinlint.rule import Applicability, Repair, Rule
+from kinlint.rule import PLACEHOLDER, Applicability, Repair, Rule
 
+_PLACEHOLDER = re.compile(f"'?{PLACEHOLDER.pattern}'?")
 _TRUST = {
     Applicability.SAFE: "safe, so `--fix` makes it",
     Applicability.UNSAFE: "unsafe, so only `--fix --unsafe-fixes` makes it",
@@ -16,9 +18,10 @@ _TRUST = {
 
 def heading(repair: Repair) -> str:
     """The title, for which formats, how far it may be trusted, and why no further."""
+    title = _PLACEHOLDER.sub("...", repair.title)
     formats = f" in {' and '.join(repair.formats)}" if repair.formats else ""
     why = f" {' '.join(repair.why.split())}" if repair.why else ""
-    return f"{repair.title}{formats} ({_TRUST[repair.applicability]}).{why}"
+    return f"{title}{formats} ({_TRUST[repair.applicability]}).{why}"
 
 
 def highest_applicability(rule: Rule) -> str:

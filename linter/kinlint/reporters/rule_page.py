@@ -13,6 +13,7 @@ from kinlint.light_dataclasses import replace
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.rule_example import MarkedText, parse_marks
 from kinlint.reporters.rule_fix_section import heading, repair_object
+from kinlint.reporters.rule_summary import summary
 from kinlint.reporters.symptoms import SYMPTOMS
 from kinlint.reporters.terminal_style import Style
 from kinlint.rule import PROGRAMS, Example, Rule
@@ -22,12 +23,14 @@ _FENCES = {each.name: each.fence for each in FORMATS}
 TEXT_WIDTH = 80
 
 
-def text(rule: Rule, style: Style) -> Iterator[str]:
+def text(rule: Rule, style: Style, *, full: bool) -> Iterator[str]:
     """The page for a terminal: drawn where there are colours, plain otherwise.
 
-    Examples in formats of elements come first, those in URDF before all others.
+    Examples in formats of elements come first, those in URDF before all others. Unless *full*, there
+    is one, and no query.
     """
-    rule = replace(rule, examples=sorted(rule.examples, key=_familiar))
+    examples = sorted(rule.examples, key=_familiar)
+    rule = replace(rule, examples=examples) if full else summary(rule, examples)
     if style.color:
         yield _drawn(rule, style)
         return
@@ -41,7 +44,9 @@ def text(rule: Rule, style: Style) -> Iterator[str]:
         yield f"\n{title}:\n\n{textwrap.indent(example.annotated(style), '    ')}\n"
     for repair in rule.repairs:
         told = textwrap.fill(f"Fix: {heading(repair).replace('`', '')}", TEXT_WIDTH)
-        yield f"\n{told}\n\n{textwrap.indent(repair.update, '    ')}\n"
+        yield f"\n{told}\n"
+        if repair.update:
+            yield f"\n{textwrap.indent(repair.update, '    ')}\n"
     yield from _listed("To ignore it", _ignoring(rule))
     yield from _listed("Facts that it asks for", _asked(rule))
     yield from _listed("See also", rule.links)
@@ -107,7 +112,8 @@ def _explained(rule: Rule) -> Iterator[str]:
         yield f"{fence}{language}\n{example.annotated(Style())}\n{fence}"
     for repair in rule.repairs:
         yield f"Fix: {heading(repair)}"
-        yield f"```sparql\n{repair.update}\n```"
+        if repair.update:
+            yield f"```sparql\n{repair.update}\n```"
 
 
 def _asked(rule: Rule) -> Iterator[str]:
