@@ -210,6 +210,15 @@ async def test_the_page_of_a_robot_has_the_theme_of_the_editor(editor):
     assert nothing is None
 
 
+async def test_the_page_of_a_rule_is_there_without_network(editor):
+    """By its code; there is none of a code that no rule has."""
+    editor.open("leg.urdf", LEG)
+    uri = editor.uri("leg.urdf")
+    page = await editor.command("kinlint.showRulePage", uri, "LIM001")
+    assert page.startswith("# LIM001 inverted-limit")
+    assert await editor.command("kinlint.showRulePage", uri, "LIM999") is None
+
+
 async def test_clients_without_versions_get_plain_changes(stranger):
     """As the protocol has it."""
     edits = types.WorkspaceEditClientCapabilities(document_changes=False)

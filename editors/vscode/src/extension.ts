@@ -5,7 +5,7 @@ import { LanguageClient, type LanguageClientOptions } from "vscode-languageclien
 
 import { themeOf, type Theme } from "./robotPage";
 import { RobotViews } from "./robotView";
-import { rulePages } from "./rulePages";
+import { RULE_SCHEME, ruleOfAddress, rulePageAddress, rulePages } from "./rulePages";
 import { SECTION, serverCommand, serverSettings } from "./settings";
 
 const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml,rviz,launch,launch.py,launch.xml}";
@@ -20,6 +20,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("kinlint.openRobot", openRobot),
     vscode.commands.registerCommand("kinlint.openRulePage", openRulePage),
     vscode.commands.registerCommand("kinlint.restart", restart),
+    vscode.workspace.registerTextDocumentContentProvider(RULE_SCHEME, { provideTextDocumentContent: askForRulePage }),
     vscode.workspace.onDidSaveTextDocument(() => robots.drawAll()),
     vscode.window.onDidChangeActiveColorTheme(() => robots.drawAll()),
     vscode.workspace.onDidChangeConfiguration(async (event) => {
@@ -131,13 +132,27 @@ async function askForRobot(uri: string, theme: Theme): Promise<string | null> {
   });
 }
 
-/** Open the page of a rule of which something was found in the active file. */
+/** Show the page of a rule of which something was found in the active file, as its server has it. */
 async function openRulePage(): Promise<void> {
   const document = vscode.window.activeTextEditor?.document;
-  const found = document === undefined ? [] : rulePages<vscode.Uri>(vscode.languages.getDiagnostics(document.uri));
-  const items = found.map((each) => ({ label: each.code, description: each.message, address: each.address }));
+  if (document === undefined) {
+    void vscode.window.showInformationMessage("Open a file with findings to read about their rules.");
+    return;
+  }
+  const found = rulePages(vscode.languages.getDiagnostics(document.uri));
+  const items = found.map((each) => ({ label: each.code, description: each.message }));
   const chosen = await vscode.window.showQuickPick(items, { placeHolder: "Rule" });
   if (chosen !== undefined) {
-    await vscode.env.openExternal(chosen.address);
+    const address = vscode.Uri.from(rulePageAddress(chosen.label, document.uri.toString()));
+    await vscode.commands.executeCommand("markdown.showPreviewToSide", address);
   }
+}
+
+async function askForRulePage(address: vscode.Uri): Promise<string> {
+  const { code, file } = ruleOfAddress(address);
+  const page = await client?.sendRequest<string | null>("workspace/executeCommand", {
+    command: "kinlint.showRulePage",
+    arguments: [file, code],
+  });
+  return page ?? `The server of kinlint has no rule ${code}.`;
 }

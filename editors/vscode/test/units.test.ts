@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { robotPage, themeOf, type Theme } from "../src/robotPage";
 import { RobotViews, type Panel } from "../src/robotView";
-import { rulePages } from "../src/rulePages";
+import { RULE_SCHEME, ruleOfAddress, rulePageAddress, rulePages } from "../src/rulePages";
 import { SERVER_SETTINGS, serverCommand, serverSettings } from "../src/settings";
 
 const manifest = JSON.parse(readFileSync(join(__dirname, "..", "..", "..", "package.json"), "utf-8"));
@@ -141,17 +141,19 @@ test("a server that fails is told in the view", async () => {
 });
 
 test("the rules of what was found, each once", () => {
-  const finding = (code: string, source = "kinlint") => ({
-    source,
-    message: `about ${code}`,
-    code: { value: code, target: `https://${code}` },
-  });
+  const finding = (code: string, source = "kinlint") => ({ source, message: `about ${code}`, code: { value: code } });
   const found = rulePages([finding("LIM001"), finding("FRM007"), finding("LIM001"), finding("X", "other")]);
   assert.deepEqual(
     found.map((each) => each.code),
     ["FRM007", "LIM001"],
   );
-  assert.equal(found[0]?.address, "https://FRM007");
+  assert.equal(found[0]?.message, "about FRM007");
+});
+
+test("the address of a page leads back to its rule and file", () => {
+  const address = rulePageAddress("LIM001", "file:///a%20b.urdf");
+  assert.equal(address.scheme, RULE_SCHEME);
+  assert.deepEqual(ruleOfAddress(address), { code: "LIM001", file: "file:///a%20b.urdf" });
 });
 
 test("every command is registered", () => {

@@ -50,11 +50,22 @@ class EntityPages:
                 lines += ["", "```xml", _line(homes[0].location), "```"]
         else:
             lines = list(self._node(entity, self._locator.display(place)))
-        elsewhere = [each.location for each in homes if each.location != place]
-        if elsewhere and (is_iri(entity) or xacro):
-            shown = (f"{each.source.name}:{each.start.line}" for each in elsewhere[:MOST])
-            lines += ["", f"Described at {', '.join(shown)}"]
+        for line in self._elsewhere(entity, place) if is_iri(entity) or xacro else ():
+            lines += ["", line]
         return "\n".join(lines)
+
+    def places(self, occurrences: Sequence[Occurrence]) -> Iterator[str]:
+        """Yield where else the entities of *occurrences*, at one place, are described."""
+        place = occurrences[0].location
+        for entity in list(dict.fromkeys(each.entity for each in occurrences))[:MOST]:
+            yield from self._elsewhere(entity, place)
+
+    def _elsewhere(self, entity: Entity, place: Location) -> Iterator[str]:
+        homes = self._index.descriptions([entity])
+        found = [each.location for each in homes if each.location != place]
+        shown = ", ".join(f"{each.source.name}:{each.start.line}" for each in found[:MOST])
+        if shown:
+            yield f"Described at {shown}"
 
     def _node(self, node: Term, display: TermFormatter) -> Iterator[str]:
         """Yield a heading about *node* and, below it, a list."""

@@ -47,7 +47,7 @@ def on_ignore(directive: Directive, rules: Sequence[Rule]) -> str:
     until = f", until {directive.until}" if directive.until else ""
     if not rules:
         return f"Ignores `{directive.selector}`, which names no rule{why}{until}"
-    pages = [rule_page.markdown(rule) for rule in rules[:MOST_RULES]]
+    pages = [rule_page.markdown(rule_page.brief(rule)) for rule in rules[:MOST_RULES]]
     more = len(rules) - MOST_RULES
     rest = [f"and {more} more rules"] if more > 0 else []
     return ACROSS.join([f"Ignored here{why}{until}", *pages, *rest])

@@ -13,6 +13,7 @@ from kinlint.configuration.selectors import Catalogue
 from kinlint.facts.robot_structures import Extraction
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
+from kinlint.formats.recognition import with_format
 from kinlint.navigation.element_meaning import meaning
 from kinlint.navigation.entity_hover import MOST, EntityPages
 from kinlint.navigation.file_links import Link, links
@@ -125,7 +126,10 @@ class Navigator:
         return [each for each in found if self._is(each.location, name)]
 
     def hover(self, name: str, offset: int) -> Hover | None:
-        """Return the hover text: findings and ignore directives before what the model states."""
+        """Return the hover text: findings and ignore directives before what the model states.
+
+        A part of a robot that XML names is told in the words of its format, without its classes.
+        """
         parts, spans = [], []
         found = self._findings(name, offset)
         if found:
@@ -137,10 +141,14 @@ class Navigator:
             spans.append(span)
         named = self._index.at(name, offset)
         pages = self._pages(named, name, offset)
-        told = [*self._summaries_of(named)] or [*self._summaries_around(name, offset)]
+        summaries = [*self._summaries_of(named)]
+        told = summaries or [*self._summaries_around(name, offset)]
         told += self._meaning(name, offset)
         told += self._values_there(named, name, offset)
-        if told and pages is not None:
+        if summaries and pages is not None and _is_tree(named[0].location.source):
+            told += self._entity_pages.places(named)
+            pages = pages._replace(markdown="\n\n".join(told))
+        elif told and pages is not None:
             pages = pages._replace(markdown=ACROSS.join(["\n\n".join(told), pages.markdown]))
         if pages is not None:
             parts.append(pages.markdown)
@@ -190,15 +198,18 @@ class Navigator:
                     return
 
     def _pages(self, named: Sequence[Occurrence], name: str, offset: int) -> Hover | None:
-        pages = EntityPages(self._model, self._index, self._locator)
         if named:
-            return pages.named(named)
+            return self._entity_pages.named(named)
         around = self._surroundings.at(name, offset)
         if not around:
             return None
         path = self._index.paths[name]
         source = next(each for each in self._texts if self._index.paths[each.name] == path)
-        return pages.nodes_hover(around, Location(source, around[0].span))
+        return self._entity_pages.nodes_hover(around, Location(source, around[0].span))
+
+    @cached_property
+    def _entity_pages(self) -> EntityPages:
+        return EntityPages(self._model, self._index, self._locator)
 
     @cached_property
     def _locator(self) -> Locator:
@@ -221,6 +232,11 @@ class Navigator:
         """Tell whether *place* is in the text called *name*."""
         paths = self._index.paths
         return place.source.name == name or paths[place.source.name] == paths[name]
+
+
+def _is_tree(source: SourceText) -> bool:
+    form = with_format(source).format
+    return form is not None and form.is_tree
 
 
 def _length(span: Span) -> int:

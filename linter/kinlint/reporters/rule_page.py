@@ -26,11 +26,9 @@ TEXT_WIDTH = 80
 def text(rule: Rule, style: Style, *, full: bool) -> Iterator[str]:
     """The page for a terminal: drawn where there are colours, plain otherwise.
 
-    Examples in formats of elements come first, those in URDF before all others. Unless *full*, there
-    is one, and no query.
+    Examples in formats of elements come first, those in URDF before all others.
     """
-    examples = sorted(rule.examples, key=_familiar)
-    rule = replace(rule, examples=examples) if full else summary(rule, examples)
+    rule = replace(rule, examples=sorted(rule.examples, key=_familiar)) if full else brief(rule)
     if style.color:
         yield _drawn(rule, style)
         return
@@ -50,6 +48,11 @@ def text(rule: Rule, style: Style, *, full: bool) -> Iterator[str]:
     yield from _listed("To ignore it", _ignoring(rule))
     yield from _listed("Facts that it asks for", _asked(rule))
     yield from _listed("See also", rule.links)
+
+
+def brief(rule: Rule) -> Rule:
+    """Return *rule* with one short example, and without queries and facts."""
+    return summary(rule, sorted(rule.examples, key=_familiar))
 
 
 def _familiar(example: Example) -> tuple[bool, int]:

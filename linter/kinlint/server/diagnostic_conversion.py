@@ -112,12 +112,15 @@ def error_diagnostic(
 
 
 def _related(finding: Finding, places: Places) -> Iterator[types.DiagnosticRelatedInformation]:
-    """The places that *finding* speaks of, then those of what it rests on, each once."""
+    """The places that *finding* speaks of, then those of what it rests on, each once.
+
+    What a finding rests on is left out where its reason says it in a sentence.
+    """
     texts = [(each.location, each.message or finding.message) for each in finding.related]
     texts += [(each.location, f"{each.rule.code}: {each.message}") for each in finding.consequences]
     texts += [
         (each.location, f"because: {each.statement}")
-        for each in finding.because
+        for each in (() if finding.reason else finding.because)
         if each.location is not None
     ]
     seen = {(finding.location.source.name, finding.location.span)}

@@ -17,6 +17,7 @@ from kinlint.light_dataclasses import replace
 from kinlint.reporters.picture import svg
 from kinlint.reporters.picture.finding_badges import Marks, marks
 from kinlint.reporters.picture.mermaid import lines
+from kinlint.reporters.rule_page import brief, markdown
 from kinlint.reporters.terminal_style import Style
 from kinlint.server.app import KinlintServer
 from kinlint.server.code_actions import FIX_ALL, fix_all
@@ -67,6 +68,15 @@ def register(server: KinlintServer) -> None:
         theme = str(arguments[1]) if len(arguments) > 1 else ""
         return await server.consult(_uri(arguments), partial(_page, theme=theme))
 
+    @server.command("kinlint.showRulePage")
+    async def show_rule_page(*arguments: Any) -> str | None:
+        """The page in Markdown of the rule with the code in the second argument; None if none has.
+
+        The first names a file of the project whose rules may have it.
+        """
+        code = str(arguments[1]) if len(arguments) > 1 else ""
+        return await server.consult(_uri(arguments), partial(_rule_page, code=code))
+
 
 def _uri(arguments: tuple[Any, ...]) -> str:
     """The URI in *arguments*, which clients send in several forms."""
@@ -94,6 +104,11 @@ def _page(view: RequestContext, theme: str) -> str | None:
     return (
         "".join(render(report, Style(), theme=theme if theme in THEMES else "")) if robots else None
     )
+
+
+def _rule_page(view: RequestContext, code: str) -> str | None:
+    rule = view.rulebook.by_code.get(code)
+    return None if rule is None else markdown(brief(rule))
 
 
 def _robots(view: RequestContext) -> list[tuple[Structure, Marks]]:
