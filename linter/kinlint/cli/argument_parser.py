@@ -39,7 +39,8 @@ class Parser(argparse.ArgumentParser):
         """
         end = arguments.index("--") if "--" in arguments else len(arguments)
         words = [f"{word}=" if word in self._bare else word for word in arguments[:end]]
-        if OUTPUT_FORMAT in self._option_string_actions and FORMAT not in self._option_string_actions:
+        known = self._option_string_actions
+        if OUTPUT_FORMAT in known and FORMAT not in known:
             words = [_FORMAT_WORD.sub(OUTPUT_FORMAT, word) for word in words]
         options, strange = self.parse_known_intermixed_args(words)
         words = [word for word in strange if not word.startswith("-")] + list(arguments[end + 1 :])
