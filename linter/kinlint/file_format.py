@@ -77,6 +77,9 @@ class Format:
     """True if the statements of a file depend on files that it names."""
     searched: bool = field(default=True, compare=False, repr=False)
     """True if directories are searched for its files; others have to be named, or match a glob."""
+    robot_files: str | None = field(default=None, compare=False, repr=False)
+    """The dotted name of the module whose `robots(paths)` yields those of its files in a directory
+    that are read, if the ends of their names do not tell."""
     convertible: bool = field(default=False, compare=False, repr=False)
     """True if `kinlint convert` writes it."""
     appendable: bool = field(default=False, compare=False, repr=False)

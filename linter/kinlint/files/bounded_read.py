@@ -10,6 +10,7 @@ from kinlint.files.pathname import shown
 from kinlint.files.tracked_io import question
 
 SIZE = 1 << 23
+BEGINNING = 1 << 26
 SYSTEM = [(name,) for name in ("dev", "etc", "proc", "run", "sys")]
 
 
@@ -42,6 +43,18 @@ def contents(path: Path, near: Path, limit: int = SIZE) -> bytes:
     except (OSError, ValueError) as error:
         cause = getattr(error, "strerror", None) or str(error)
         raise Unreadable(f"'{shown(path)}' cannot be read: {cause}") from None
+
+
+@question
+def beginning(path: Path) -> bytes | None:
+    """Return the first bytes of the regular file at *path*; None if it cannot be read."""
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            return None
+        with path.open("rb") as stream:
+            return stream.read(BEGINNING)
+    except (OSError, ValueError):
+        return None
 
 
 @question

@@ -64,6 +64,9 @@ SEARCHED = (
 )
 """The ends of the names of files that directories are searched for."""
 
+TOLD = {suffix: each for each in FORMATS if each.robot_files for suffix in each.suffixes}
+"""The formats of which directories are searched for robots alone, by the ends of names."""
+
 GLOBBED = (*BY_SUFFIX, *SHARED, JSON)
 """The ends of the names of files that a glob may stand for."""
 

@@ -1,7 +1,8 @@
 """Finds the files to lint: what was named, and the models in directories and globs.
 
 In directories these are `.jsonld` files, those `.json` files with keywords of JSON-LD, and robots
-in the XML formats, by the ends of their names or the root element of `.xml` files. Turtle and
+in the XML formats, by the ends of their names or the root element of `.xml` files; of COLLADA and
+USD, those that describe joints or bodies, and of layers those that no other leads to. Turtle and
 N-Quads are as often shapes or vocabularies as models, so they are read only when they are named,
 when a glob does not leave them out, or when they describe what the models of a directory only name.
 All else is passed over.
@@ -10,7 +11,8 @@ All else is passed over.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,10 +23,11 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.packages import CATKIN, IGNORED, working_copies
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, real, shown
-from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED, SHARED, by_suffix
+from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED, SHARED, TOLD, by_suffix
 from kinlint.light_dataclasses import dataclass, field
 
 if TYPE_CHECKING:
+    from kinlint.file_format import Format
     from kinlint.files.gitignore import GitIgnore
 
 SKIPPED = (
@@ -164,6 +167,7 @@ class Search:
         from kinlint.files.gitignore import GitIgnore  # noqa: PLC0415  only of searches
 
         ignore = GitIgnore(top, Path.cwd() if top.is_relative_to(Path.cwd()) else top)
+        scenes: dict[Format, list[Path]] = {}
         for here, folders, files in os.walk(top, onerror=_teller(str(top), found.errors)):
             base = Path(here)
             if base != top and not MARKERS.isdisjoint(files):
@@ -176,7 +180,7 @@ class Search:
             )
             for name in sorted(files):
                 path = base / name
-                if not name.lower().endswith((TURTLE, *SEARCHED)) or self._passed_over(
+                if not name.lower().endswith((TURTLE, *SEARCHED, *TOLD)) or self._passed_over(
                     path, ignore
                 ):
                     continue
@@ -184,8 +188,11 @@ class Search:
                     continue
                 if path.suffix.lower() == TURTLE:
                     found.turtle.append(path)
+                elif (form := TOLD.get(path.suffix.lower())) is not None:
+                    scenes.setdefault(form, []).append(path)
                 else:
                     yield from self._candidate(path, found.errors)
+        yield from _robots(scenes)
 
     def _passed_over(self, path: Path, ignore: GitIgnore, *, directory: bool = False) -> bool:
         if self._excluded(path):
@@ -205,6 +212,13 @@ class Search:
                 yield Input(name, path, named=False)
         except OSError as error:
             errors.append(SourceError(name, error.strerror or str(error)))
+
+
+def _robots(scenes: Mapping[Format, Iterable[Path]]) -> Iterator[Input]:
+    """Yield those of the *scenes* that their formats tell to be robots."""
+    for form, paths in scenes.items():
+        for path in import_module(str(form.robot_files)).robots(paths):
+            yield Input(shown(path), path, named=False)
 
 
 def _stays(path: Path, top: Path) -> bool:

@@ -20,6 +20,7 @@ COLLADA = Format(
     schema="formats/collada.ttl",
     block_comment=("<!--", "-->"),
     searched=False,
+    robot_files="kinlint.formats.collada.robot_documents",
 )
 FORMATS = (COLLADA,)
-"""Meshes are COLLADA, too, and there are many: directories are not searched for them."""
+"""Meshes and scenes are of this format, too, and there are many: content tells."""

@@ -22,9 +22,10 @@ USD = Format(
     namespace=NAMESPACE,
     schema="formats/usd.ttl",
     searched=False,
+    robot_files="kinlint.formats.usd.robot_layers",
 )
 NEEDED = "a binary layer of USD, which usd-core reads: pip install 'kinlint[usd]'"
 """Clause about what is not read without the extra."""
 
 FORMATS = (USD,)
-"""Meshes and scenes are USD, too: directories are not searched for it."""
+"""Meshes and scenes are of this format, too, and there are many: content tells."""
