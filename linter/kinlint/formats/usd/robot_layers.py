@@ -17,7 +17,7 @@ _BODIES = re.compile(
 )
 _ASSET = re.compile(rb"@([^@\s][^@\n]*?\.usd[acz]?)@", re.IGNORECASE)
 _PACKED = b"hysics"
-"""What a crate with physics has of the names of their schemas, compressed as they are."""
+"""Part of the names of schemas of physics that crates have, compressed as they are."""
 
 
 def robots(layers: Iterable[Path]) -> Iterator[Path]:
