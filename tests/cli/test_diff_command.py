@@ -67,6 +67,16 @@ def test_the_same_robot_gives_zero(kinlint, write):
     assert kinlint("diff", "old.urdf", "old.urdf")[1].endswith("No differences.\n")
 
 
+def test_robots_on_other_links_reach_as_they_did(kinlint, write):
+    """A robot written from its other end is the same; its reach is not compared."""
+    turned = ARM.replace('<parent link="base"/>', '<parent link="forearm"/>')
+    turned = turned.replace(
+        '<child link="forearm"/>\n    <axis xyz="0 1 0"',
+        '<child link="base"/>\n    <axis xyz="0 -1 0"',
+    )
+    assert kinlint("diff", "old.urdf", write("turned.urdf", turned).name)[1].count("reach") == 0
+
+
 def test_trouble_gives_two(kinlint, write):
     """Files that are not there, that describe no robot, or only one of them."""
     write("empty.urdf", "<robot name='none'/>")
@@ -90,7 +100,7 @@ def test_numbers_have_the_digits_that_tell_them_apart(kinlint, write):
 
 
 def test_json_has_values_and_places(kinlint):
-    (found,) = json.loads(kinlint("diff", "old.urdf", "new.urdf", "--output-format=json")[1])
+    (found,) = json.loads(kinlint("diff", "old.urdf", "new.urdf", "--format=json")[1])
     assert (found["old"], found["new"], found["differs"]) == ("old.urdf", "new.urdf", True)
     assert found["joints"] == {"common": 1, "old": 1, "new": 1}
     mass = next(each for each in found["changes"] if each["part"] == "forearm")

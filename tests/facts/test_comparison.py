@@ -66,6 +66,12 @@ def test_a_reversed_axis_is_told_once():
     assert differences(ARM, turned) == [("axis", "shoulder")]
 
 
+def test_an_axis_that_is_reversed_alone_is_told_once():
+    """Its limits have the same numbers, so they are no second difference."""
+    turned = ARM.replace('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>')
+    assert differences(ARM, turned) == [("axis", "shoulder")]
+
+
 def test_links_that_one_file_merges_are_no_difference():
     """Masses and inertias of links that are fixed to each other count together."""
     one = '<link name="hand">'

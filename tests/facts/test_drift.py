@@ -183,3 +183,19 @@ def test_each_composable_mechanism_is_compared_by_itself():
         ("upper limit", 2.0, 1.0),
         ("upper limit", 3.0, 1.0),
     ]
+
+
+WELDED = """<mujoco model="arm"><compiler angle="radian"/><worldbody><body name="base">
+  <geom size="0.1"/>
+  <body name="hand" pos="0 0 0.5"><joint name="wrist" axis="0 0 1" range="-1 1"/>
+    <inertial pos="0 0 0" mass="2" diaginertia="0.1 0.1 0.1"/>
+    <body name="palm" pos="0 0 0.1"><inertial pos="0 0 0" mass="1" diaginertia="0.1 0.1 0.1"/>
+    </body></body></body></worldbody></mujoco>"""
+
+
+def test_welds_of_mjcf_count_with_what_carries_them():
+    """None of them has a name, and all hold."""
+    palm = (link("palm", inertial(1.0)), '<joint name="plate" type="fixed"><parent link="hand"/>')
+    rest = '<child link="palm"/><origin xyz="0 0 0.1"/></joint>'
+    told = [each[0] for each in drift(urdf=robot(*palm, rest), mjcf=WELDED)]
+    assert not [each for each in told if each.startswith(("mass", "centre"))]

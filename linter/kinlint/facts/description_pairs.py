@@ -136,7 +136,11 @@ class DescriptionPairs:
 
     def _add(self, description: Description, kind: str, node: Term) -> None:
         name = local_name(node)
-        if getattr(description, kind).setdefault(name, node) == node and kind == "joints":
+        parts = getattr(description, kind)
+        if parts.setdefault(name, node) != node:
+            # Nameless parts, such as the welds of MJCF, are called alike; none of them is left out.
+            parts[node] = node
+        elif kind == "joints":
             bodies = joined_by(self.scan, node)
             if self.mechanism.movement(node) != "fixed":
                 description.moving[name] = node

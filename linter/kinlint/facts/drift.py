@@ -87,9 +87,9 @@ def _told(node: Term, each: Measured) -> Iterator[Triple]:
     yield node, fact("quantity"), literal(_label(each, at))
     for name, value in (("here", each.here), ("there", each.other)):
         if isinstance(value, tuple):
-            yield from numbers(node, [(name, value[at or 0])])
-        elif isinstance(value, float):
-            yield from numbers(node, [(name, value)])
+            value = value[at or 0]  # noqa: PLW2901  the component that differs most
+        if isinstance(value, float):
+            yield from numbers(node, [(name, float(f"{value:.12g}"))])
         else:
             yield node, fact(name), literal(UNLIMITED if value is None else value)
 

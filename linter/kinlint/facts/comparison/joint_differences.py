@@ -86,16 +86,19 @@ def _placements(  # noqa: PLR0913
 def _limits(
     parts: Parts, here: MovingJoint, there: MovingJoint, *, mirrored: bool, ranged: bool
 ) -> Iterator[Measured]:
-    """Yield the limits of position, force and speed that both state; those of a turned axis too.
+    """Yield the limits of position, force and speed that both state.
 
-    None of position is stated to be unlimited if *ranged*.
+    Those of a *mirrored* axis are turned with it, unless they are the same numbers: then only the
+    axis differs. None of position is stated to be unlimited if *ranged*.
     """
     position, force = ("m", "N") if here.kind == LINEAR else ("rad", "N m")
     mine, yours = (here.lower, here.upper), (there.lower, there.upper)
-    if mirrored:
-        yours = (_negated(there.upper), _negated(there.lower))
     nodes = (here.limit_node or here.node, there.limit_node or there.node)
     ranges = Parts(parts.part, parts.other_part, parts.at, parts.there, parts.tolerances, nodes)
+    if mirrored and any(
+        ranges.bound("", position, *each).differs for each in zip(mine, yours, strict=True)
+    ):
+        yours = (_negated(there.upper), _negated(there.lower))
     for what, a, b in zip(("lower limit", "upper limit"), mine, yours, strict=True):
         if (a is not None or b is not None) and (ranged or None not in {a, b}):
             yield ranges.bound(what, position, a, b)

@@ -81,14 +81,16 @@ def _whole(
     """Yield what differs of the robots as wholes: their mass, and how far they reach.
 
     *alike* are the groups that correspond. Where one of two states a mass and the other none, as if
-    it is computed from a mesh, the mass of the whole is not known.
+    it is computed from a mesh, the mass of the whole is not known. Robots that stand on different
+    links do not reach equally far.
     """
     mass, now = (sum(map(total_mass, each.robot.groups)) for each in (old, new))
     pairs = ((old.robot.groups[one], new.robot.groups[other]) for one, other in alike.items())
     known = all(_is_weighed(one) == _is_weighed(other) for one, other in pairs)
     if known and min(mass, now) > 0.0 and tolerances.apart(mass, now):
         yield Change("robot", "", "", "mass", "kg", mass, now)
-    reaches = [reach(each.robot) for each in (old, new)]
+    standing = old.robot.roots and alike.get(old.robot.roots[0]) in new.robot.roots[:1]
+    reaches = [reach(each.robot) if standing else None for each in (old, new)]
     if reaches[0] is not None and reaches[1] is not None:
         near, far = reaches[0].distance, reaches[1].distance
         if abs(near - far) > tolerances.distance:
