@@ -180,18 +180,18 @@ def flat(poses):
 @pytest.mark.corpus
 def test_kdl_agrees(pin, robots, make, tmp_path):
     """Each program is compiled, unoptimised, and moves as Pinocchio has it."""
-    if not shutil.which("g++") or not Path("/usr/include/kdl/tree.hpp").exists():
-        pytest.skip("compiles with KDL, Debian's liborocos-kdl-dev")
     for path in spread_over(robots):
         text = {Path(path).name: Path(path).read_bytes()}
-        for name, code in make(text, "kdl", general=False)[1].items():
-            (tmp_path / name).write_text(code)
-        compiled(tmp_path)
+        compile_program(make(text, "kdl", general=False)[1], tmp_path)
         assert compare_kdl(Reference(pin, *robots[path]), tmp_path / "robot") <= TOLERANCE, path
 
 
-def compiled(folder):
-    """Compile the program in *folder*; what others have in common with it, the first time only."""
+def compile_program(files, folder):
+    """Compile *files* in *folder*; what others have in common with them, the first time only."""
+    if not shutil.which("g++") or not Path("/usr/include/kdl/tree.hpp").exists():
+        pytest.skip("compiles with KDL, Debian's liborocos-kdl-dev")
+    for name, code in files.items():
+        (folder / name).write_text(code)
     options = ["g++", "-std=c++17", "-O0", "-I/usr/include/eigen3"]
     common = folder / "common.hpp"
     if not common.exists():
@@ -241,10 +241,12 @@ def test_one_robot_in_four_formats(pin, make, library):
         assert all(apart(each, forces[0]) <= TOLERANCE for each in forces)
 
 
-def test_the_kinova_arm(pin, make):
+@pytest.mark.parametrize("library", ["numpy", "pinocchio", "kdl"])
+def test_the_kinova_arm(pin, make, library, tmp_path):
     """Its chain is complete, so it is compared with what its poses say, read for themselves."""
     home = locate_data("comp-rob2b", "robot-models", "kinova", "gen3", "7dof")
-    errors, files = make(texts(sorted(home.glob("robot.*.json"))), "numpy", general=False)
+    models = texts(sorted(home.glob("robot.*.json")))
+    errors, files = make(models, "numpy" if library == "kdl" else library, general=False)
     assert errors == []
     robot = module(files["robot.py"])
     nodes = json.loads((home / "robot.geom.json").read_text())["@graph"]
@@ -259,4 +261,9 @@ def test_the_kinova_arm(pin, make):
         frame = pin.Frame(f"link{number + 1}", joint, pin.SE3.Identity(), pin.FrameType.BODY)
         model.addFrame(frame)
     model.addFrame(pin.Frame("link0", 0, pin.SE3.Identity(), pin.FrameType.BODY))
-    assert compare(Reference(pin, model, robot), robot) <= TOLERANCE
+    reference = Reference(pin, model, robot)
+    if library != "kdl":
+        assert compare(reference, robot) <= TOLERANCE
+        return
+    compile_program(make(models, library, general=False)[1], tmp_path)
+    assert compare_kdl(reference, tmp_path / "robot") <= TOLERANCE

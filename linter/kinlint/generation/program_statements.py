@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
-from kinlint.addresses import is_address, split
+from kinlint.addresses import is_address, lifted, split
 from kinlint.facts.body_frames import Transform
 from kinlint.facts.coordinate_pairs import CoordinatePairs
 from kinlint.facts.fact_context import FactContext
@@ -22,11 +22,12 @@ from kinlint.facts.metamodel_terms import chain, terms_in
 from kinlint.facts.tree_motions import JointMotion
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import Term, Triple, iri, literal
-from kinlint.vocabulary import GENERATION
+from kinlint.vocabulary import GENERATION, SRC
 
 gen = terms_in(GENERATION)
 PROGRAM = gen("program")
 FILE, NAMED = gen("file"), gen("iri")
+STAGE = iri(f"{SRC}stageOf")
 AXES = "xyz"
 FIXED, REVOLUTE, PRISMATIC = "fixed", "revolute", "prismatic"
 
@@ -174,10 +175,14 @@ class ModelStatements:
         return found
 
     def _is_weighed(self, motions: Sequence[JointMotion]) -> bool:
-        """Tell whether whatever a joint moves has an inertia, and every stated mass is of one."""
+        """Tell whether whatever a joint moves has an inertia, and every stated mass is of one.
+
+        What is between the joints of one body of MJCF has no mass.
+        """
         assemblies = self.context.assemblies
         known = self.inertias
-        moved = {each.edge.child for each in motions}
+        stages = {lifted(each) for each, _ in self.context.scan.table(STAGE).items()}
+        moved = {each.edge.child for each in motions} - stages
         if any(body in moved and body not in known for body in assemblies.masses):
             return False
         lumps = {assemblies.assembly(body) for body in known}
