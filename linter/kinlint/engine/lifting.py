@@ -149,8 +149,13 @@ def lift(
     lifted from. Raises `RuleInvalid` for a query that is no SPARQL.
     """
     store.oxigraph.clear_graph(ox.NamedNode(iri_value(LIFTED_GRAPH)))
-    foreign = foreign_documents(store.documents.values())
-    for each in asked({document.format for document in store.documents.values()}, wanted):
+    homes = {graph: document.format for graph, document in store.documents.items()}
+    lifted = {each.name for each in LIFTED}.intersection(each.lifted_as for each in homes.values())
+    foreign = {
+        form: frozenset(g for g, other in homes.items() if other.lifted_as in lifted - {form})
+        for form in lifted
+    }
+    for each in asked(homes.values(), wanted):
         try:
             with part("lifting queries", f"{each.format}/{each.name}.rq"):
                 store.oxigraph.update(each.update(kept, foreign[each.format]))
@@ -158,23 +163,13 @@ def lift(
             raise RuleInvalid(f"shapes/lifting/{each.format}/{each.name}.rq: {error}") from error
 
 
-def foreign_documents(documents: Iterable[Document]) -> Mapping[str, frozenset[Term]]:
-    """Return the graphs of those *documents* that queries for a format, by its name, pass over.
+def is_lifted_as(node: Term, form: str, documents: Mapping[Term, Document]) -> bool:
+    """Tell whether queries for the format *form* are for *node*, an element or what is made of it.
 
-    Readers state alike what is alike: queries for one format would match elements of another one.
+    They are where none of *documents*, by their graphs, says otherwise.
     """
-    graphs: dict[str, set[Term]] = {each.name: set() for each in LIFTED}
-    for document in documents:
-        graphs.get(document.format.lifted_as, set()).add(document.graph)
-    return {
-        name: frozenset().union(*(graphs[other] for other in graphs if other != name))
-        for name in graphs
-    }
-
-
-def is_foreign(node: Term, foreign: Collection[Term]) -> bool:
-    """Tell whether *node* is one of a *foreign* document."""
-    return f"{node.partition('#')[0]}>" in foreign
+    home = documents.get(f"{node.partition('#')[0]}>")
+    return home is None or home.format.lifted_as == form
 
 
 def makes(

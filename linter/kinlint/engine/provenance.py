@@ -30,7 +30,7 @@ from kinlint.engine.derivation import (
     Stated,
     derivations,
 )
-from kinlint.engine.lifting import asked, foreign_documents, is_foreign
+from kinlint.engine.lifting import asked, is_lifted_as
 from kinlint.engine.literal_spelling import normal
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.light_dataclasses import dataclass, field
@@ -149,14 +149,13 @@ class Provenance:
             assert isinstance(solutions, ox.QuerySolutions)
             names = [str(variable) for variable in solutions.variables]
             subjects = sorted({each.made.subject for each in derived.stated})
-            documents = self.store.documents.values()
-            foreign = foreign_documents(documents)[derived.lifting.format]
+            form, documents = derived.lifting.format, self.store.documents
             found: dict[tuple[str, Term], list[Row]] = {}
             for solution in solutions:
                 terms = zip(names, solution, strict=True)
                 row = {name: token(term) for name, term in terms if term is not None}
                 for name in subjects:
-                    if name in row and not is_foreign(row[name], foreign):
+                    if name in row and is_lifted_as(row[name], form, documents):
                         found.setdefault((name, row[name]), []).append(row)
             self._solutions[derived.select] = found
         return self._solutions[derived.select]

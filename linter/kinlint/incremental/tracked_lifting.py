@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property, lru_cache
 from itertools import count
 from typing import TypeAlias
@@ -12,7 +12,7 @@ import pyoxigraph as ox
 
 from kinlint.engine.compiler.query_dependencies import Dependencies, dependencies_of
 from kinlint.engine.construct_template import variables_of
-from kinlint.engine.lifting import Lifting, asked, foreign_documents, is_foreign
+from kinlint.engine.lifting import Lifting, asked, is_lifted_as
 from kinlint.engine.store import ASSERTED_GRAPH, Store, token
 from kinlint.incremental.affected_nodes import AffectedNodes, TooMany
 from kinlint.incremental.change import Changes, to_quads
@@ -120,10 +120,6 @@ class TrackedLifting:
         formats = {document.format for document in self.store.documents.values()}
         return [_unit(each, self._kept) for each in asked(formats, self._wanted)]
 
-    @cached_property
-    def _foreign(self) -> Mapping[str, frozenset[Term]]:
-        return foreign_documents(self.store.documents.values())
-
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Lift by those queries that look at what *changes* are about."""
         affected = AffectedNodes(changes)
@@ -182,14 +178,13 @@ class TrackedLifting:
         if roots is not None and unit.narrow is not None:
             select = unit.restricted.replace(GIVEN, " ".join(sorted(roots)))
         solutions = self.store.oxigraph.query(select, default_graph=ASSERTED)
-        foreign = self._foreign[unit.format]
         assert isinstance(solutions, ox.QuerySolutions)
         places = [[each.value for each in solutions.variables].index(name) for name in unit.names]
         for solution in solutions:
             terms = (solution[place] for place in places)
             row = tuple(None if term is None else token(term) for term in terms)
             home = None if unit.subject is None else row[unit.subject]
-            if home is None or not is_foreign(home, foreign):
+            if home is None or is_lifted_as(home, unit.format, self.store.documents):
                 yield row
 
     def _known(self, unit: Unit, row: Row, used: set[Term]) -> Iterator[Triple]:
