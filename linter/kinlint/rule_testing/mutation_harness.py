@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 
 from kinlint.catalogue.explanation_queries import EXPLAINS
@@ -10,7 +11,7 @@ from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.document import Document
 from kinlint.engine.compiler.declared_prefixes import declared
 from kinlint.engine.compiler.shacl_terms import sh
-from kinlint.engine.compiler.shapes_compiler import compile_shapes
+from kinlint.engine.compiler.shapes_compiler import compile_graph
 from kinlint.engine.compiler.shapes_graph import ShapesGraph
 from kinlint.engine.compiler.shapes_graph import read as read_shapes
 from kinlint.engine.constraint import Constraint
@@ -23,7 +24,7 @@ from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
-from kinlint.light_dataclasses import dataclass
+from kinlint.light_dataclasses import dataclass, replace
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
@@ -33,9 +34,10 @@ from kinlint.rule_testing.unmatched_pattern import readable
 from kinlint.sparql.ast import render
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
-from kinlint.terms import literal_value
+from kinlint.terms import Term, Triple, literal, literal_value
 from kinlint.text import SourceText
 
+SELECT = sh("select")
 Told = tuple[tuple[object, ...], str, str | None, str | None, str]
 """Identity, subject, property, value and reason of a finding in an example."""
 
@@ -62,13 +64,18 @@ class MutationHarness:
         """Return the findings of *constraints* in each example."""
         return [set(self._told(locator, constraints)) for locator in self.examples]
 
-    def changes(self, constraints: tuple[Constraint, ...], outcomes: list[set[Told]]) -> bool:
-        """Return whether *constraints* find anything else than *outcomes* in the examples.
+    def changes(
+        self,
+        constraints: tuple[Constraint, ...],
+        others: list[set[Told]],
+        outcomes: list[set[Told]],
+    ) -> bool:
+        """Return whether *constraints*, with what *others* find, find anything but *outcomes*.
 
         The first finding that is not among them ends the comparison: a mutant may have thousands.
         """
-        for locator, known in zip(self.examples, outcomes, strict=True):
-            found = set()
+        for locator, beside, known in zip(self.examples, others, outcomes, strict=True):
+            found = set(beside)
             for told in self._told(locator, constraints):
                 if told not in known:
                     return True
@@ -99,41 +106,45 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
     None for a rule that only the reference engine can judge.
     """
     rule = harness.rule
-    text = Path(rule.path).read_text("utf-8-sig")
     prefixes = next(file for file in harness.rulebook.shapes if file.name == PREFIXES)
-    graph = read_shapes([prefixes, (rule.path, text)])
+    common, own = read_shapes([prefixes, Path(rule.path)]).files
 
-    def compiled(version: str) -> tuple[Constraint, ...]:
-        found = compile_shapes([prefixes, (rule.path, version)])
+    def compiled(triples: Iterable[Triple]) -> tuple[Constraint, ...]:
+        found = compile_graph(ShapesGraph((common, replace(own, triples=tuple(triples)))))
         return tuple(each for each in found if each.owner == rule.iri)
 
-    constraints = compiled(text)
+    constraints = compiled(own.triples)
     if any(each.deferred is not None for each in constraints):
         return
     whole = harness.outcomes(constraints)
-    for query, known in _queries(graph):
-        select = parse(tokens(query, known))
-        for deleted, mutant in mutants(select):
+    graph = ShapesGraph((common, own))
+    queries = _queries(graph)
+    for node, query in queries.items():
+        others = harness.outcomes(compiled(_without({node}, own.triples)))
+        alone = [*_without(queries.keys() - {node}, own.triples)]
+        known = declared(graph, node)
+        for deleted, mutant in mutants(parse(tokens(literal_value(query), known))):
+            changed = {(node, SELECT, query): (node, SELECT, literal(render(mutant)))}
             try:
-                mutated = compiled(_replaced(text, query, render(mutant)))
-                matters = harness.changes(mutated, whole)
+                mutated = compiled(changed.get(each, each) for each in alone)
+                matters = harness.changes(mutated, others, whole)
             except RuleInvalid:
                 matters = True
             if not matters:
                 yield f"no example shows why the query needs {readable(deleted, known)}"
 
 
-def _queries(graph: ShapesGraph) -> Iterator[tuple[str, dict[str, str]]]:
-    """Yield the queries of constraints, each with its prefixes."""
+def _queries(graph: ShapesGraph) -> dict[Term, Term]:
+    """Return the queries of constraints, each by its constraint."""
     apart = {each for one in graph.subjects() for each in graph.values(one, EXPLAINS)}
-    for subject in graph.subjects():
-        if subject in apart:
-            continue
-        for query in graph.values(subject, sh("select")):
-            yield literal_value(query), declared(graph, subject)
+    return {
+        node: query
+        for node in graph.subjects()
+        if node not in apart
+        for query in graph.values(node, SELECT)
+    }
 
 
-def _replaced(text: str, query: str, by: str) -> str:
-    """Return the rule file *text* with *query* in it replaced."""
-    written = query if query in text else query.replace("\\", "\\\\")
-    return text.replace(written, by.replace("\\", "\\\\"))
+def _without(nodes: AbstractSet[Term], triples: Iterable[Triple]) -> Iterator[Triple]:
+    """Yield the *triples* but for those of the constraints *nodes*."""
+    return (each for each in triples if nodes.isdisjoint({each[0], each[2]}))
