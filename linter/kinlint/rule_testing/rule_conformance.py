@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from functools import lru_cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal, TypeAlias
@@ -13,6 +14,7 @@ from kinlint import lint, resources
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.catalogue.scaffold import unfilled
 from kinlint.configuration.settings import Choice, FileSettings, Settings
+from kinlint.engine.constraint import Constraint
 from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
@@ -280,13 +282,17 @@ def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 def form(rule: Rule) -> Iterator[str]:
     """Yield violations of `shapes/rule.ttl` in the file of *rule*."""
-    from kinlint.engine.compiler.shapes_compiler import compile_shapes  # noqa: PLC0415
-
-    shapes = compile_shapes([resources.data("shapes") / "rule.ttl"])
     source = decode(rule.path, Path(rule.path).read_bytes())
     store = Store()
     store.load([read(source, ReadOptions())])
-    for result in check(store, shapes):
+    for result in check(store, _form_shapes()):
         said = next(iter(result.constraint.messages), f"{result.path} has a wrong value")
         wish = result.constraint.severity == f"{SH}Info" and not is_built_in(rule)
         yield Remark(said) if wish else said
+
+
+@lru_cache(maxsize=1)
+def _form_shapes() -> tuple[Constraint, ...]:
+    from kinlint.engine.compiler.shapes_compiler import compile_shapes  # noqa: PLC0415
+
+    return compile_shapes([resources.data("shapes") / "rule.ttl"])
