@@ -139,7 +139,7 @@ def test_a_good_sample_computes_by_it(term):
 
 @pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.name)
 def test_a_broken_sample_is_found_broken_where_it_is(file):
-    """The findings of a broken sample are those listed beside it; one is of the rule in its name."""
+    """Its findings are those listed beside it, and one is of the rule that it is named for."""
     found, rules = [], set()
     for finding in broken(file):
         start = finding.location.start
