@@ -150,6 +150,15 @@ def test_a_warning_stops_it_unless_accepted(here, capsys):
     assert generate(capsys, *arguments, "-q", "--fail-on", "error") == (0, "", "")
 
 
+@pytest.mark.parametrize(("library", "name"), [("kdl", "robot.hpp"), ("numpy", "robot.py")])
+def test_says_why_there_are_no_dynamics(here, capsys, library, name):
+    start, _, rest = robot().partition("  <inertial>")
+    Path("r.urdf").write_text(start + rest.partition("</inertial>\n")[2])
+    generate(capsys, "--for", library, "r.urdf", "-o", "out", "-q", "--fail-on", "error")
+    cause = "Without inverse dynamics: the models do not state all of the inertia of hand."
+    assert cause in Path("out", name).read_text()
+
+
 def test_the_rules_have_pages(capsys, rules_cache):
     assert main(["rule", "GEN"]) == 0
     out = capsys.readouterr().out

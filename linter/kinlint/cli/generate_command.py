@@ -129,6 +129,7 @@ def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | No
     settings = _strict(settings, options.library)
     with ProgressBar(len(found.inputs), wanted=not options.quiet, color=options.color) as bar:
         sources, book = read_inputs(found, settings, options, bar)
+        bar.advance(0)  # the rules may have taken long
         Policies(settings, book.rules).check_selectors()
         examined = Analyzer(settings, book, repeated=True).examine(pair(sources, settings))
         bar.advance(len(found.inputs))

@@ -92,8 +92,10 @@ class ModelStatements:
                 yield from self._numbers(joint, "axis", zip(AXES, each.axis, strict=True))
             if each.turned:
                 yield joint, gen("turned"), literal("true")
-        if self._is_weighed(motions):
+        if (unweighed := self._unweighed(motions)) is None:
             yield PROGRAM, gen("weighed"), literal("true")
+        elif unweighed in names:
+            yield PROGRAM, gen("unweighed"), literal(names[unweighed])
 
     def _part(
         self, node: Term, kind: str, number: int, names: Mapping[Term, str]
@@ -174,22 +176,22 @@ class ModelStatements:
             )
         return found
 
-    def _is_weighed(self, motions: Sequence[JointMotion]) -> bool:
-        """Tell whether whatever a joint moves has an inertia, and every stated mass is of one.
+    def _unweighed(self, motions: Sequence[JointMotion]) -> Term | None:
+        """Return a body that moves, or is stated to have a mass, without a complete inertia.
 
-        What is between the joints of one body of MJCF has no mass.
+        None if there is none. What is between the joints of one body of MJCF has no mass.
         """
         assemblies = self.context.assemblies
         known = self.inertias
         stages = {lifted(each) for each, _ in self.context.scan.table(STAGE).items()}
-        moved = {each.edge.child for each in motions} - stages
-        if any(body in moved and body not in known for body in assemblies.masses):
-            return False
+        moved = [each.edge.child or "" for each in motions if each.edge.child not in stages]
         lumps = {assemblies.assembly(body) for body in known}
         still = assemblies.assembly(self.context.motions.roots[0]) if motions else ""
-        return bool(motions) and all(
-            assemblies.assembly(body or "") in {*lumps, still} for body in moved
-        )
+        for body in moved:
+            stated = body in assemblies.masses and body not in known
+            if stated or assemblies.assembly(body) not in {*lumps, still}:
+                return body
+        return None if motions else ""
 
     def _couplings(self) -> Iterator[Triple]:
         for joint, gearings in self.context.joints.gearings.items():
