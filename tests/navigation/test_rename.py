@@ -157,6 +157,22 @@ def test_names_of_mjcf(tmp_path):
     assert found == {"w.xml": MJCF.replace("torso", "trunk")}
 
 
+CLASSES = """<mujoco>
+  <default><default class="leg"><geom size="1"/><default class="foot"/></default></default>
+  <worldbody><body name="leg" childclass="leg"><geom class="leg"/><geom class="foot"/></body></worldbody>
+</mujoco>
+"""
+
+
+def test_a_default_class_of_mjcf(tmp_path):
+    """The body of its name keeps it."""
+    model = Renamed(tmp_path, {"w.xml": CLASSES})
+    found = model.rename('w.xml: geom class="l|eg"', "shank")
+    assert found == {"w.xml": CLASSES.replace('class="leg"', 'class="shank"')}
+    assert model.refused('w.xml: default class="f|oot"', "leg") == "class 'leg' exists already"
+    assert "default class" in model.hover('w.xml: childclass="l|eg"')
+
+
 def test_refused_names(leg):
     where = 'leg.urdf: <link name="sh|in">'
     assert leg.refused(where, "hip") == "link 'hip' exists already"
@@ -242,6 +258,9 @@ def test_nodes_of_json_ld(tmp_path):
     assert found == {
         "arm.jsonld": JSON.replace('"ex:base"', '"ex:root"').replace('arm#base"', 'arm#root"')
     }
+    for whole in ("ex:root", "https://example.org/arm#root"):
+        assert model.rename('arm.jsonld: { "@id": "ex:ba|se", "@type": "Frame"', whole) == found
+    assert "cannot be" in model.refused('arm.jsonld: "@id": "ex:|p"', "other:q")
     assert "exists already" in model.refused('arm.jsonld: "@id": "ex:|p"', "base")
     assert "described in no file" in model.refused('arm.jsonld: "Po|int"')
     assert "cannot be" in model.refused('arm.jsonld: "@id": "ex:|p"', "a b")

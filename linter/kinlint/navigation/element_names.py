@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
-from kinlint.addresses import local_name
+from kinlint.addresses import last_tag, local_name
 from kinlint.document import Document
 from kinlint.formats.xml.element_types import ElementType, Schema
 from kinlint.formats.xml.references import names_in
 from kinlint.formats.xml.schema import schema
-from kinlint.navigation.occurrence import Occurrence, Role
+from kinlint.navigation.occurrence import CLASS, Occurrence, Role
 from kinlint.navigation.statement_index import StatementIndex
 from kinlint.terms import Term, iri, iri_value, literal_value
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
+
+DEFAULT = "default"
+CLASS_NAME = iri(f"{ATTRIBUTE}class")
+CLASS_NAMES = frozenset({CLASS_NAME, iri(f"{ATTRIBUTE}childclass")})
 
 
 def _types(table: Schema) -> Iterator[ElementType]:
@@ -33,10 +37,12 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
         if (target := leading.get((each.element, each.reference.predicate))) is not None
     }
     for (subject, predicate, value), target in calls.items():
-        if (place := said.place(subject, predicate, value)) is not None:
+        place = said.place(subject, predicate, value)
+        if place is not None and last_tag(target) != DEFAULT:
             yield Occurrence(place, target, Role.REFERENCE)
     table = schema(document.format.lifted_as)
     yield from _of_other_kinds(said, calls, leading)
+    yield from _classes(said, document, leading)
     if any(type_.addresses for type_ in _types(table)):
         yield from _addresses(document, said)
     naming = iri(ATTRIBUTE + table.names)
@@ -60,6 +66,22 @@ def _of_other_kinds(
                 continue
             if (place := said.place(subject, place_of, value)) is not None:
                 yield Occurrence(place, target, Role.REFERENCE)
+
+
+def _classes(
+    said: StatementIndex, document: Document, leading: Mapping[tuple[Term, Term], Term]
+) -> Iterator[Occurrence]:
+    """Yield the names of default classes, and their uses, by where these lead."""
+    for subject, predicate, value in document.statements:
+        if predicate not in CLASS_NAMES:
+            continue
+        own = last_tag(subject) == DEFAULT and predicate == CLASS_NAME
+        reference = predicate.replace(ATTRIBUTE, REFERENCE)
+        target = subject if own else leading.get((subject, reference))
+        place = said.place(subject, predicate, value)
+        if target is not None and place is not None and last_tag(target) == DEFAULT:
+            entity = f"{CLASS}:{literal_value(value)}@{target}"
+            yield Occurrence(place, entity, Role.DESCRIPTION if own else Role.REFERENCE)
 
 
 def _addresses(document: Document, said: StatementIndex) -> Iterator[Occurrence]:

@@ -11,7 +11,7 @@ from kinlint.navigation.hover import ACROSS, Hover
 from kinlint.navigation.index import Index
 from kinlint.navigation.node_at_offset import Around
 from kinlint.navigation.node_description import Descriptions
-from kinlint.navigation.occurrence import Entity, Occurrence
+from kinlint.navigation.occurrence import CLASS, Entity, Occurrence
 from kinlint.navigation.vocabulary_hover import page, sort
 from kinlint.navigation.xacro_names import label
 from kinlint.term_format import TermFormatter
@@ -45,7 +45,8 @@ class EntityPages:
         homes = self._index.descriptions([entity])
         if (xacro := label(entity)) is not None:
             kind, name = xacro
-            lines = [f"**{name}**: {kind} of xacro"]
+            whose = "default class of MJCF" if kind == CLASS else f"{kind} of xacro"
+            lines = [f"**{name}**: {whose}"]
             if homes:
                 lines += ["", "```xml", _line(homes[0].location), "```"]
         else:

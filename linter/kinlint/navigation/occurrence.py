@@ -11,8 +11,11 @@ from kinlint.text import Location
 Entity: TypeAlias = Term
 """Named thing: a term of the graph or, for what no graph has, its kind and its origin.
 
-Such are the macros, properties and arguments of xacro (`macro:`, `property:`, `argument:`).
+Such are the macros, properties and arguments of xacro (`macro:`, `property:`, `argument:`), and
+default classes of MJCF.
 """
+CLASS = "class"
+"""Kind of default classes."""
 
 
 class Role(Enum):

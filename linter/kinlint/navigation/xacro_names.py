@@ -14,7 +14,7 @@ from kinlint.formats.xacro.definitions import OWN
 from kinlint.formats.xacro.dom import Element, Text, VisitRecord
 from kinlint.formats.xacro.expansion_limits import LimitExceeded, Limits
 from kinlint.formats.xacro.xacro_parser import Malformed, parse
-from kinlint.navigation.occurrence import Entity, Occurrence, Role
+from kinlint.navigation.occurrence import CLASS, Entity, Occurrence, Role
 from kinlint.text import Location, SourceText, Span
 
 PREFIX = "xacro:"
@@ -57,9 +57,12 @@ def xacro_names(document: Document) -> Iterator[Occurrence]:
 
 
 def label(entity: Entity) -> tuple[str, str] | None:
-    """Return the kind and the name of what xacro defines; None for any other entity."""
+    """Return the kind and the name of what xacro defines, or of a default class of MJCF.
+
+    None for any other entity.
+    """
     kind, colon, rest = entity.partition(":")
-    known = colon and kind in (*DEFINED_BY.values(), "parameter")
+    known = colon and kind in (*DEFINED_BY.values(), "parameter", CLASS)
     return (kind, rest.partition("@")[0]) if known else None
 
 

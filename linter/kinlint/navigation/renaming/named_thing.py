@@ -8,10 +8,11 @@ from urllib.parse import unquote
 
 from kinlint.addresses import enclosing, is_address, is_element, last_tag, local_name, sibling
 from kinlint.light_dataclasses import dataclass
-from kinlint.navigation.occurrence import Entity
+from kinlint.navigation.occurrence import CLASS, Entity
 from kinlint.navigation.renaming.renaming_error import NotRenamable
 from kinlint.navigation.xacro_names import label
 from kinlint.terms import iri_value, is_iri
+from kinlint.text import Location
 
 SEPARATOR = "::"
 """Mark between the names of models, each in the one before, and of what is in the last."""
@@ -19,6 +20,8 @@ IDENTIFIER = re.compile(r"[^\W\d]\w*")
 TAG = re.compile(r"[^\W\d][\w.-]*")
 NAME = re.compile(r"[^\s<>&\"'$](?:[^<>&\"'$\r\n\t]*[^\s<>&\"'$])?")
 LOCAL = re.compile(r"[\w.~-]+")
+OPENING = frozenset({'"', "<", " ", "\t", "\n"})
+"""Characters before the name of a node of a graph."""
 _LOCAL_PART = re.compile(r"[^#/:]*\Z")
 
 
@@ -30,15 +33,15 @@ class NamedThing:
     """The entity."""
 
     @property
-    def xacro(self) -> tuple[str, str] | None:
-        """The kind and name of what xacro defines; None of anything else."""
+    def definition(self) -> tuple[str, str] | None:
+        """The kind and name of what xacro defines and of default classes; None of anything else."""
         return label(self.entity)
 
     @property
     def name(self) -> str:
         """The name that changes: of an IRI, what stands behind its namespace."""
-        if self.xacro is not None:
-            return self.xacro[1]
+        if self.definition is not None:
+            return self.definition[1]
         if is_address(self.entity):
             return local_name(self.entity) if is_element(self.entity) else ""
         found = _LOCAL_PART.search(iri_value(self.entity)) if is_iri(self.entity) else None
@@ -47,15 +50,15 @@ class NamedThing:
     @property
     def kind(self) -> str:
         """The kind in a word, such as `link`."""
-        if self.xacro is not None:
-            return self.xacro[0]
+        if self.definition is not None:
+            return self.definition[0]
         return last_tag(self.entity) if is_address(self.entity) else "node"
 
     def renamed(self, name: str) -> Entity:
         """Return the entity with another *name*; raises `NotRenamable` where that is none."""
-        if self.xacro is not None:
-            form, kind = (TAG if self.kind == "macro" else IDENTIFIER), self.kind
-            _check(form, name, f"the name of a {kind} of xacro")
+        if self.definition is not None:
+            form = {"macro": TAG, CLASS: NAME}.get(self.kind, IDENTIFIER)
+            _check(form, name, f"the name of a {self.kind}")
             return self.entity
         if is_address(self.entity):
             _check(NAME, name, f"the name of a {self.kind}")
@@ -65,12 +68,23 @@ class NamedThing:
         _check(LOCAL, name, "the last part of an IRI")
         return f"{self.entity[: -1 - len(self.name)]}{name}>"
 
+    def local(self, name: str, place: Location) -> str:
+        """Return the end of *name* if it begins as the name at *place* or the IRI does, else it all."""
+        if self.definition is not None or is_address(self.entity):
+            return name
+        end = _LOCAL_PART.search(name)
+        head = name[: end.start()] if end else ""
+        before = place.source.text[: place.span.start].removesuffix(head)
+        written = before[-1:] in OPENING and len(before) + len(head) == place.span.start
+        own = iri_value(self.entity)[: -len(self.name)] == head
+        return name[len(head) :] if written or own else name
+
     def part_of(self, written: str, named: Entity) -> tuple[int, int] | None:
         """Return the part of *written*, which names the entity *named*, that is this name.
 
         None if there is none. A path through nested models has a part for each.
         """
-        if self.xacro is not None or not is_address(self.entity):
+        if self.definition is not None or not is_address(self.entity):
             return self._end_of(written) if named == self.entity else None
         end = len(written)
         for each in enclosing(named):
@@ -91,7 +105,7 @@ class NamedThing:
         plain = written.strip('"')
         start = written.find(plain) + len(plain) - len(self.name)
         before = plain[: -len(self.name)]
-        bounded = not before or before[-1] in ":/#" or self.xacro is not None
+        bounded = not before or before[-1] in ":/#" or self.definition is not None
         if not plain.endswith(self.name) or not bounded:
             return None
         return start, start + len(self.name)
@@ -110,7 +124,7 @@ def _check(form: re.Pattern[str], name: str, what: str) -> None:
 
 def exists(thing: NamedThing, name: str, known: Collection[Entity]) -> bool:
     """Tell whether something of the kind of *thing* is called *name* among *known* already."""
-    if thing.xacro is not None:
+    if thing.definition is not None:
         return any(label(each) == (thing.kind, name) for each in known)
     return thing.renamed(name) in known
 

@@ -66,15 +66,17 @@ class Renamer:
     ) -> Sequence[TextEdit]:
         """Return the edits that have *renaming* called *new*; the graph changes by no more.
 
-        *made* is the examination of *texts*. Raises `NotRenamable`.
+        *made* is the examination of *texts*. *new* may have the prefix or namespace of a node, too.
+        Raises `NotRenamable`.
         """
+        new = renaming.things[0].local(new, next(iter(renaming.places)))
         known = {each.entity for each in self._index.occurrences if each.role is Role.DESCRIPTION}
         for thing in renaming.things:
             thing.renamed(new)
             if new != thing.name and exists(thing, new, known):
                 raise NotRenamable(f"{thing.kind} '{new}' exists already")
         found = [TextEdit(place, new) for place in renaming.places]
-        meant = {each.entity: each.renamed(new) for each in renaming.things if each.xacro is None}
+        meant = {each.entity: each.renamed(new) for each in renaming.things if each.definition is None}
         prove(found, meant, made, texts, settings)
         return found
 
@@ -104,12 +106,12 @@ class Renamer:
         return Renaming(found, dict(sorted(places.items(), key=_order)))
 
     def _check_kind(self, thing: NamedThing) -> None:
-        if thing.kind == ARGUMENT and thing.xacro is not None:
+        if thing.kind == ARGUMENT and thing.definition is not None:
             raise NotRenamable(
                 f"argument '{thing.name}' is given by launch files and on command lines,"
                 " which are not read"
             )
-        if thing.xacro is None and not self._index.descriptions([thing.entity]):
+        if thing.definition is None and not self._index.descriptions([thing.entity]):
             raise NotRenamable(f"'{thing.name}' is described in no file of the model")
 
     def _mentions(self, thing: NamedThing) -> list[Occurrence]:
