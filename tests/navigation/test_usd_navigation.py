@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from completing import Typing
 from support.linting import book, source
 
 from kinlint.configuration.settings import Settings
@@ -49,3 +50,37 @@ def test_a_prim_is_named_where_paths_lead_through_it(navigator: Navigator) -> No
     places = navigator.references("arm.usda", TEXT.index('"base"') + 2, described=False)
 
     assert [TEXT[each.span.start : each.span.end] for each in places] == ["base"]
+
+
+JOINT = """#usda 1.0
+def Xform "arm"
+{
+    def Xform "base" (
+        prepend apiSchemas = ["PhysicsRigidBodyAPI"]
+    )
+    {
+        def Cube "block"
+        {
+        }
+    }
+    def PhysicsRevoluteJoint "hip"
+    {
+        rel physics:body0 = </arm>
+        rel newton:mimicJoint = [</arm/hip>]
+        asset file = @</arm/base>@
+    }
+}
+"""
+
+
+def test_paths_in_relationships_are_completed(tmp_path) -> None:
+    """Bodies and joints come first where only they are meant; a bracket that lacks is added."""
+    typing = Typing(tmp_path, {"arm.usda": JOINT})
+    every = {"/arm", "/arm/base", "/arm/base/block", "/arm/hip"}
+    bodies = typing.labels("arm.usda: body0 = </arm> => body0 = </a|rm>")
+    assert (bodies[0], set(bodies)) == ("/arm/base", every)
+    joints = typing.labels("arm.usda: [</arm/hip>] => [</arm/hip>, <|]")
+    assert (joints[0], set(joints)) == ("/arm/hip", every)
+    assert typing.candidates("arm.usda: body0 = </arm> => body0 = </ar|")[0].text == "/arm/base>"
+    assert typing.candidates("arm.usda: body0 = </arm> => body0 = </a|>")[0].text == "/arm/base"
+    assert typing.labels("arm.usda: @</arm/base>@ => @</arm|>@") == []

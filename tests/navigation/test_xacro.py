@@ -76,8 +76,8 @@ def test_an_srdf_leads_into_the_included_file(cart):
 
 def test_a_name_in_a_macro_is_all_that_it_becomes(cart):
     shown = cart.hover('parts.xacro: <link name="${prefix}_wh|eel"')
-    assert "**left_wheel**" in shown
-    assert "**right_wheel**" in shown
+    assert "**link left_wheel**" in shown
+    assert "**link right_wheel**" in shown
 
 
 def test_broken_xacro_is_answered_with_nothing(tmp_path):

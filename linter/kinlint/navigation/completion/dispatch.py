@@ -5,6 +5,7 @@ from __future__ import annotations
 from kinlint.navigation.completion import (
     json_completion,
     turtle_completion,
+    usd_completion,
     xml_completion,
     yaml_completion,
 )
@@ -23,4 +24,6 @@ def complete(situation: Situation) -> Completions:
         return json_completion.complete(situation)
     if situation.format.fence == "yaml":
         return yaml_completion.complete(situation)
+    if situation.format.fence == "usda":
+        return usd_completion.complete(situation)
     return turtle_completion.complete(situation) if situation.format.fence == "turtle" else NOTHING
