@@ -159,7 +159,9 @@ def test_names_of_mjcf(tmp_path):
 
 CLASSES = """<mujoco>
   <default><default class="leg"><geom size="1"/><default class="foot"/></default></default>
-  <worldbody><body name="leg" childclass="leg"><geom class="leg"/><geom class="foot"/></body></worldbody>
+  <worldbody>
+    <body name="leg" childclass="leg"><geom class="leg"/><geom class="foot"/></body>
+  </worldbody>
 </mujoco>
 """
 

@@ -52,9 +52,7 @@ def parser() -> Parser:
     made.add_positionals("paths", "OLD NEW", "files, directories, or REVISION:PATH")
     add = made.add_argument
     add(
-        "--format",
         "--output-format",
-        dest="output_format",
         type=one_of(FORMATS),
         metavar="|".join(FORMATS),
         help="format (default: by the suffix of the output file, or text)",

@@ -69,7 +69,7 @@ class NamedThing:
         return f"{self.entity[: -1 - len(self.name)]}{name}>"
 
     def local(self, name: str, place: Location) -> str:
-        """Return the end of *name* if it begins as the name at *place* or the IRI does, else it all."""
+        """Return *name* without the prefix of the name at *place*, or the namespace of the IRI."""
         if self.definition is not None or is_address(self.entity):
             return name
         end = _LOCAL_PART.search(name)

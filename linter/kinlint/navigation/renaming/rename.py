@@ -76,7 +76,8 @@ class Renamer:
             if new != thing.name and exists(thing, new, known):
                 raise NotRenamable(f"{thing.kind} '{new}' exists already")
         found = [TextEdit(place, new) for place in renaming.places]
-        meant = {each.entity: each.renamed(new) for each in renaming.things if each.definition is None}
+        nodes = [each for each in renaming.things if each.definition is None]
+        meant = {each.entity: each.renamed(new) for each in nodes}
         prove(found, meant, made, texts, settings)
         return found
 
