@@ -321,3 +321,19 @@ def test_follows_the_schedule(here, capsys):
     )
     (poses,) = json.loads(run.stdout).values()
     assert len(poses) == 3
+    assert "expected name=value, with one of" in refusal("q1=0.5")
+
+
+def refusal(*words: str) -> str:
+    """The line by which the program in `out` refuses *words*."""
+    command = [sys.executable, "out/robot.py", *words]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout, run.stderr.count("\n")) == (1, "", 1)
+    return run.stderr
+
+
+def test_programs_refuse_what_is_no_position(here, capsys):
+    Path("r.urdf").write_text(robot())
+    generate(capsys, "--for", "numpy", "r.urdf", "-o", "out", "-q")
+    assert "could not convert string to float: 'fast'" in refusal("fast")
+    assert "expected 1 positions, then velocities" in refusal("0.1", "0.2", "0.3", "0.4")
