@@ -1,4 +1,4 @@
-"""Writes changed values into text layers."""
+"""Writes changes into text layers: other values, and schemas, attributes and metadata that come."""
 
 from __future__ import annotations
 
@@ -7,13 +7,16 @@ from collections.abc import Sequence
 from kinlint.document import Document
 from kinlint.edits import Delta, Edit, NotExpressible
 from kinlint.formats.options import ReadOptions
-from kinlint.terms import NUMERIC, Term, is_literal, literal_datatype, literal_value
+from kinlint.formats.usd.layer_additions import LayerAdditions
+from kinlint.formats.usd.value_spelling import spelt
+from kinlint.terms import Term, Triple, is_literal
+from kinlint.text import Span
 
-ONLY = "only values can be changed in USD"
+ONLY = "only values can be changed in USD, and schemas, attributes and metadata be added"
 
 
 class Editor:
-    """Writes changes of *document* into its text: other values of what is there."""
+    """Writes changes of *document* into its text."""
 
     def __init__(self, document: Document, _options: ReadOptions) -> None:
         self._document = document
@@ -21,27 +24,21 @@ class Editor:
     def edits(self, delta: Delta) -> Sequence[Edit]:
         """Return the edits of *delta*.
 
-        Raises NotExpressible unless it only replaces values of the layer itself.
+        Raises NotExpressible unless it only replaces values of the layer itself, and adds to it.
         """
-        new = {triple[:2]: triple[2] for triple in delta.added}
-        if len(new) != len(delta.added) or {each[:2] for each in delta.removed} != new.keys():
+        gone = {each[:2] for each in delta.removed}
+        new = {each[:2]: each[2] for each in delta.added if each[:2] in gone}
+        if len(gone) < len(delta.removed) or gone != new.keys():
             raise NotExpressible(ONLY)
-        found = {}
-        for triple in delta.removed:
-            span = self._document.map.triples.get(triple)
-            if span is None or not is_literal(triple[2]):
-                raise NotExpressible(ONLY)
-            if self._document.location(span).source is not self._document.source:
-                raise NotExpressible("it is written in another layer")
-            found[span] = Edit(span, _written(new[triple[:2]]))
-        return [found[span] for span in sorted(found)]
+        found = dict(self._replaced(each, new[each[:2]]) for each in delta.removed)
+        more = [each for each in delta.added if each[:2] not in gone]
+        added = LayerAdditions(self._document).edits(more) if more else []
+        return sorted([*found.values(), *added])
 
-
-def _written(value: Term) -> str:
-    """Return *value* as it is written; of strings, what stands between the quotes."""
-    written = literal_value(value)
-    if literal_datatype(value) in NUMERIC:
-        return f"{float(written):.9g}" if "." in written or "e" in written.lower() else written
-    if any(each in written for each in "\"'\\\n@"):
-        raise NotExpressible("the text has characters that would have to be escaped")
-    return written
+    def _replaced(self, triple: Triple, new: Term) -> tuple[Span, Edit]:
+        span = self._document.map.triples.get(triple)
+        if span is None or not is_literal(triple[2]):
+            raise NotExpressible(ONLY)
+        if self._document.location(span).source is not self._document.source:
+            raise NotExpressible("it is written in another layer")
+        return span, Edit(span, spelt(new))
