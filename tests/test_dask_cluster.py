@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import re
+import signal
+from threading import Thread
+from time import sleep
 
 import pytest
 
 from kinlint.cli.main import main
 
-distributed = pytest.importorskip("distributed")
 pytestmark = pytest.mark.slow
 
 ROBOT = '<robot name="{0}"><link name="a"/><joint name="j"><parent link="a"/></joint></robot>'
@@ -22,18 +25,53 @@ def said(capsys, *arguments: str) -> tuple[int, str]:
     return code, re.sub(r'"seconds": [\d.]+', "", capsys.readouterr().out)
 
 
-def test_a_cluster_reports_what_one_process_does(tmp_path, monkeypatch, rules_cache, capsys):
-    """What was linted is recalled by the next run, even if nobody is there any more."""
+@pytest.fixture
+def robots(tmp_path, monkeypatch, rules_cache):
+    """Makes the working directory one of robots with faults."""
     monkeypatch.setenv("KINLINT_CACHE_DIR", str(tmp_path / "cache"))
     directory = tmp_path / "robots"
     directory.mkdir()
     monkeypatch.chdir(directory)
     for number in range(COUNT):
         (directory / f"r{number}.urdf").write_text(ROBOT.format(f"r{number}"))
-    alone = said(capsys, "--no-cache")
+
+
+@pytest.fixture
+def cluster(robots):
+    """Two workers, each in a process that is started again when it ends."""
+    distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=":0"
-    ) as cluster:
-        address = cluster.scheduler_address.replace("tcp://", "dask://")
-        assert said(capsys, "--executor", address) == alone
+    ) as found:
+        yield found
+
+
+def address(cluster) -> str:
+    return cluster.scheduler_address.replace("tcp://", "dask://")
+
+
+def test_a_cluster_reports_what_one_process_does(cluster, capsys):
+    """What was linted is recalled by the next run, even if nobody is there any more."""
+    alone = said(capsys, "--no-cache")
+
+    assert said(capsys, "--executor", address(cluster)) == alone
     assert said(capsys, "--executor", "dask://127.0.0.1:1") == alone
+
+
+def test_what_lost_workers_were_at_is_done_by_others(cluster, capsys):
+    """Each worker is killed once, with what it has done and what waits for it."""
+    alone = said(capsys, "--no-cache")
+    victims = [each.pid for each in cluster.workers.values()]
+    tasks = cluster.scheduler.tasks
+
+    def kill():
+        for victim in victims:
+            while not any(name.startswith("lint_at") for name in list(tasks)):
+                sleep(0.05)
+            os.kill(victim, signal.SIGKILL)
+
+    killer = Thread(target=kill, daemon=True)
+    killer.start()
+
+    assert said(capsys, "--no-cache", "--executor", address(cluster)) == alone
+    killer.join()

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import pickle
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError, Executor, Future
 from contextlib import contextmanager
+from functools import partial
 from time import monotonic
 from typing import Any
 
@@ -47,8 +49,6 @@ def worker_pool(address: str, job: Job, errors: Sequence[SourceError]) -> Iterat
         known = pickle.dumps(Workplace(job, errors, os.getcwd()))  # noqa: PTH109  as files are named
         workplace = client.submit(pickle.loads, known, pure=False)
         threads = sum(client.nthreads().values())
-        executor = client.get_executor(pure=False)
-
         seen = monotonic()
 
         def watch() -> None:
@@ -59,8 +59,42 @@ def worker_pool(address: str, job: Job, errors: Sequence[SourceError]) -> Iterat
                 raise KinlintError(f"--executor: {address} has no workers any more")
 
         yield WorkerPool(
-            executor, workplace, threads * (1 + WAITING), distributed.KilledWorker, watch
+            _Cluster(client), workplace, threads * (1 + WAITING), distributed.KilledWorker, watch
         )
+
+
+class _Cluster(Executor):
+    """Gives tasks to *client*, and waits on where a worker is lost with the result of one.
+
+    `Client.get_executor` does not: it takes the result, which is worked out again, for an error.
+    """
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+        self._given = dict[Future[Any], Any]()
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Let a worker call *fn*."""
+        told = Future[Any]()
+        # A result is kept on its worker as long as there is somebody who refers to it.
+        given = self._given[told] = self._client.submit(fn, *args, **kwargs, pure=False)
+        given.add_done_callback(partial(self._conclude, told))
+        return told
+
+    def _conclude(self, told: Future[Any], given: Any) -> None:
+        try:
+            result = given.result()
+        except CancelledError:
+            told.cancel()
+            told.set_running_or_notify_cancel()  # wakes those who wait
+        except Exception as error:  # noqa: BLE001  whatever the worker raised
+            if told.set_running_or_notify_cancel():
+                told.set_exception(error)
+        else:
+            if told.set_running_or_notify_cancel():
+                told.set_result(result)
+        finally:
+            del self._given[told]
 
 
 def _compare(client: Any, address: str) -> None:
