@@ -61,6 +61,13 @@ def test_the_newest_version_is_after_all_others():
     assert not VersionRange("", "3.13").has(None)
 
 
+def test_a_version_that_no_release_is_near_is_an_error(capsys):
+    """The known ones are told; later ones that may come are taken for the newest."""
+    assert main(["targets", "urdfdom@60"]) == 2
+    assert "known versions of urdfdom are 4.0.1, 6.0.0" in capsys.readouterr().err
+    assert main(["targets", "urdfdom@7.1"]) == 0
+
+
 def test_a_name_may_stand_for_several_consumers():
     """What holds for one of them is told of each."""
     assert chosen_targets(["gazebo"]) == (Target("gazebo-classic"), Target("gazebo-sim"))

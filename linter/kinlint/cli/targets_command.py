@@ -13,8 +13,7 @@ from kinlint.cli.model_inputs import add_input_options
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.errors import UsageError
 from kinlint.reporters.reporter_registry import put
-from kinlint.suggestion import did_you_mean
-from kinlint.targets.chosen_target import chosen_targets, read_target
+from kinlint.targets.chosen_target import checked_target, chosen_targets
 from kinlint.targets.consumer import Consumer, ConsumerTable
 from kinlint.targets.consumer_files import consumer_table
 
@@ -51,7 +50,7 @@ def run(arguments: Sequence[str]) -> int:
     take_arguments(options)
     table = consumer_table()
     for name in options.names:
-        check_name(table, name)
+        checked_target(name, table.consumers)
     if options.paths:
         from kinlint.cli.target_matrix import print_matrix  # noqa: PLC0415  engines are slow
 
@@ -67,14 +66,6 @@ def run(arguments: Sequence[str]) -> int:
     else:
         put(_listed(table), sys.stdout)
     return 0
-
-
-def check_name(table: ConsumerTable, text: str) -> None:
-    """Raise `UsageError` if *text*, `NAME` or `NAME@VERSION`, names no consumer of *table*."""
-    name = read_target(text).name
-    if name not in table.consumers:
-        meant = did_you_mean(name, table.consumers) or "; kinlint targets lists them"
-        raise UsageError(f"unknown target '{name}'{meant}")
 
 
 def consumer_object(consumer: Consumer) -> dict[str, Any]:

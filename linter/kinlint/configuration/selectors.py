@@ -85,13 +85,9 @@ class Catalogue:
 
     def check_target(self, target: str) -> None:
         """Raise `UsageError` for a *target* that is no consumer known to kinlint or its rules."""
-        from kinlint.targets.chosen_target import read_target  # noqa: PLC0415  few runs name any
+        from kinlint.targets.chosen_target import checked_target  # noqa: PLC0415  few runs name any
 
-        known = {*TARGETS, *(one for rule in self.rules for one in rule.targets)}
-        if (name := read_target(target).name) not in known:
-            listed = ", ".join(sorted(known))
-            meant = did_you_mean(name, known) or f"; there are {listed}"
-            raise UsageError(f"unknown target '{name}'{meant}")
+        checked_target(target, {*TARGETS, *(one for rule in self.rules for one in rule.targets)})
 
     def find_from(self, origin: str, selector: str) -> tuple[Rank, frozenset[str]]:
         """Call `find`, and name *origin* in its error."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import NamedTuple
 
 from kinlint.errors import UsageError
+from kinlint.suggestion import did_you_mean
 from kinlint.targets.consumer_files import consumer_table
 from kinlint.targets.version_range import Version, VersionRange, read_version
 
@@ -37,6 +38,24 @@ def read_target(text: str) -> Target:
     except ValueError:
         message = f"target '{text}': expected a version such as {name}@3.3, got '{version}'"
         raise UsageError(message) from None
+
+
+def checked_target(text: str, names: Collection[str]) -> Target:
+    """Return the target that *text* spells, of a consumer that is one of *names*.
+
+    Raises `UsageError` for other names, and for a version far beyond those that are known.
+    """
+    target = read_target(text)
+    if target.name not in names:
+        meant = did_you_mean(target.name, names) or f"; there are {', '.join(sorted(names))}"
+        raise UsageError(f"unknown target '{target.name}'{meant}")
+    consumer = consumer_table().consumers.get(target.name) if target.version else None
+    if target.version and consumer is not None and consumer.releases:
+        newest = read_version(consumer.releases[-1])
+        if target.version[0] > newest[0] + 1:
+            known = ", ".join(consumer.releases)
+            raise UsageError(f"target '{text}': known versions of {consumer.label} are {known}")
+    return target
 
 
 def chosen_targets(texts: Iterable[str]) -> tuple[Target, ...]:
