@@ -127,7 +127,6 @@ LUMPED = {
     "mass stand": [],
     "moments of inertia hand": [],
     "speed limit elbow": [],
-    "effort limit elbow": [],
     "orientation wrist": [*GRIPPER, "centre of mass hand"],
     "origin wrist": [*GRIPPER[::2], "centre of mass hand"],
 }

@@ -11,20 +11,23 @@ from kinlint.facts.frame_placement import Placements
 from kinlint.facts.joint_trees import Edge
 from kinlint.facts.linear_algebra import Matrix, Vector
 from kinlint.facts.mechanism import Mechanism
-from kinlint.facts.metamodel_terms import geom, kin
+from kinlint.facts.metamodel_terms import attribute, geom, inherited, kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.quantity import ANGLES, Quantities
 from kinlint.facts.rotation import LOCKED
 from kinlint.structure import Origin
-from kinlint.terms import Term, literal
+from kinlint.terms import Term, iri, literal, literal_value
+from kinlint.vocabulary import SRC
 
 LEADER, FOLLOWER, MULTIPLIER, OFFSET = map(kin, ("leader", "follower", "multiplier", "offset"))
 DIRECTION, RATIO = kin("positive-direction"), kin("gear-ratio")
+TOGETHER, INHERITED_TOGETHER = attribute("actuatorfrcrange-2"), inherited("actuatorfrcrange-2")
+LIMITED, FROM = attribute("actuatorfrclimited"), iri(f"{SRC}from")
 UNGEARED: Mapping[Term, float] = {}
 SEQUENCE = kin("axes-sequence")
 BASIS = tuple(geom(f"vector-{axis}") for axis in "xyz")
 UNITS: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-NEEDED = (LEADER, FOLLOWER, MULTIPLIER, OFFSET, DIRECTION, RATIO, *BASIS)
+NEEDED = (LEADER, FOLLOWER, MULTIPLIER, OFFSET, DIRECTION, RATIO, *BASIS, TOGETHER)
 """Properties that these numbers are computed from, besides placements and ranges."""
 
 
@@ -112,9 +115,17 @@ class JointNumbers:
     def efforts(self) -> Mapping[Term, float]:
         """The greatest force in N, or torque in N m, of the one actuator of each joint.
 
-        That is behind the gear, so at the joint.
+        That is behind the gear, so at the joint. A joint of MJCF may limit what actuators exert
+        together.
         """
-        return self._bounds("ActuatorForceLimit", self.scan.numbers(RATIO))
+        found = dict(self._bounds("ActuatorForceLimit", self.scan.numbers(RATIO)))
+        limited, elements = self.scan.single(LIMITED), self.scan.single(FROM)
+        for table in map(self.scan.numbers, (TOGETHER, INHERITED_TOGETHER)):
+            for joint in self.mechanism.joints if table else ():
+                element = elements.get(joint, "")
+                if element in table and literal_value(limited.get(element, '""')) != "false":
+                    found[joint] = min(found.get(joint, math.inf), table[element])
+        return found
 
     @cached_property
     def speeds(self) -> Mapping[Term, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from kinlint.terms import Term, iri
-from kinlint.vocabulary import ATTRIBUTE, KIN, METAMODELS, QUDT, REFERENCE
+from kinlint.vocabulary import ATTRIBUTE, INHERITED, KIN, METAMODELS, QUDT, REFERENCE
 
 GEOMETRY = f"{METAMODELS}geometry/"
 DYNAMICS = f"{METAMODELS}newtonian-rigid-body-dynamics/"
@@ -29,6 +29,8 @@ reference = terms_in(REFERENCE)
 """Properties from an element to the target of its attribute of that name."""
 attribute = terms_in(ATTRIBUTE)
 """Attributes of elements, in any XML format."""
+inherited = terms_in(INHERITED)
+"""Attributes that elements of MJCF have from a default class."""
 
 OF = rel("of")
 WITH_RESPECT_TO = rel("with-respect-to")
