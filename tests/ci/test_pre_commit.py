@@ -197,7 +197,7 @@ def test_thousands_of_files_give_the_findings_of_one_run(hook, project, monkeypa
     monkeypatch.setenv("KINLINT_OUTPUT_FORMAT", "concise")
     code, told = hook("kinlint")
     assert code == 1
-    assert told.count("Found ") + told.count("All checks passed!") > 1
+    assert told.count("Found ") + told.count("All checks passed") > 1
     monkeypatch.chdir(project)
     capsys.readouterr()
     assert check([]) == 1

@@ -88,5 +88,5 @@ def test_nothing_else_is_an_issue(lint):
     """Neither the summary nor a clean run."""
     lines, _ = lint({"arm.urdf": GOOD, "axis.urdf": AXIS}, "--select", "INE003")
     assert lines == []
-    for line in ("Found 2 errors in 1 of 3 files.", "All checks passed!", ""):
+    for line in ("Found 2 errors in 1 of 3 files.", "All checks passed in 3 files.", ""):
         assert matched(line) is None

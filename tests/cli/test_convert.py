@@ -54,7 +54,7 @@ def test_to_a_file_that_kinlint_finds_nothing_wrong_with(tmp_path, capsys):
             "",
         )
         assert main([str(target), "--isolated", "--fail-on", "info"]) == 0
-        assert capsys.readouterr().out == "All checks passed!\n"
+        assert capsys.readouterr().out == "All checks passed in 1 file.\n"
 
 
 def test_from_standard_input(robot, capsys, monkeypatch):
@@ -103,7 +103,7 @@ def test_to_a_directory(robot, capsys, name, form, there):
         *("dynamics", "actuation", "shapes"),
     }
     assert main([f"{name}/*", "--isolated", "--fail-on", "info"]) == 0
-    assert capsys.readouterr().out == "All checks passed!\n"
+    assert capsys.readouterr().out == "All checks passed in 7 files.\n"
 
 
 def test_parts_are_the_whole(robot, capsys):

@@ -41,7 +41,7 @@ def test_right_models_pass(kinlint, write):
     """With a word of it."""
     write("arm.jsonld", CLEAN)
 
-    assert kinlint("arm.jsonld") == (0, "All checks passed!\n", "")
+    assert kinlint("arm.jsonld") == (0, "All checks passed in 1 file.\n", "")
 
 
 def test_standard_input(kinlint, monkeypatch):

@@ -104,7 +104,7 @@ def test_findings_in_installed_files_are_counted(ws, kinlint, place):
     file.rename(home)
     asked = (ARM_FILE, "--package", f"my_gripper_description={home}", "--select", "LIM")
     code, out, _ = kinlint(*asked)
-    assert (code, out) == (0, "All checks passed! 1 more in installed files.\n")
+    assert (code, out) == (0, "All checks passed in 1 file; 1 more in installed files.\n")
     assert kinlint(home / "urdf" / "gripper.xacro", *asked)[0] == 1
 
 

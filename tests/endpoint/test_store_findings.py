@@ -107,7 +107,7 @@ def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
     main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC003"])
     assert "in 1 of 2 files" in capsys.readouterr().out
     main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC002"])
-    assert capsys.readouterr().out == "All checks passed!\n"
+    assert capsys.readouterr().out == "All checks passed in 2 files.\n"
 
 
 @pytest.mark.slow

@@ -49,7 +49,7 @@ def test_there_is_a_table_by_rule_and_each_finding_at_its_place() -> None:
 
 def test_a_clean_run_says_so() -> None:
     text = "".join(markdown.render(report(files=("a.urdf",), applied=3), PLAIN))
-    assert text == "## kinlint\n\nAll checks passed! (1 file, 0 triples, 3 rules applied)\n"
+    assert text == "## kinlint\n\nAll checks passed (1 file, 0 triples, 3 rules applied).\n"
 
 
 def test_files_that_cannot_be_read_are_listed() -> None:

@@ -54,12 +54,8 @@ def verdict(report: Report) -> str:
 
 
 def _sentence(verdict: str, asides: Sequence[str]) -> str:
-    """Return a line of *verdict* and *asides*; praise ends in a mark of its own."""
-    praised = verdict.endswith(("!", ")")) and "!" in verdict
-    told = "; ".join(asides)
-    if praised:
-        return f"{verdict} {told}.\n" if told else f"{verdict}\n"
-    return f"{verdict}; {told}.\n" if told else f"{verdict}.\n"
+    """Return a line of *verdict* and *asides*."""
+    return f"{'; '.join((verdict, *asides))}.\n"
 
 
 def _fixability(report: Report) -> Iterator[str]:
@@ -97,8 +93,8 @@ def _verdict(report: Report, style: Style, *, verbose: bool) -> str:
         most = max(each.severity for each in report.hidden)
         worse = " or ".join(f"{each.label}s" for each in reversed(Severity) if each > most)
         return f"No {worse} in {plural(len(report.files), 'file')}" + f" ({extent})" * verbose
-    praise = style.ink("All checks passed!", "note")
-    return f"{praise} ({extent})" if verbose else praise
+    praise = style.ink("All checks passed", "note")
+    return praise + (f" ({extent})" if verbose else f" in {plural(len(report.files), 'file')}")
 
 
 def _idle(report: Report) -> bool:
