@@ -51,6 +51,8 @@ META = ("include", "frame", "replicate")
 """Elements that stand among others instead of below a section."""
 STATIC = ("joint", "freejoint", "inertial")
 """Children of bodies that no world has, and which do not stand right below a replicate."""
+ALTERNATIVES = ("body/flexcomp/pin",)
+"""Elements whose required attributes stand for each other: any of them will do."""
 SECTIONS_OF_BODY = ("body", *META)
 
 
@@ -179,7 +181,7 @@ class Descriptions:
             name, type_ = row["attribute"], row["type"]
             for slot in _slots(type_):
                 slots[slot].append(f'"{name}"')
-            if row["default"] == "required":
+            if row["default"] == "required" and element.path not in ALTERNATIVES:
                 said["required"].append(f'"{name}"')
             if row["since"] and row["since"] != element.row["since"]:
                 said["introduced"].append(f'"{name} {row["since"]}"')

@@ -70,12 +70,12 @@ class BodyStatements:
                 self._part(part)
 
     def _greatest_angle(self) -> None:
-        """State the greatest bound of a hinge, in the unit that is left open."""
+        """State the greatest bound of a hinge, in the unit that the main file leaves open."""
         hinges = (
             each.element
             for body in self.model.bodies
             for each in body.joints
-            if joint_type(each.element) == "hinge"
+            if body.settings is self.model.settings and joint_type(each.element) == "hinge"
         )
         angles = [abs(bound) for each in hinges for bound in each.numbers("range")]
         if angles:
