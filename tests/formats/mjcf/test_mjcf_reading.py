@@ -196,6 +196,11 @@ def test_names_may_be_those_of_a_file_that_is_not_there() -> None:
     assert not any(p == iri(f"{SRC}dangling") for _, p, _ in unsure.statements)
 
 
+def test_a_pin_of_a_flex_needs_one_of_its_attributes() -> None:
+    read = model('<worldbody><flexcomp name="f"><pin id="0 4"/></flexcomp></worldbody>')
+    assert not nodes(read, "MissingAttribute")
+
+
 def test_an_attached_model_keeps_its_own_unit_of_angles(tmp_path) -> None:
     (tmp_path / "hand.xml").write_text(
         '<mujoco model="hand"><compiler angle="radian"/><worldbody><body name="palm">'
@@ -211,6 +216,7 @@ def test_an_attached_model_keeps_its_own_unit_of_angles(tmp_path) -> None:
     assert "left_palm" in named
     units = [o for _, p, o in read.statements if p == iri(f"{SRC}rangeUnit")]
     assert [each.rpartition("/")[2] for each in units] == ["RAD>"]
+    assert not [p for _, p, _ in read.statements if p == iri(f"{SRC}greatestAngle")]
 
 
 def test_a_model_is_not_attached_to_itself_without_end(tmp_path) -> None:

@@ -105,8 +105,8 @@ class CompiledModel:
     @classmethod
     def from_root(cls, root: MjcfElement) -> CompiledModel:
         """Return the model of the file with *root*, whose elements get what they inherit."""
-        model = cls(root, CompilerSettings.from_root(root))
-        file = model._file(root)
+        file = ModelFile.from_root(root)
+        model = cls(root, file.settings, _files={root: file})
         worlds = list(root.all("worldbody"))
         if worlds:
             top = worlds[0]
