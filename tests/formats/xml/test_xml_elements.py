@@ -157,7 +157,7 @@ def test_an_unnamed_element_and_a_name_never_share_an_address() -> None:
                 "tag": "mechanicalReduction",
                 "written": "one",
                 "expected": "number",
-                "reason": "one is not a number",
+                "reason": "'one' is not a number",
             },
         ),
         (
@@ -169,7 +169,7 @@ def test_an_unnamed_element_and_a_name_never_share_an_address() -> None:
                 "tag": "axis",
                 "written": "nan 0 0",
                 "expected": "3 numbers",
-                "reason": "nan is not a number",
+                "reason": "'nan' is not a number",
             },
         ),
         (

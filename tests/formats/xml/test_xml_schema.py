@@ -139,7 +139,7 @@ def test_an_infinite_number_is_in_its_range() -> None:
     [
         (("number",), "1,5", "decimal comma in 1,5"),
         (("vector3",), "1,0, 2,0, 3,0", "decimal comma in 1,0,"),
-        (("vector3",), "1 2 x", "x is not a number"),
+        (("vector3",), "1 2 x", "'x' is not a number"),
         (("number",), "1e999", "1e999 is too large for a double"),
         (("vector3",), "1 2", "2 numbers"),
         (("vector3",), "", "empty"),

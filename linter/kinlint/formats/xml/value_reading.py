@@ -96,7 +96,7 @@ class NumberReader(ValueReader):
             return f"{wrong} is {fault}"
         if wrong.lower() in INFINITE:
             return f"{wrong} is not finite"
-        return f"{wrong} is not a number"
+        return f"'{wrong}' is not a number"
 
     def _number(self, part: str) -> Term | None:
         if NUMBER.fullmatch(part):
