@@ -372,6 +372,7 @@ def test_a_launch_file_tells_the_robot_and_passes_arguments(configured, kinlint)
     assert f"{home}config/nav.yaml:4:23: error: The robot has no link named 'bsae'" in out
     assert f"{home}launch/arm.launch.py:5:90: warning: Argument 'sde' is not declared" in out
     assert out.count("nav.yaml") == 1
+    assert "robot of " + home + "launch" not in kinlint("-v")[2]
     launch.write_text(LAUNCHED.replace("sde", "prefix"), "utf-8")
     assert "SRC026" not in kinlint("--output-format", "concise", "-q", "--select", "SRC026")[1]
 

@@ -9,6 +9,7 @@ from kinlint import __version__
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import RELEASE_DATES
+from kinlint.formats.launch.format import LAUNCH
 from kinlint.report import Report
 from kinlint.reporters.summary import plural
 from kinlint.rule import PLACEHOLDER
@@ -80,9 +81,14 @@ def package_lines(sources: Iterable[SourceText], settings: Settings) -> Iterator
 
 
 def pairing_lines(paired: Iterable[SourceText]) -> Iterator[str]:
-    """Lines that say by which URDF each file among *paired* is judged, and why."""
+    """Lines that say by which URDF each file among *paired* is judged, and why.
+
+    Launch files name theirs, each with its arguments.
+    """
     for each in paired:
         pairing = each.pairing
+        if each.format == LAUNCH:
+            continue
         if pairing is None or not pairing.partner:
             yield f"robot of {each.name}: not found"
         elif pairing.certain:
