@@ -82,7 +82,8 @@ WHERE {
 
 DELETE { ?gone ?property ?value }
 WHERE {
-    ?frame ir:replaced-by ?base .
+    ?frame a geom:Frame ;
+        ir:replaced-by ?base .
     ?gone geom-coord:of-pose?/geom-rel:of ?frame ;
         ?property ?value .
 }
