@@ -84,3 +84,44 @@ def test_paths_in_relationships_are_completed(tmp_path) -> None:
     assert typing.candidates("arm.usda: body0 = </arm> => body0 = </ar|")[0].text == "/arm/base>"
     assert typing.candidates("arm.usda: body0 = </arm> => body0 = </a|>")[0].text == "/arm/base"
     assert typing.labels("arm.usda: @</arm/base>@ => @</arm|>@") == []
+
+
+SCHEMAS = """#usda 1.0
+def Xform "arm"
+{
+    def Xform "base" (
+        prepend apiSchemas = ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]
+    )
+    {
+        float physics:mass = 2
+    }
+    def PhysicsRevoluteJoint "hip" (
+        apiSchemas = ["PhysicsDriveAPI:angular"]
+    )
+    {
+        uniform token physics:axis = "X"
+        float drive:angular:physics:damping = 1
+    }
+}
+"""
+
+
+def test_what_schemas_have_is_completed(tmp_path) -> None:
+    typing = Typing(tmp_path, {"arm.usda": SCHEMAS})
+
+    assert typing.labels('arm.usda: physics:axis = "X" => physics:axis = "|"') == ["X", "Y", "Z"]
+    schemas = typing.labels('arm.usda: "PhysicsMassAPI" => "Phys|"')
+    assert "PhysicsMassAPI" in schemas
+    assert not {"PhysicsRigidBodyAPI", "PhysicsDriveAPI:angular"} & {*schemas}
+    assert "PhysicsDriveAPI:linear" in typing.labels("arm.usda: API:angular => API:|")
+    assert "PhysicsFixedJoint" in typing.labels("arm.usda: def PhysicsRev => def Physics|Rev")
+    floats = typing.labels("arm.usda: float physics:mass => float physics:|")
+    assert "physics:mass" in floats
+    assert "physics:centerOfMass" not in floats
+    (damping,) = (
+        each
+        for each in typing.candidates("arm.usda: float drive:angular:physics:damping => dr|")
+        if each.label == "drive:angular:physics:damping"
+    )
+    assert damping.text == "float drive:angular:physics:damping"
+    assert typing.labels('arm.usda: "hip" => "hip|"') == []

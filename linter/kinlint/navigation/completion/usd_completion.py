@@ -1,4 +1,4 @@
-"""Completion in layers of USD: the prims that relationships and connections can lead to."""
+"""Completion in layers of USD: prims that relationships lead to, and what schemas have."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from kinlint.addresses import document_iri
 from kinlint.document import Document
 from kinlint.formats.usd.prim_paths import prim_address
+from kinlint.navigation.completion import usd_schemas
 from kinlint.navigation.completion.candidate import NOTHING, Candidate, Completions, Kind
 from kinlint.navigation.completion.situation import Situation
 from kinlint.terms import Term, iri, literal_value
@@ -31,7 +32,9 @@ def complete(situation: Situation) -> Completions:
     text, offset = situation.source.text, situation.offset
     found = _TARGET.search(text, max(0, offset - LONGEST), offset)
     rest = _REST.match(text, offset)
-    if found is None or rest is None or situation.document is None:
+    if found is None or rest is None:
+        return usd_schemas.complete(situation)
+    if situation.document is None:
         return NOTHING
     end = "" if text[rest.end() : rest.end() + 1] == ">" else ">"
     candidates = _prims(situation, situation.document, found["relationship"] or "", end)
