@@ -49,6 +49,9 @@ def unread(model: CompiledModel) -> Iterator[UnreadAttribute]:
             named = [each for each in TARGETS if each in element.said and element.text(each)]
             for name in named[1:]:
                 yield UnreadAttribute(element, name, named[0])
+            biased = element.text("biastype") not in ("", "none")
+            if element.tag == "general" and "biasprm" in element.said and not biased:
+                yield UnreadAttribute(element, "biasprm", "biastype")
 
 
 def _of_joints(body: CompiledBody) -> Iterator[UnreadAttribute]:
@@ -65,6 +68,8 @@ def _of_geoms(body: CompiledBody) -> Iterator[UnreadAttribute]:
         most = SIZES.get(element.text("type") or "sphere")
         if most is not None and len(element.said.get("size", ())) > most:
             yield UnreadAttribute(element, "size", "type", most)
+        if element.text("mesh") and "size" in element.said:
+            yield UnreadAttribute(element, "size", "mesh")
         if element.numbers("fromto"):
             for name in sorted(ORIENTATIONS & element.said.keys()):
                 yield UnreadAttribute(element, name, "fromto")
