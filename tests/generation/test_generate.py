@@ -163,7 +163,7 @@ def test_the_rules_have_pages(capsys, rules_cache):
     assert main(["rule", "GEN"]) == 0
     out = capsys.readouterr().out
     codes = [line[:6] for line in out.splitlines() if line.startswith("GEN")]
-    assert codes == [f"GEN{number:03}" for number in range(1, 9)]
+    assert codes == [f"GEN{number:03}" for number in range(1, 10)]
     assert "To ignore" not in out
     assert main(["rule", "SHACL001"]) == 2
     assert "add --shapes FILE" in capsys.readouterr().err
@@ -181,6 +181,11 @@ SDF = """<sdf version="1.9"><model name="m"><link name="a"/><link name="b"/>
 MJCF = """<mujoco><worldbody><body name="a"><joint name="j"/><geom size="1"/><body name="b">
 {}<geom size="1"/></body></body></worldbody>
 {}</mujoco>"""
+LOST = (
+    '<xacro:include xmlns:xacro="http://www.ros.org/wiki/xacro" '
+    'filename="$(find nowhere_at_all)/arm.xacro"/>'
+)
+AWAY = "<include><uri>model://nowhere_at_all</uri></include>"
 HINGE = '<joint name="k"/>'
 
 
@@ -201,6 +206,8 @@ HINGE = '<joint name="k"/>'
                 ('<weld body1="a" body2="b"/>', "GEN003"),
             )
         ),
+        ("r.xacro", robot().replace("<link", f"{LOST}<link", 1), "GEN009"),
+        ("r.sdf", SDF.format("fixed").replace("</model>", f"{AWAY}</model>"), "GEN009"),
         *(
             ("r.urdf", robot().replace("<limit", f"<mimic joint={leader}/><limit"), "GEN005")
             for leader in ("'j'", "'lost'")
