@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -123,6 +124,7 @@ def test_one_fault_stops_it(here, capsys, fault, told):
     assert (code, f"error[{told}]" in out, Path("out").exists()) == (1, True, False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "options",
     [
@@ -213,6 +215,7 @@ HINGE = '<joint name="k"/>'
             for leader in ("'j'", "'lost'")
         ),
     ],
+    ids=map(str, count(1)),
 )
 def test_no_joint_and_no_law_is_lost(tmp_path_factory, name, text, code):
     kept = tmp_path_factory.getbasetemp() / "rules"
@@ -221,6 +224,7 @@ def test_no_joint_and_no_law_is_lost(tmp_path_factory, name, text, code):
     assert files == {}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("library", ["kdl", "numpy", "pinocchio"])
 def test_is_the_same_from_elsewhere(here, capsys, library, monkeypatch):
     twins = robot().replace('name="hand"', 'name="base/hand"').replace('"hand"', '"base/hand"')
@@ -339,6 +343,7 @@ def refusal(*words: str) -> str:
     return run.stderr
 
 
+@pytest.mark.slow
 def test_programs_refuse_what_is_no_position(here, capsys):
     Path("r.urdf").write_text(robot())
     generate(capsys, "--for", "numpy", "r.urdf", "-o", "out", "-q")
