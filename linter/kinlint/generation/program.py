@@ -117,12 +117,13 @@ def arranged(found: Mapping[str, Any]) -> Node:
         joint["child_name"] = bodies[joint["child"]]["name"]
         joint.setdefault("axis", None)
         leader, joint["factor"], joint["shift"] = joint["@id"], 1.0, 0.0
+        if joint["motion"] == FIXED:
+            continue
         for _ in joints:
             if (followed := joints[leader].get("leader")) is None:
                 break
             joint["shift"] += joint["factor"] * joints[leader]["offset"]
             joint["factor"] *= joints[leader]["multiplier"]
             leader = followed
-        if joint["motion"] != FIXED:
-            joint["index"] = index[leader]
+        joint["index"] = index[leader]
     return program
