@@ -18,9 +18,12 @@ def state_conventions(model: CompiledModel, said: ModelStatements) -> None:
     for written, later in settings.overruled:
         said.state(written[0], "overruledBy", later[0])
     unit = iri(f"{UNIT}{'DEG' if settings.degrees else 'RAD'}")
+    # A part leaves the unit to the files that include it.
+    is_known = model.root.tag == "mujoco" or bool(settings.text("angle"))
     is_open = not settings.text("eulerseq")
     for each in model.root.below():
         if not each.said.keys().isdisjoint(ANGLED):
-            said.state(each.node, "anglesIn", unit)
+            if is_known:
+                said.state(each.node, "anglesIn", unit)
             if is_open and "euler" in each.said:
                 said.word(each.node, "sequence", DEFAULT_SEQUENCE)
