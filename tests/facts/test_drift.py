@@ -169,33 +169,27 @@ def test_of_several_files_the_nearest_is_compared():
 def test_each_composable_mechanism_is_compared_by_itself():
     """Two models of one run are not one robot, whatever names they share."""
 
-    def model(space: str, upper: float) -> str:
-        limit = {"@id": "ex:limit", "@type": "JointPositionLimit", "of-joint": "ex:wrist"}
+    def model(space: str, upper: float, count: int = 4) -> str:
         nodes = [
-            {"@id": "ex:wrist", "@type": ["Joint", "RevoluteJoint"]},
-            limit | {"unit": "RAD", "lower": -1.0, "upper": upper},
+            {"@id": f"ex:{body}", "@type": "RigidBody", "simplices": [f"ex:frame{at}"]}
+            for at, body in enumerate(LONG)
         ]
+        for at in range(count):
+            joint = {"@id": f"ex:joint{at}", "@type": ["Joint", "RevoluteJoint"]}
+            ends = [f"ex:frame{at}", f"ex:frame{at + 1}"]
+            limit = {
+                "@id": f"ex:limit{at}",
+                "@type": "JointPositionLimit",
+                "of-joint": joint["@id"],
+            }
+            nodes += [joint | {"between-attachments": ends}]
+            nodes += [limit | {"unit": "RAD", "lower": -1.0, "upper": upper}]
         context = ["https://w3id.org/kinlint/composable.json", {"ex": f"https://{space}.example/#"}]
         return json.dumps({"@context": context, "@graph": nodes})
 
+    urdf = {"c.urdf": long_urdf(2, step=0)}
     two = {"a.jsonld": model("one", 2.0), "b.jsonld": model("two", 3.0)}
-    assert drifts({**two, "c.urdf": robot()}) == [
-        ("upper limit", 2.0, 1.0),
-        ("upper limit", 3.0, 1.0),
-    ]
-
-
-WELDED = """<mujoco model="arm"><compiler angle="radian"/><worldbody><body name="base">
-  <geom size="0.1"/>
-  <body name="hand" pos="0 0 0.5"><joint name="wrist" axis="0 0 1" range="-1 1"/>
-    <inertial pos="0 0 0" mass="2" diaginertia="0.1 0.1 0.1"/>
-    <body name="palm" pos="0 0 0.1"><inertial pos="0 0 0" mass="1" diaginertia="0.1 0.1 0.1"/>
-    </body></body></body></worldbody></mujoco>"""
-
-
-def test_welds_of_mjcf_count_with_what_carries_them():
-    """None of them has a name, and all hold."""
-    palm = (link("palm", inertial(1.0)), '<joint name="plate" type="fixed"><parent link="hand"/>')
-    rest = '<child link="palm"/><origin xyz="0 0 0.1"/></joint>'
-    told = [each[0] for each in drift(urdf=robot(*palm, rest), mjcf=WELDED)]
-    assert not [each for each in told if each.startswith(("mass", "centre"))]
+    upper = [("upper limit", 2.0, 1.0)] * 4 + [("upper limit", 3.0, 1.0)] * 4
+    assert drifts({**two, **urdf}) == upper
+    few = {"a.jsonld": model("one", 2.0, 2), "b.jsonld": model("two", 3.0, 2)}
+    assert drifts({**few, **urdf}) == []

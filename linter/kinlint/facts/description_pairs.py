@@ -146,14 +146,18 @@ class DescriptionPairs:
                 description.moving[name] = node
             description.ends[name] = frozenset(map(local_name, bodies))
 
+    @property
+    def are_one(self) -> bool:
+        """Whether the run has two descriptions, so one pair."""
+        return len(self._in_files) + len(self._composed) == 2  # noqa: PLR2004
+
     def unnamed(self) -> Iterator[tuple[Description, Description]]:
         """Yield pairs that may be of one robot by their files alone, of different formats each.
 
         Those with the same folder and stem, or the only two descriptions of the run.
         """
-        described = [*self._in_files.values(), *self._composed]
-        if len(described) == 2:  # noqa: PLR2004
-            groups = [described]
+        if self.are_one:
+            groups = [[*self._in_files.values(), *self._composed]]
         else:
             placed: dict[tuple[str, ...], list[Description]] = defaultdict(list)
             for each in self._in_files.values():

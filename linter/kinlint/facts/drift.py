@@ -47,7 +47,7 @@ class DescriptionDrifts:
         met: set[int] = set()
         for one, other, ties in self.pairs.pairs():
             comparison = self._comparison(one, other)
-            if evidence := ties or comparison.agreement():
+            if evidence := ties or comparison.agreement(alone=self.pairs.are_one):
                 met |= {id(one), id(other)}
                 yield comparison, evidence
         for one, other in self.pairs.unnamed():

@@ -23,7 +23,7 @@ COMPOSED = "composed"
 AGREEING = 0.5
 """Least share of equal numbers in two descriptions of one robot that only its names suggest."""
 FEW = 4
-"""Least count of masses, centres and origins in common from which these alone are evidence."""
+"""Least count of masses, centres and origins, or else of joints, in common that are evidence."""
 
 
 class Comparison:
@@ -138,10 +138,15 @@ class Comparison:
             [each for at, each in enumerate(self.other.joints) if at not in taken],
         )
 
-    def agreement(self) -> str:
-        """Return how many numbers agree; empty if too few do for descriptions of one robot."""
+    def agreement(self, *, alone: bool = True) -> str:
+        """Return how many numbers agree; empty if too few do for descriptions of one robot.
+
+        Unless both are *alone* in a run, axes and limits of a joint or two are evidence of nothing.
+        """
         individual = [each for each in self.measured if each.individual]
         enough = len(individual) >= FEW
+        if not (enough or alone or len(self.correspondence.joints) >= FEW):
+            return ""
         telling = individual if enough else self.measured
         what = "masses, centres and origins" if enough else "numbers"
         agreeing = sum(not each.differs for each in telling)
