@@ -118,6 +118,7 @@ SLIPS: dict[str, Edit] = {
 """Contexts that cannot be read, but are known by nearly the same name."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_context_is_read_as_the_one_that_was_meant(
     slip: str, lint_edited: Callable[..., Report]

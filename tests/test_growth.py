@@ -95,6 +95,7 @@ def test_a_pair_of_links_that_is_disabled_often_is_one_finding():
     assert [each.rule.code for each in report.findings].count("CMP030") == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("title", INPUTS)
 def test_inputs_of_the_benchmark_are_read(title):
     """All but the one whose point is that it cannot be."""
@@ -105,6 +106,7 @@ def test_inputs_of_the_benchmark_are_read(title):
     assert not report.errors
 
 
+@pytest.mark.slow
 def test_what_many_files_say_is_looked_up_where_it_is_said(calls):
     """Not in each of them for each finding."""
     text = """{"@context": ["https://w3id.org/kinlint/composable.json", {"r": "https://x.example/%d#"}],

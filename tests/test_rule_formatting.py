@@ -105,6 +105,7 @@ def test_a_rule_file_is_laid_out() -> None:
     assert formatted(dedent(UGLY)) == dedent(NEAT).lstrip("\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", RULES, ids=lambda file: file.stem)
 def test_only_the_layout_changes(file: Path) -> None:
     """The graph is the same, examples to the byte; what is formatted stays as it is."""

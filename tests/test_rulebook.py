@@ -202,6 +202,7 @@ def test_a_cache_does_not_grow_for_ever(tmp_path):
     assert len(list(tmp_path.glob("catalogue-*"))) == KEPT
 
 
+@pytest.mark.slow
 def test_users_add_rules(tmp_path):
     """A directory of rule files adds to the catalogue."""
     renamed(tmp_path, "ACME001", "unit-left-out")

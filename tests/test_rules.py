@@ -132,6 +132,7 @@ def test_a_rule_of_a_user_that_is_right_passes(written):
     assert written(USERS) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong", "said"),
     [

@@ -126,11 +126,13 @@ def test_the_readme_lists_the_samples_that_there_are():
     assert len(GOOD) >= 8
 
 
+@pytest.mark.slow
 def test_each_term_of_kinlint_is_at_work_in_a_good_sample():
     """What kinlint adds to the metamodels can be seen in use, and found right."""
     assert own_terms() - vocabulary_in_use() == set(FAULTY)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("term", ALGORITHMS)
 def test_a_good_sample_computes_by_it(term):
     """Kinematics and dynamics are modelled by operators, and dynamics by a solver too."""

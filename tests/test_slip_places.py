@@ -200,6 +200,7 @@ def test_the_arm_is_right():
     assert list(findings(model({}))) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_is_shown_where_it_is(slip):
     code, where, changes = SLIPS[slip]

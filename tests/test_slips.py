@@ -73,6 +73,7 @@ def test_the_model_is_clean_but_for_what_it_always_tells():
     assert codes(model("nothing", {})) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_is_one_finding(slip):
     code, name, changes = SLIPS[slip]

@@ -18,7 +18,7 @@ from kinlint.cli.main import main
         (["--select", ""], "--select: expected a value, got ''"),
         (["--ignore", ","], "--ignore: expected a value, got ','"),
         (["--select", "XX"], "unknown rule selector 'XX'; kinlint rules lists them"),
-        (["--format", "json"], "unknown option '--format', did you mean '--output-format'?"),
+        (["--outputformat", "json"], "did you mean '--output-format'?"),
         (["--json", "x"], "unknown option '--json', did you mean '--json-output'?"),
         (["--quiet=3"], "takes no value, but has '3'"),
         (["--rules", "armm"], "--rules: armm: no such file or directory"),

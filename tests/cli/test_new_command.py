@@ -24,6 +24,7 @@ FORMS = {
 """What stands for the fault in the bad example of each format, and what is written for it."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMS)
 def test_a_rule_that_waits_to_be_filled_in_fails(kinlint, form):
     """Each place is told by its line, and nothing else is."""
@@ -36,6 +37,7 @@ def test_a_rule_that_waits_to_be_filled_in_fails(kinlint, form):
     assert all("limit-of-glass: line " in line and "TODO:" in line for line in told)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMS)
 def test_filled_in_it_keeps_its_promises(kinlint, here, form):
     """In each format, as a rule of one's own."""

@@ -74,6 +74,7 @@ def test_rules_of_the_project_are_explained(project, kinlint):
     assert (code, "you do not trust this project" in err) == (2, True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong", "said"),
     [
@@ -121,6 +122,7 @@ def test_a_failure_says_how_far_the_query_came(write, kinlint, right, wrong, sai
     assert code == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("right", "wrong", "said"),
     [

@@ -35,6 +35,7 @@ UNITS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", [*SLIPS, *UNITS])
 @pytest.mark.parametrize("place", ["{}", "{}, {{}}", '{{"far": "urn:far:"}}, {}'])
 def test_a_prefix_is_mended_where_it_is_defined(slip, place, kinlint, write) -> None:

@@ -61,6 +61,6 @@ def test_a_wrong_choice_gets_a_suggestion(kinlint):
 
 def test_a_page_begins_with_examples_in_urdf(kinlint):
     """Most people know it; those in graphs come last."""
-    page = kinlint("rule", "LIM001")[1]
+    page = kinlint("rule", "LIM001", "--full")[1]
     assert page.index('<robot name="arm">') < page.index("<sdf") < page.index("#usda")
     assert page.index("#usda") < page.index('"@context"')
