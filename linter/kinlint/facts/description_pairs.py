@@ -148,7 +148,7 @@ class DescriptionPairs:
 
     @property
     def are_one(self) -> bool:
-        """Whether the run has two descriptions, so one pair."""
+        """True if the run has two descriptions, so one pair."""
         return len(self._in_files) + len(self._composed) == 2  # noqa: PLR2004
 
     def unnamed(self) -> Iterator[tuple[Description, Description]]:
