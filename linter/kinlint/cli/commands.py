@@ -22,7 +22,7 @@ COMMANDS: Mapping[str, tuple[str, str]] = {
     "graph": ("kinlint.cli.graph_command", "draw links and joints with the findings"),
     "query": ("kinlint.cli.query_command", "ask the graph that rules see with SPARQL"),
     "diff": ("kinlint.cli.diff_command", "compare two descriptions of a robot"),
-    "convert": ("kinlint.cli.convert_command", "convert URDF, xacro, SDF or MJCF to JSON-LD"),
+    "convert": ("kinlint.cli.convert_command", "convert URDF, SDF, MJCF, USD, ... to JSON-LD"),
     "load": ("kinlint.cli.load_command", "put models into a triple store"),
     "generate": ("kinlint.cli.generate_command", "generate a program for KDL, Pinocchio or numpy"),
     "contexts": ("kinlint.cli.contexts_command", "list or add JSON-LD contexts"),

@@ -29,11 +29,11 @@ FIRST_SUFFIX = {each.name: each.suffixes[0] for each in WRITTEN}
 _NAMESPACE = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:[^\s<>\"{}|\\^`]*[#/:]")
 
 DESCRIPTION = """\
-Convert a URDF, xacro, SDF or MJCF, and an SRDF given with it, to composable JSON-LD. Frames, units
-and axes that the format leaves to its documentation are written out. Elements that the composable
-metamodels cannot express are listed on standard error. If the output is a directory (its name ends
-with / or has no suffix), skeleton, spatial relations, coordinates, kinematic chain, dynamics,
-actuation and shapes are separate files in it."""
+Convert a URDF, xacro, SDF, MJCF, USD or COLLADA file, and an SRDF given with it, to composable
+JSON-LD. Frames, units and axes that the format leaves to its documentation are written out.
+Elements that the composable metamodels cannot express are listed on standard error. If the output
+is a directory (its name ends with / or has no suffix), skeleton, spatial relations, coordinates,
+kinematic chain, dynamics, actuation and shapes are separate files in it."""
 
 
 def parser() -> Parser:

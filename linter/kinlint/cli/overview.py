@@ -7,9 +7,9 @@ from collections.abc import Mapping
 USAGE = """\
 usage: kinlint [PATH...] [options]
 
-Lint robot descriptions: URDF, xacro, SRDF, SDF, MJCF, JSON-LD and Turtle. A
-PATH is a file, a directory, a quoted glob or - (standard input); the default
-is '.'.
+Lint robot descriptions: URDF, xacro, SRDF, SDF, MJCF, USD, COLLADA, JSON-LD
+and Turtle. A PATH is a file, a directory, a quoted glob or - (standard input);
+the default is '.'.
 
 Commands (a file of such a name: ./rule):
 """

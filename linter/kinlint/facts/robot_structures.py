@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from pathlib import PurePath
 
 from kinlint.addresses import element_of, is_address, last_tag
 from kinlint.engine.store import Store
@@ -15,7 +16,7 @@ from kinlint.facts.joint_numbers import NEEDED
 from kinlint.facts.joint_trees import Edge, arrange_joints
 from kinlint.facts.mechanism import FRAME, KINDS, ON_BODY, model_of, named
 from kinlint.facts.metamodel_terms import attribute, chain, geom, kin
-from kinlint.facts.part_names import PartNames, PartPlaces, element_name
+from kinlint.facts.part_names import NAMELESS, PartNames, PartPlaces, element_name
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.robot_groups import RobotGroups
 from kinlint.facts.zero_configuration import ZeroConfiguration
@@ -150,8 +151,11 @@ class Extraction:
         if is_address(whole):
             element = element_of(whole)
             tables = (self.scan.table(each) for each in NAMES)
-            said = [name for table in tables for name in table.values(element)]
-            return literal_value(said[0]) if said else element_name(whole, self.locator.kinds)
+            if said := [name for table in tables for name in table.values(element)]:
+                return literal_value(said[0])
+            name = element_name(whole, self.locator.kinds)
+            place = self._node(whole)
+            return name if name != NAMELESS or place is None else PurePath(place.source.name).stem
         return names.get(whole) or self.names.names((whole,))[whole]
 
     @cached_property
