@@ -178,10 +178,13 @@ def drake(path: str) -> Summary:
 def pinocchio(path: str) -> Summary:
     import pinocchio as pin
 
-    model = pin.buildModelFromUrdf(path)
-    shapes = pin.buildGeomFromUrdf(
-        model, path, pin.GeometryType.COLLISION, package_dirs=[str(Path(path).parent)]
-    )
+    kind = pin.GeometryType.COLLISION
+    if path.endswith(".xml"):
+        model = pin.buildModelFromMJCF(path)
+        shapes = pin.buildGeomFromMJCF(model, path, kind)
+    else:
+        model = pin.buildModelFromUrdf(path)
+        shapes = pin.buildGeomFromUrdf(model, path, kind, package_dirs=[str(Path(path).parent)])
     data = model.createData()
     pin.forwardKinematics(model, data, pin.neutral(model))
     pin.updateFramePlacements(model, data)
@@ -231,7 +234,11 @@ def pybullet(path: str) -> Summary:
     import pybullet as bullet
 
     bullet.connect(bullet.DIRECT)
-    body = bullet.loadURDF(path)
+    if path.endswith(".urdf"):
+        body = bullet.loadURDF(path)
+    else:
+        load = bullet.loadSDF if path.endswith(".sdf") else bullet.loadMJCF
+        body = max(load(path), key=bullet.getNumJoints)
     joints, links = {}, {}
 
     def add(name, number, position, orientation):
@@ -383,7 +390,7 @@ def newton(path: str) -> Summary:
     import warp as wp
 
     builder = nt.ModelBuilder()
-    builder.add_urdf(path)
+    (builder.add_mjcf if path.endswith(".xml") else builder.add_urdf)(path)
     kinds = {nt.JointType.FREE: 6, nt.JointType.FIXED: 0, nt.JointType.BALL: 3, nt.JointType.D6: 3}
     joints, links, floating = {}, {}, False
     for number, kind in enumerate(builder.joint_type):

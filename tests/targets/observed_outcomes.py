@@ -127,8 +127,83 @@ def inertial(made, expected):
 
 def shaped(*kinds):
     """Return what tells whether the link has shapes of these *kinds*."""
-    return lambda made: HONOURED if upper(made)["kinds"] == [*kinds] else "hull"
+    return lambda made: first(
+        (not upper(made)["kinds"], "nothing"), (upper(made)["kinds"] != [*kinds], "hull")
+    )
 
+
+def moves(freedom, name="elbow"):
+    """Return what tells whether the joint *name* has this many degrees of freedom."""
+    return lambda made: first((made["joints"].get(name, {}).get("freedom") != freedom, "another"))
+
+
+def counts(what):
+    """Return what tells whether the number of the elbow called *what* counts."""
+    return lambda made: HONOURED if elbow(made)[what] else "ignored"
+
+
+def two_joints(made):
+    alone = {"elbow", "second"} <= made["joints"].keys()
+    return first((not alone, "one joint"))
+
+
+def motor(made):
+    """What became of a motor; MuJoCo has it beside the joints."""
+    return first((elbow(made)["effort"] not in {6, None}, "ignored"))
+
+
+SIMULATED = {
+    "range-without-limited": lambda made: ends(made, (-0.5, 0.5)),
+    "mjcf-hinge": moves(1),
+    "mjcf-slide": moves(1),
+    "mjcf-ball": moves(3),
+    "mjcf-free": lambda made: first((not made["floating"], "stands")),
+    "mjcf-two-joints": two_joints,
+    "mjcf-welded-body": lambda made: "frame" if "upper" in str(made.get("frames")) else HONOURED,
+    "mjcf-range": lambda made: ends(made, (-0.5, 0.5)),
+    "mjcf-range-in-degrees": lambda made: ends(made, (-1, 1)),
+    "mjcf-default-class": lambda made: ends(made, (-0.5, 0.5)),
+    "mjcf-damping": counts("damping"),
+    "mjcf-friction": counts("friction"),
+    "mjcf-inertial": lambda made: inertial(made, (0.03, 0.04, 0.05)),
+    "mjcf-turned-inertial": lambda made: inertial(made, (0.04, 0.03, 0.05)),
+    "mjcf-mass-by-geoms": lambda made: inertial(made, (2 / 240, 2 / 240, 2 / 600)),
+    **{
+        f"mjcf-{kind}": shaped(kind)
+        for kind in ("box", "cylinder", "sphere", "capsule", "ellipsoid")
+    },
+    "mjcf-mesh": shaped([1, 1, 1]),
+    "mjcf-several-geoms": lambda made: first((upper(made)["shapes"] != 2, "another")),
+    "mjcf-motor": motor,
+    "mjcf-coupled-joints": lambda made: HONOURED if made["joints"]["wrist"]["coupled"] else "free",
+    **{f"sdf-{kind}-joint": moves(1) for kind in ("revolute", "prismatic", "screw")},
+    "sdf-continuous-joint": lambda made: ends(made, ()) if limits(made) else HONOURED,
+    "sdf-fixed-joint": moves(0),
+    "sdf-ball-joint": moves(3),
+    "sdf-universal-joint": moves(2),
+    "sdf-joint-to-world": lambda made: first((made["floating"], "moves")),
+    "sdf-static-with-joints": moves(0),
+    "sdf-position-limits": lambda made: ends(made, (-0.5, 0.5)),
+    "sdf-effort-limit": lambda made: effort(made, 6),
+    "sdf-velocity-limit": counts("speed"),
+    "sdf-damping": counts("damping"),
+    "sdf-friction": counts("friction"),
+    "sdf-mimic": lambda made: HONOURED if made["joints"]["wrist"]["coupled"] else "free",
+    "sdf-inertia": lambda made: inertial(made, (0.03, 0.04, 0.05)),
+    "sdf-turned-inertial": lambda made: inertial(made, (0.04, 0.03, 0.05)),
+    "sdf-link-without-inertial": lambda made: inertial(made, (1, 1, 1)),
+    "sdf-pose-relative-to": lambda made: first(
+        (abs(made["links"]["tip"]["place"][11] - 1.5) > 1e-6, "in the model")
+    ),
+    **{
+        f"sdf-{kind}": shaped(kind)
+        for kind in ("box", "cylinder", "sphere", "capsule", "ellipsoid")
+    },
+    "sdf-obj-mesh": shaped([1, 1, 1]),
+    "sdf-stl-mesh": shaped([1, 1, 1]),
+    "sdf-several-collisions": lambda made: first((upper(made)["shapes"] != 2, "another")),
+}
+"""The same for features of MJCF and SDF."""
 
 OUTCOMES = {
     "revolute-joint": lambda made: first((elbow(made)["freedom"] != 1, "fixed")),
@@ -204,5 +279,6 @@ OUTCOMES = {
     "decimal-comma": lambda made: "zero" if upper(made)["place"][11] == 0 else "another",
     "fixed-child": fixed,
     "empty-robot-name": lambda made: HONOURED,
+    **SIMULATED,
 }
 """By feature, the word for what became of it in a robot that was loaded."""

@@ -15,7 +15,9 @@ from pathlib import Path
 import pytest
 from targets.consumer_drivers import MODULES
 from targets.observed_outcomes import HONOURED, outcome
-from targets.urdf_fixtures import FIXTURES, MESHES
+from targets.simulator_fixtures import MJCF, SDF
+from targets.urdf_fixtures import FIXTURES as URDF
+from targets.urdf_fixtures import MESHES
 
 from kinlint.targets.consumer_files import consumer_table
 from kinlint.targets.version_range import read_version
@@ -24,6 +26,15 @@ pytestmark = [pytest.mark.external, pytest.mark.oracle, pytest.mark.xdist_group(
 
 PYTHON = os.environ.get("KINLINT_REFEREES", sys.executable)
 DRIVERS = Path(__file__).with_name("consumer_drivers.py")
+FILES = {
+    **{name: ("plain", "urdf", text) for name, text in URDF.items()},
+    **{name: ("mjcf", "xml", text) for name, text in MJCF.items()},
+    **{name: ("sdf", "sdf", text) for name, text in SDF.items()},
+}
+"""By feature, the robot that has none in its format, the suffix, and the file."""
+READ = {"mujoco": {"xml"}, "newton": {"xml"}, "pinocchio": {"xml"}}
+READ |= {"drake": {"xml", "sdf"}, "pybullet": {"xml", "sdf"}}
+"""Suffixes that consumers read beside URDF, with what pip installs."""
 PATIENCE = 300
 """Seconds after which a consumer is not waited for."""
 MEASURED = sorted(
@@ -31,7 +42,7 @@ MEASURED = sorted(
         (name, cell.feature)
         for name in MODULES
         for cell in consumer_table().consumers[name].cells
-        if cell.measured and cell.feature in FIXTURES
+        if cell.measured and cell.feature in FILES
     }
 )
 UNSEEN = {
@@ -55,9 +66,10 @@ def made(consumer, directory):
     files = {}
     for name, content in MESHES.items():
         (directory / name).write_bytes(content)
-    for name, text in FIXTURES.items():
-        files[name] = directory / f"{name}.urdf"
-        files[name].write_text(text, "utf-8")
+    for name, (_, suffix, text) in FILES.items():
+        if suffix in {"urdf", *READ.get(consumer, ())}:
+            files[name] = directory / f"{name}.{suffix}"
+            files[name].write_text(text, "utf-8")
     done = subprocess.run(
         [PYTHON, DRIVERS, consumer, *files.values()],
         capture_output=True,
@@ -96,7 +108,7 @@ def test_a_consumer_does_what_its_cell_says(consumer, feature, directory):
     release, files = found
     cell = consumer_table().cell(consumer, read_version(release), feature)
     assert cell is not None
-    told = outcome(feature, files[feature], files["plain"])
+    told = outcome(feature, files[feature], files[FILES[feature][0]])
 
     behaviour = cell.behaviour.name
     expected = {"refused": "refused", "crashes": "died", "honoured": HONOURED}.get(
@@ -113,4 +125,4 @@ def test_features_that_nothing_shows_are_few():
     """All other features of the table that have files are measured by what they are about."""
     from targets.observed_outcomes import OUTCOMES  # noqa: PLC0415
 
-    assert FIXTURES.keys() - OUTCOMES.keys() - {"plain"} == UNSEEN
+    assert FILES.keys() - OUTCOMES.keys() - {"plain", "mjcf", "sdf"} == UNSEEN

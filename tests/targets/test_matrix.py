@@ -4,6 +4,7 @@ import json
 from html.parser import HTMLParser
 
 import pytest
+from targets.simulator_fixtures import MJCF, SDF
 from targets.urdf_fixtures import FIXTURES
 
 from kinlint.cli.main import main
@@ -62,6 +63,29 @@ def test_a_healthy_robot_has_rows(tmp_path, monkeypatch, capsys):
     assert rows["revolute-joint"]["alike"]
     assert rows["inertia"]["targets"]["pybullet"]["behaviour"] == "changed"
     assert {"box", "effort-limit", "position-limits"} <= rows.keys()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("suffix", "files"), [("xml", MJCF), ("sdf", SDF)])
+def test_each_feature_of_simulators_has_a_row(suffix, files, tmp_path, monkeypatch, capsys):
+    """A file has the row of each of its features, and none of another format's."""
+    monkeypatch.chdir(tmp_path)
+    for feature in files.keys() - {"mjcf", "sdf"}:
+        (tmp_path / f"arm.{suffix}").write_text(files[feature], "utf-8")
+        assert main(["targets", "--matrix", f"arm.{suffix}", "--output-format", "json"]) == 0
+        rows = {each["feature"] for each in json.loads(capsys.readouterr().out)["features"]}
+        assert feature in rows
+        assert not rows & FIXTURES.keys()
+
+
+def test_targets_that_do_not_read_a_format_are_named_once(tmp_path, monkeypatch, capsys):
+    """They have no column."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "arm.sdf").write_text(SDF["sdf"], "utf-8")
+    assert main(["targets", "mujoco", "pybullet", "--matrix", "arm.sdf"]) == 0
+    told = capsys.readouterr().out.splitlines()
+    assert told[0] == "mujoco does not read SDF."
+    assert told[1].split() == ["pybullet"]
 
 
 @pytest.mark.slow

@@ -66,7 +66,12 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     for error in examined.report.errors:
         raise error
     reported = ((each.feature, each.location) for each in examined.builder.brief())
-    return FeatureMatrix.of([*reported, *_written(examined)], targets)
+    formats = {
+        source.name: each.format
+        for each in examined.documents
+        for source in (each.source, *(piece for _, piece in each.pieces))
+    }
+    return FeatureMatrix.of([*reported, *_written(examined)], targets, formats)
 
 
 def _written(examined: Examination) -> Iterator[tuple[str, Location]]:

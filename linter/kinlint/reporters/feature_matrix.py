@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from kinlint.file_format import Format
 from kinlint.targets.chosen_target import Target
 from kinlint.targets.consumer import Cell, Feature
 from kinlint.targets.consumer_files import consumer_table
-from kinlint.targets.portability import Portability
+from kinlint.targets.portability import Portability, listed
 from kinlint.text import Location
 
 
@@ -31,25 +32,50 @@ class FeatureMatrix(NamedTuple):
     """The features of a robot by consumers."""
 
     targets: Sequence[Target]
-    """The columns."""
+    """The columns: the targets that read one of the formats."""
     rows: Sequence[FeatureRow]
     """The rows: what consumers read differently comes first, then by name."""
+    formats: Sequence[str] = ()
+    """Titles of the formats of the files, sorted."""
+    others: Sequence[Target] = ()
+    """The targets that read none of the formats."""
 
     @classmethod
     def of(
-        cls, written: Iterable[tuple[str, Location]], targets: Sequence[Target]
+        cls,
+        written: Iterable[tuple[str, Location]],
+        targets: Sequence[Target],
+        formats: Mapping[str, Format],
     ) -> FeatureMatrix:
-        """Return the matrix of the features *written* at places, by *targets*."""
+        """Return the matrix of the features *written* at places, by *targets*.
+
+        *formats* are the formats of files, by name. What a feature means in one format says
+        nothing of another one.
+        """
         table = consumer_table()
+        known = {each.name for each in formats.values()}
+        readers = [each for each in targets if known & _formats(each)]
         found: dict[str, dict[tuple[str, int, int], None]] = {}
         for name, where in written:
-            if name in table.features:
+            feature = table.features.get(name)
+            if feature is not None and formats[where.source.name].name in feature.formats:
                 place = where.source.name, where.start.line, where.start.column
                 found.setdefault(name, {})[place] = None
         rows = [
-            _row(table.features[name], sorted(places), targets) for name, places in found.items()
+            _row(table.features[name], sorted(places), readers) for name, places in found.items()
         ]
-        return cls(targets, sorted(rows, key=lambda row: (row.alike, row.feature.name)))
+        rows.sort(key=lambda row: (row.alike, row.feature.name))
+        others = [each for each in targets if each not in readers]
+        return cls(readers, rows, sorted({each.title for each in formats.values()}), others)
+
+    @property
+    def unread(self) -> str:
+        """The sentence about the targets that read none of the formats; empty without any."""
+        if not self.others:
+            return ""
+        who = listed([each.text for each in self.others])
+        verb = "does" if len(self.others) == 1 else "do"
+        return f"{who} {verb} not read {listed(self.formats)}."
 
     @property
     def differing(self) -> int:
@@ -60,6 +86,7 @@ class FeatureMatrix(NamedTuple):
         """Return the matrix as JSON values."""
         return {
             "targets": [target.text for target in self.targets],
+            "unread": [target.text for target in self.others],
             "features": [
                 {
                     "feature": row.feature.name,
@@ -75,6 +102,12 @@ class FeatureMatrix(NamedTuple):
                 for row in self.rows
             ],
         }
+
+
+def _formats(target: Target) -> set[str]:
+    """Return the names of the formats that *target* reads."""
+    table = consumer_table()
+    return {each for name in table.members(target.name) for each in table.consumers[name].formats}
 
 
 def _row(

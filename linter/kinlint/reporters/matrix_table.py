@@ -23,8 +23,10 @@ def table(matrix: FeatureMatrix, style: Style, columns: int) -> Iterator[str]:
 
     Where the targets need more, they are divided into several tables.
     """
-    if not matrix.rows:
-        yield "Nothing that consumers are known to read differently.\n"
+    if matrix.unread:
+        yield f"{matrix.unread}\n"
+    if not matrix.rows or not matrix.targets:
+        yield "Nothing that consumers are known to read differently.\n" if matrix.targets else ""
         return
     labels = [
         printable(f"{row.feature.label} ({len(row.places)})", unicode=style.unicode)

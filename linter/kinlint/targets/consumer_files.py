@@ -98,7 +98,8 @@ class _Reader:
             self._one(node, "rdfs:label"),
             self._one(node, "rdfs:comment"),
             tuple(Alternative(label, feature.removeprefix(FEATURE)) for _, label, feature in ways),
-            next(iter(self._all(node, "sh:select")), ""),
+            formats=frozenset(self._all(node, "format")) or frozenset({"urdf"}),
+            query=next(iter(self._all(node, "sh:select")), ""),
         )
 
     def _consumer(self, node: str) -> Consumer:

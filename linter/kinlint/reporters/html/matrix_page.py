@@ -42,6 +42,7 @@ def matrix_page(matrix: FeatureMatrix, names: str) -> Iterator[str]:
         yield f"<tr>{_heading(row)}{''.join(map(_cell, row.cells))}</tr>\n"
     yield "</tbody>\n</table>\n"
     told = f"{matrix.differing} of {plural(len(matrix.rows), 'feature')} read differently."
+    told = f"{matrix.unread} {told}".lstrip()
     yield element("p", text(told)) + "\n</main>\n</body>\n</html>\n"
 
 
