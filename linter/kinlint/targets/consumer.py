@@ -48,7 +48,7 @@ class Feature:
     """The meaning by the specification of the format."""
     alternatives: tuple[Alternative, ...] = ()
     """Other ways to write it, the preferred first."""
-    formats: frozenset[str] = frozenset({"urdf"})
+    formats: frozenset[str] = frozenset()
     """Names of the formats of which the cells speak."""
     query: str = ""
     """SPARQL that finds each `?place` of it; empty if rules find it, by their `kl:feature`."""
