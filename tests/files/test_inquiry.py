@@ -32,6 +32,7 @@ OWN_DATA = {
     "contexts/context_library.py",
     "engine/lifting_compiler.py",
     "engine/provenance.py",
+    "engine/vocabulary_files.py",
     "formats/xml/schema.py",
 }
 """Modules that read files of kinlint itself, or files whose content is part of a cache key."""

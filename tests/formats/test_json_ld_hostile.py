@@ -21,6 +21,7 @@ class Library:
 
     def __init__(self, **contexts: Any) -> None:
         self.contexts = contexts
+        self.memory: dict[Any, Any] = {}
 
     def document(self, iri: str) -> Mapping[str, Any] | None:
         found = self.contexts.get(iri.removeprefix("https://c.org/"))

@@ -23,7 +23,7 @@ EX = {"ex": "https://example.org/#"}
 def check(texts: dict[str, str], contexts: Contexts) -> None:
     shared = ReadOptions(contexts)
     for name, text in texts.items():
-        alone = read(SourceText(name, text), ReadOptions(contexts))
+        alone = read(SourceText(name, text), ReadOptions(contexts.at_release(contexts.release)))
         after = read(SourceText(name, text), shared)
         assert after.statements == alone.statements, name
         assert after.map == alone.map, name

@@ -32,6 +32,9 @@ class SuiteContexts:
 
     release = ""
 
+    def __init__(self) -> None:
+        self.memory: dict[Any, Any] = {}
+
     def document(self, iri: str) -> Any:
         path = _file(iri)
         found = iri.startswith(BASE) and path.is_file()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -57,6 +57,8 @@ class Contexts:
     """Release of the metamodels whose contexts these are."""
     _further: Mapping[str, Document] = field(default_factory=dict, repr=False)
     _known: dict[str, Document | None] = field(default_factory=dict, repr=False, compare=False)
+    memory: dict[Hashable, Any] = field(default_factory=dict, repr=False, compare=False)
+    """Results of readers that follow from these documents alone, which never change."""
 
     @classmethod
     def bundled(cls, release: str | None = None, extra: Sequence[Extra] = ()) -> Contexts:
@@ -67,7 +69,8 @@ class Contexts:
 
         Raises UsageError for an unknown release, ConfigError for an extra that is no context.
         """
-        return cls(_release_named(release or NEWEST), _further(extra))
+        name = _release_named(release or NEWEST)
+        return cls(name, _further(extra)) if extra else _bundled_alone(name)
 
     def at_release(self, release: str) -> Contexts:
         """Return the same further contexts with another bundled release."""
@@ -121,6 +124,11 @@ class Contexts:
             source = bundled_source(name)
             paths = source["composable"] if "composable" in source else source["documents"]
             yield from (_local(name, path) for path in paths)
+
+
+@cache
+def _bundled_alone(release: str) -> Contexts:
+    return Contexts(release)
 
 
 def _plain(iri: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import pyoxigraph as ox
 
 from kinlint.engine.literal_spelling import Spellings, component
-from kinlint.errors import RuleInvalid
+from kinlint.engine.vocabulary_files import load_turtle
 from kinlint.terms import RDF_TYPE, Term, Triple, iri_value, literal
 from kinlint.vocabulary import FACTS_GRAPH, INFERRED_GRAPH, KINLINT, LIFTED_GRAPH
 
@@ -118,12 +118,7 @@ class Store:
         """Add Turtle *files* that no finding points to, each with blank nodes of its own."""
         graph = ox.NamedNode(iri_value(ASSERTED_GRAPH))
         for file in files:
-            try:
-                base = file.absolute().as_uri()
-                turtle = ox.RdfFormat.TURTLE
-                self.oxigraph.load(path=file, format=turtle, base_iri=base, to_graph=graph)
-            except SyntaxError as error:
-                raise RuleInvalid(f"{file}:{error.lineno}: {error.msg}") from error
+            load_turtle(self.oxigraph, file, graph)
             self.vocabulary.append(file)
 
     def clear(self, document: Document) -> None:

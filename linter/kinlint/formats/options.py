@@ -23,6 +23,11 @@ class ContextLibrary(Protocol):
         """The release of the comp-rob2b contexts that is served."""
         ...
 
+    @property
+    def memory(self) -> dict[Hashable, Any]:
+        """Results of readers that follow from these documents alone, which never change."""
+        ...
+
     def document(self, iri: str) -> Mapping[str, Any] | None:
         """Return the document at *iri*, `{"@context": ...}`, or None if it is unknown."""
         ...

@@ -11,6 +11,9 @@ from kinlint.formats.options import ContextLibrary, ReadOptions
 
 Context: TypeAlias = Any
 
+MOST_KNOWN = 10_000
+"""Contexts after which a cache is begun anew: each file may bring some of its own."""
+
 
 class ContextCache:
     """Active contexts that depend on a library and on no file.
@@ -28,14 +31,18 @@ class ContextCache:
 
     @classmethod
     def from_options(cls, options: ReadOptions, release: str) -> ContextCache:
-        """Return the memory that all files read with *options* share, one for each release."""
-        about = (cls, release, options.base)
-        if about not in options.memory:
-            library = options.contexts
+        """Return the memory of the library of *options*, one for each release and base."""
+        library, about = options.contexts, (release, options.base)
+        found: ContextCache | None = library.memory.get(about)
+        if found is None or found.is_full:
             serves = library if release == library.release else library.at_release(release)
-            options.memory[about] = cls(serves)
-        memory: ContextCache = options.memory[about]
-        return memory
+            found = library.memory[about] = cls(serves)
+        return found
+
+    @property
+    def is_full(self) -> bool:
+        """True if there are as many contexts as may be kept."""
+        return len(self._known) > MOST_KNOWN
 
     def begin(self, initial: Context) -> None:
         """Cache *initial*, the context in which every file begins."""
