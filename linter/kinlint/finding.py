@@ -181,6 +181,17 @@ class Finding:
         return self.rule.code, self.location.source.name, self.location.span, self.message
 
     @property
+    def identity(self) -> tuple[object, ...]:
+        """Return what findings have in common if they say the same of one place."""
+        # One line of text may make several nodes.
+        about = None if is_address(self.iri) else self.focus
+        # What targets make of it was added when it was judged; it says the same of the place.
+        message = self.message.removesuffix(self.departures).rstrip()
+        said = self.template.removesuffix(DEPARTURES).rstrip(), self.meant, message
+        where = self.location.source.name, self.location.span
+        return self.rule.code, where, said, about
+
+    @property
     def sort_key(self) -> tuple[str, int, int, str, str]:
         """Return the order in which findings are reported: by file, place and code."""
         source, span = self.location.source, self.location.span

@@ -17,7 +17,6 @@ from kinlint.engine.result import Result
 from kinlint.engine.store import Store
 from kinlint.finding import Finding, Premise, Related
 from kinlint.findings.brief_finding import brief_finding, placeholder_terms, reason_for
-from kinlint.findings.duplicates import identity
 from kinlint.findings.locator import Locator
 from kinlint.findings.wording import Wording
 from kinlint.light_dataclasses import replace
@@ -75,7 +74,7 @@ class FindingBuilder:
         self._told: dict[tuple[object, ...], tuple[Finding, list[Result]]] = {}
         for result in results:
             finding = brief_finding(result, self._locator, rulebook)
-            self._told.setdefault(identity(finding), (finding, []))[1].append(result)
+            self._told.setdefault(finding.identity, (finding, []))[1].append(result)
 
     @property
     def store(self) -> Store:
@@ -93,7 +92,7 @@ class FindingBuilder:
 
     def results(self, finding: Finding) -> Sequence[Result]:
         """Return the results that *finding* was made of; duplicates are several."""
-        told = self._told.get(identity(finding))
+        told = self._told.get(finding.identity)
         return told[1] if told is not None else ()
 
     def filled(self, template: str, finding: Finding) -> str:
@@ -105,7 +104,7 @@ class FindingBuilder:
 
     def detailed(self, finding: Finding) -> Finding:
         """*finding*, if it is one of these, with what else it speaks of and what it rests on."""
-        if (told := self._told.get(identity(finding))) is None:
+        if (told := self._told.get(finding.identity)) is None:
             return finding
         result, location = told[1][0], finding.location
         wording = Wording(self._locator, location, finding.focus)

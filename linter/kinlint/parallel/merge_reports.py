@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
-from kinlint.findings.duplicates import identity
 from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.structure import Structure
@@ -59,4 +58,4 @@ def _drawn(reports: Sequence[Report], place: Mapping[str, int]) -> tuple[Structu
 def once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return *findings* as a report has them: sorted, and of duplicates at one place the first."""
     told = sorted(findings, key=lambda finding: finding.sort_key)
-    return tuple({identity(finding): finding for finding in reversed(told)}.values())[::-1]
+    return tuple({finding.identity: finding for finding in reversed(told)}.values())[::-1]

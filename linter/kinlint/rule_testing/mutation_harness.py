@@ -19,7 +19,6 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import RuleInvalid
 from kinlint.findings.brief_finding import brief_finding, reason_for
-from kinlint.findings.duplicates import identity
 from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
@@ -88,7 +87,7 @@ class MutationHarness:
         for result in check(locator.store, constraints):
             each = brief_finding(result, locator, self.rulebook)
             reason = reason_for(result, each, locator)
-            yield identity(each), each.iri, each.path, each.value, reason
+            yield each.identity, each.iri, each.path, each.value, reason
 
 
 def closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Document], Store]:
