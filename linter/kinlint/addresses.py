@@ -69,7 +69,7 @@ def readable(address: str) -> str:
     return f"{file}#/{path.removeprefix('/')}" if path else file
 
 
-_quoted = lru_cache(maxsize=10_000)(lambda name: quote(name, safe=""))
+_quoted = lru_cache(maxsize=100_000)(lambda name: quote(name, safe=""))
 
 
 def child_address(parent: str, tag: str, name: str | None) -> str:

@@ -155,3 +155,23 @@ def test_sublayers_that_lead_back_are_told(tmp_path: Path) -> None:
 
     assert isinstance(answer, Document)
     assert list(values(answer, "reason").values()) == ["it leads back to where it stands"]
+
+
+def test_more_bodies_than_any_scene_has_are_refused_where_they_begin(tmp_path: Path) -> None:
+    body = 'def "b{}" (prepend apiSchemas = ["PhysicsRigidBodyAPI"]) {{}}'
+    path = written(tmp_path, {"a.usda": layer("\n".join(map(body.format, range(5_001))))})
+    answer = answered(path)
+
+    assert isinstance(answer, SourceError)
+    assert answer.cause == "the layer has more than 5000 rigid bodies"
+    assert path.read_text(encoding="utf-8").splitlines()[answer.line - 1].startswith('def "b5000"')
+
+
+def test_bodies_are_found_in_each_other_without_a_look_at_all_pairs(tmp_path: Path) -> None:
+    inner = prim("hand", 'prepend apiSchemas = ["PhysicsRigidBodyAPI"]')
+    outer = prim("arm", 'prepend apiSchemas = ["PhysicsRigidBodyAPI"]', content=inner)
+    answer = answered(written(tmp_path, {"a.usda": layer(outer)}))
+
+    assert isinstance(answer, Document)
+    (around,) = values(answer, "aroundBody").values()
+    assert around.endswith("/prim/arm")

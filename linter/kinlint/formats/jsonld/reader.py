@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 import warnings
 from collections import Counter
@@ -13,6 +12,7 @@ from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.garbage import uncollected
 from kinlint.formats.json_text.json_outline import NotOutlined, outline
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, ParsedJson
@@ -186,22 +186,3 @@ def undisturbed() -> Iterator[None]:
             yield
     finally:
         sys.setrecursionlimit(limit)
-
-
-@contextmanager
-def uncollected() -> Iterator[None]:
-    """Suspend garbage collection.
-
-    What was made meanwhile is not looked at afterwards, but counts as old: it is as good as never
-    garbage. To freeze and unfreeze all objects does that, unless some are frozen for good.
-    """
-    collecting = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collecting:
-            if not gc.get_freeze_count():
-                gc.freeze()
-                gc.unfreeze()
-            gc.enable()

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from math import isfinite, radians
 
+from kinlint.errors import SourceError
 from kinlint.formats.rigid_transform import Transform, between, composed
 from kinlint.formats.usd.articulations import assemblies
 from kinlint.formats.usd.colliders import shapes
 from kinlint.formats.usd.joint_couplings import couplings
 from kinlint.formats.usd.mass_properties import mass_properties
-from kinlint.formats.usd.physics_joints import PhysicsJoint, Side, bound, is_body, joints
+from kinlint.formats.usd.physics_joints import PhysicsJoint, Side, body_at, bound, is_body, joints
 from kinlint.formats.usd.prim_transforms import PrimTransforms
 from kinlint.formats.usd.stage import StagePrim
 from kinlint.formats.usd.stage_statements import TRUE, StageStatements
+from kinlint.formats.usd.usda_scanner import MOST
 from kinlint.terms import Term
 
+MOST_BODIES = MOST["rigid bodies"]
 SLIDES = {"prismatic"}
 MASSES = ("physics:mass", "physics:diagonalInertia", "physics:density", "physics:centerOfMass")
 SIZES = ("size", "radius", "height", "points")
@@ -38,10 +41,21 @@ class PhysicsStatements:
         self.transforms = PrimTransforms()
 
     def state(self) -> None:
-        """State all bodies, and the joints that join two of them, or one and the world."""
+        """State all bodies, and the joints that join two of them, or one and the world.
+
+        Raises SourceError for too many bodies.
+        """
         bodies = [each for each in self.stage.defined() if is_body(each)]
+        if len(bodies) > MOST_BODIES:
+            layer, prim = bodies[MOST_BODIES].opinions[0][1]
+            source = layer.document.source
+            cause = f"a stage of more than {MOST_BODIES} rigid bodies"
+            raise SourceError(source.name, cause, *source.position(prim.name_span.start))
         for body in bodies:
             self.said.state(self.about.node(body), "rigidBody", TRUE)
+            outer = body_at(body.parent) if body.parent is not None else None
+            if outer is not None:
+                self.said.state(self.about.node(body), "aroundBody", self.about.node(outer))
             if self.transforms.pose(body).sheared:
                 self.said.state(self.about.node(body), "sheared", TRUE)
             self._body(body)

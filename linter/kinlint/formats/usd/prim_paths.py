@@ -35,7 +35,7 @@ def _divided(written: str) -> tuple[str, str, str]:
     return written[:at], ".", written[at + 1 :]
 
 
-@lru_cache(maxsize=20_000)
+@lru_cache(maxsize=100_000)
 def prim_address(document: Term, path: str) -> Term:
     """Return the node of the prim at the absolute *path* in the stage of *document*."""
     address = f"{document[1:-1]}#"

@@ -8,6 +8,7 @@ from kinlint.addresses import document_iri, root_of
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.files.pathglob import absolute
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.garbage import uncollected
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.format import USD
@@ -39,10 +40,15 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     Raises SourceError for what no scene is as large as.
     """
-    try:
-        root = read_layer(source)
-    except MalformedLayer as error:
-        return _unread(source, error)
+    with uncollected():
+        try:
+            root = read_layer(source)
+        except MalformedLayer as error:
+            return _unread(source, error)
+        return _read(root, options)
+
+
+def _read(root: Layer, options: ReadOptions) -> Document:
     layers = Layers(root, options, read_layer)
     composer = Composer(layers)
     about = StageStatements(Stage(composer), layers, root.document.graph)

@@ -11,10 +11,10 @@ from kinlint.formats.usd.prim_paths import absolute_path, joined
 from kinlint.formats.usd.prim_schemas import base_types, expanded, prim_schemas
 from kinlint.formats.usd.prim_sites import Opinion, Site
 from kinlint.formats.usd.stage_layers import Layer
+from kinlint.formats.usd.usda_scanner import MOST
 from kinlint.formats.usd.usda_syntax import Prim, Property, Value
 from kinlint.light_dataclasses import dataclass, field
 
-MOST_PRIMS = 100_000
 DEFINING = ("def", "class")
 
 
@@ -156,9 +156,9 @@ class Stage:
         """Prims by their paths."""
         pending = [self.root]
         while pending:
-            if len(self.prims) > MOST_PRIMS:
+            if len(self.prims) > MOST["prims"]:
                 source = composer.layers.root.document.source
-                raise SourceError(source.name, f"a stage of more than {MOST_PRIMS} prims", 1, 1)
+                raise SourceError(source.name, f"a stage of more than {MOST['prims']} prims", 1, 1)
             at = pending.pop()
             at.children = list(self._children(at))
             pending += at.children[::-1]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from kinlint.addresses import child_address, root_of
 from kinlint.formats.derived_statements import DerivedStatements
 from kinlint.formats.usd.layer_statements import listed_values
-from kinlint.formats.usd.prim_paths import prim_address
 from kinlint.formats.usd.stage import Stage, StagePrim
 from kinlint.formats.usd.stage_layers import Layers
 from kinlint.formats.usd.value_terms import terms
@@ -26,10 +25,20 @@ class StageStatements:
         self.said = DerivedStatements()
         self.written: dict[Triple, Triple] = {}
         """Inherited values, with the statements that they are written by."""
+        self._nodes: dict[StagePrim, Term] = {}
 
     def node(self, prim: StagePrim) -> Term:
         """Return the node of *prim*."""
-        return prim_address(self.document, prim.path) if prim.parent else root_of(self.document)
+        node = self._nodes.get(prim)
+        if node is None:
+            above = prim.parent
+            if above is None:
+                node = root_of(self.document)
+            else:
+                around = self.node(above) if above.parent is not None else f"{self.document[:-1]}#>"
+                node = iri(child_address(around[1:-1], "prim", prim.name))
+            self._nodes[prim] = node
+        return node
 
     def state(self) -> None:
         """State all prims."""

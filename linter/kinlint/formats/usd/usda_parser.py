@@ -17,6 +17,7 @@ HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
 LATEST = (1, 4)
 """Version of the text format that is read."""
 
+BODY = "PhysicsRigidBodyAPI"
 SPECIFIERS = frozenset({"def", "over", "class"})
 OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
 VARIABILITIES = frozenset({"uniform", "config", "varying"})
@@ -194,6 +195,9 @@ class _Parser(Scanner):
                 into.append(self._field())
             last = into[-1]
             self.bound(len(last.value.items), f"'{last.name}'", "entries")
+            if last.name == "apiSchemas" and BODY in [each.text for each in last.value.items]:
+                self.bodies += 1
+                self.bound(self.bodies, "the layer", "rigid bodies")
             self.separate(")")
         self.advance()
         self.depth -= 1

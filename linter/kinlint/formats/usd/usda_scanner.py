@@ -13,14 +13,15 @@ MOST_STATEMENTS = 1_000_000
 LONGEST_NAME = 4_000
 LONGEST_NUMBER = 1_000
 MOST = {
-    "prims": 100_000,
+    "prims": 50_000,
+    "rigid bodies": 5_000,
     "properties": 2_000,
     "metadata": 2_000,
     "entries": 2_000,
     "targets or operations": 5_000,
     "members other than numbers": 100_000,
 }
-"""Most of what a layer, a prim, a property, or a list has."""
+"""Most of what a layer, or a stage, a prim, a property, or a list has."""
 
 
 _SPACE = re.compile(r"(?:[ \t\r\n]++|#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/)*+")
@@ -69,7 +70,7 @@ class Scanner:
         self.fresh = True
         """True if a line break stands before the current token."""
         self.stop = 0
-        self.depth = self.count = self.prims = 0
+        self.depth = self.count = self.prims = self.bodies = 0
 
     def advance(self) -> None:
         """Go to the next token."""
