@@ -24,7 +24,8 @@ Summary = dict[str, Any]
 configuration as 12 numbers of a transform to the base, the kinds of the shapes, with the scale of
 meshes, and the diagonal of the inertia about the centre of mass in the axes of the link;
 `joints` has by name the number of degrees of freedom, the limits of the first (None if it has
-none), the greatest effort, and what it is coupled to; `floating` tells whether the base moves.
+none), the greatest effort, and what it is coupled to; `floating` tells whether the base moves; `loops` is the number
+of constraints between bodies, and `others` that of robots beside the one that is described.
 """
 
 
@@ -120,7 +121,8 @@ def mujoco(path: str) -> Summary:
         inertia = turned(body.inertia, axes)
         links[body.name] = link(float(body.mass[0]), int(solid.sum()), place, kinds, inertia)
     # What is welded to the world has no joint: only a free joint of the root lets it move.
-    return {"links": links, "joints": joints, "floating": "base" in links}
+    loops = int(np.isin(model.eq_type, (mj.mjtEq.mjEQ_CONNECT, mj.mjtEq.mjEQ_WELD)).sum())
+    return {"links": links, "joints": joints, "floating": "base" in links, "loops": loops}
 
 
 def drake(path: str) -> Summary:
@@ -172,7 +174,7 @@ def drake(path: str) -> Summary:
         whole = body.default_spatial_inertia()
         inertia = whole.Shift(whole.get_com()).CalcRotationalInertia().get_moments()
         links[body.name()] = link(body.default_mass(), shapes, place, kinds, inertia)
-    return {"links": links, "joints": joints, "floating": floating}
+    return {"links": links, "joints": joints, "floating": floating, "loops": count}
 
 
 def pinocchio(path: str) -> Summary:
@@ -239,6 +241,7 @@ def pybullet(path: str) -> Summary:
     else:
         load = bullet.loadSDF if path.endswith(".sdf") else bullet.loadMJCF
         body = max(load(path), key=bullet.getNumJoints)
+    loops, others = bullet.getNumConstraints(), bullet.getNumBodies() - 1
     joints, links = {}, {}
 
     def add(name, number, position, orientation):
@@ -266,7 +269,8 @@ def pybullet(path: str) -> Summary:
         state = bullet.getLinkState(body, number, computeForwardKinematics=True)
         add(info[12].decode(), number, state[4], state[5])
     floating = bullet.getDynamicsInfo(body, -1)[0] > 0
-    return {"links": links, "joints": joints, "floating": floating}
+    told = {"floating": floating, "loops": loops, "others": others}
+    return {"links": links, "joints": joints, **told}
 
 
 def yourdfpy(path: str) -> Summary:
@@ -430,7 +434,8 @@ def newton(path: str) -> Summary:
         tensor = builder.body_inertia[number]
         inertia = [tensor[at, at] for at in range(3)]
         links[label.rpartition("/")[2]] = link(mass, len(own), place, kinds, inertia)
-    return {"links": links, "joints": joints, "floating": floating}
+    loops = builder._equality_constraint_count
+    return {"links": links, "joints": joints, "floating": floating, "loops": loops}
 
 
 DRIVERS: Mapping[str, Callable[[str], Summary]] = {

@@ -176,6 +176,11 @@ SIMULATED = {
     "mjcf-several-geoms": lambda made: first((upper(made)["shapes"] != 2, "another")),
     "mjcf-motor": motor,
     "mjcf-coupled-joints": lambda made: HONOURED if made["joints"]["wrist"]["coupled"] else "free",
+    "mjcf-connect": lambda made: HONOURED if made.get("loops") else "open",
+    "mjcf-weld": lambda made: HONOURED if made.get("loops") else "open",
+    "mjcf-several-trees": lambda made: first(
+        ("swing" not in made["joints"] and not made.get("others"), "the first")
+    ),
     **{f"sdf-{kind}-joint": moves(1) for kind in ("revolute", "prismatic", "screw")},
     "sdf-continuous-joint": lambda made: ends(made, ()) if limits(made) else HONOURED,
     "sdf-fixed-joint": moves(0),

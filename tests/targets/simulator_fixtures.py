@@ -87,6 +87,12 @@ MJCF = {
     "mjcf-coupled-joints": mjcf(
         '<equality><joint joint1="wrist" joint2="elbow" polycoef="0 0.5 0 0 0"/></equality>'
     ),
+    "mjcf-connect": mjcf('<equality><connect body1="tip" anchor="0 0 1"/></equality>'),
+    "mjcf-weld": mjcf('<equality><weld body1="tip" body2="base"/></equality>'),
+    "mjcf-several-trees": mjcf().replace(
+        "  </worldbody>",
+        f'<body name="loose"><joint name="swing" type="hinge"/>{INERTIAL}{BOX}</body></worldbody>',
+    ),
 }
 
 KILOGRAMS = (

@@ -73,6 +73,32 @@ def test_a_name_may_stand_for_several_consumers():
     assert chosen_targets(["gazebo"]) == (Target("gazebo-classic"), Target("gazebo-sim"))
 
 
+def test_a_version_of_several_is_of_those_that_have_it():
+    """Gazebo 11 is Classic, 8 is Sim, and 9 is both."""
+    told = {text: [one.name for one in chosen_targets([f"gazebo@{text}"])] for text in "8 9 11".split()}
+    assert told["11"] == ["gazebo-classic"]
+    assert told["8"] == ["gazebo-sim"]
+    assert told["9"] == ["gazebo-classic", "gazebo-sim"]
+
+
+def test_what_is_a_special_case_is_told_as_that_alone():
+    """A link without shapes has no mass by its shapes."""
+    bare = ROBOT.replace("<joint", "<link name='tip'/><joint").replace(
+        "<mimic joint=\"right\"/>", "<parent link='palm'/><child link='tip'/><axis xyz='0 0 1'/>"
+    )
+    told = findings(bare, rules=load(), default=FileSettings(targets=("mujoco",)))
+    assert [each.feature for each in told if each.rule.code == "INE004"] == ["bare-moving-link"]
+
+
+def test_who_reads_a_feature_reads_its_special_cases():
+    """So the special case can be reported alone."""
+    table = consumer_table()
+    special = [each for each in table.features.values() if each.narrows]
+    for consumer in table.consumers.values():
+        cells = {cell.feature for cell in consumer.cells}
+        assert {each.name for each in special if each.narrows in cells} <= cells
+
+
 def test_a_consumer_that_reads_by_another_does_as_that_one_does():
     """But for what it does itself."""
     table = consumer_table()
@@ -128,7 +154,8 @@ def test_sentences_tell_who_does_what_and_what_all_read_alike():
     )
     assert Portability.of("mimic", chosen_targets(["mujoco"])).sentences == ""
     assert Portability.of("mimic", chosen_targets(["mujoco@3.3"])).sentences == (
-        "In MuJoCo before 3.13, the coupling is dropped silently."
+        "In MuJoCo before 3.13, the coupling is dropped silently. Couple the joints where the robot "
+        "is loaded."
     )
 
 
@@ -202,7 +229,7 @@ def test_the_message_ends_in_what_targets_do(tmp_path):
     (told,) = (each for each in found if each.template.startswith("Chosen."))
     assert told.message == (
         "Chosen. In KDL, the coupling is ignored silently; in MuJoCo from 3.13 on, it becomes an "
-        "equality."
+        "equality. Couple the joints where the robot is loaded."
     )
     assert told.arguments[-1] in told.message
 

@@ -151,7 +151,7 @@ class Policies:
     def apply_severities(self, findings: Iterable[Finding]) -> list[Finding]:
         """Return the *findings* whose rule is on where they lie, with the severity it has there."""
         judged = (self.for_file(each.location.source.name).judge(each) for each in findings)
-        return [finding for finding in judged if finding is not None]
+        return _narrowest([finding for finding in judged if finding is not None])
 
     def has_targets(self, names: Iterable[str]) -> bool:
         """Tell whether one of the sources called *names* is meant for certain consumers."""
@@ -171,6 +171,21 @@ class Policies:
         for ignore in {ignore for settings in every for ignore in settings.ignores}:
             for selector in ignore.selectors:
                 self.catalogue.find_from(f"{ignore.origin}: {ignore.key}", selector)
+
+
+def _narrowest(findings: list[Finding]) -> list[Finding]:
+    """Return *findings* without those whose feature has a special case at the same node."""
+    if not any(each.departures for each in findings):
+        return findings
+    from kinlint.targets.consumer_files import consumer_table  # noqa: PLC0415  few runs have targets
+
+    features = consumer_table().features
+    narrowed = {
+        (each.rule.code, each.focus, features[each.feature].narrows)
+        for each in findings
+        if each.departures and features[each.feature].narrows
+    }
+    return [each for each in findings if (each.rule.code, each.focus, each.feature) not in narrowed]
 
 
 def combine_policy(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from typing import NamedTuple
 
 from kinlint.errors import UsageError
@@ -49,25 +49,36 @@ def checked_target(text: str, names: Collection[str]) -> Target:
     if target.name not in names:
         meant = did_you_mean(target.name, names) or f"; there are {', '.join(sorted(names))}"
         raise UsageError(f"unknown target '{target.name}'{meant}")
-    consumer = consumer_table().consumers.get(target.name) if target.version else None
-    if target.version and consumer is not None and consumer.releases:
-        newest = read_version(consumer.releases[-1])
-        if target.version[0] > newest[0] + 1:
-            known = ", ".join(consumer.releases)
-            raise UsageError(f"target '{text}': known versions of {consumer.label} are {known}")
+    if target.version:
+        table = consumer_table()
+        meant = [one for each in table.members(target.name) if (one := table.consumers.get(each))]
+        newest = [read_version(each.releases[-1])[0] for each in meant if each.releases]
+        if newest and target.version[0] > max(newest) + 1:
+            told = (f"{each.label} are {', '.join(each.releases)}" for each in meant)
+            raise UsageError(f"target '{text}': known versions of {'; of '.join(told)}")
     return target
 
 
 def chosen_targets(texts: Iterable[str]) -> tuple[Target, ...]:
-    """Return the targets that *texts* spell; a name that stands for several consumers is each."""
+    """Return the targets that *texts* spell; a name that stands for several consumers is each.
+
+    With a version it is those that have a release of that number, where one has.
+    """
+    return tuple(dict.fromkeys(each for text in texts for each in _members(read_target(text))))
+
+
+def _members(target: Target) -> Iterator[Target]:
     table = consumer_table()
-    return tuple(
-        dict.fromkeys(
-            Target(member, target.version)
-            for target in map(read_target, texts)
-            for member in table.members(target.name)
-        )
-    )
+    names = table.members(target.name)
+    if target.version:
+        major = target.version[0]
+        known = [
+            name
+            for name in names
+            if any(read_version(each)[0] == major for each in table.consumers[name].releases)
+        ]
+        names = tuple(known) or names
+    return (Target(name, target.version) for name in names)
 
 
 def names_of(texts: Iterable[str]) -> tuple[str, ...]:

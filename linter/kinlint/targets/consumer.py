@@ -48,6 +48,8 @@ class Feature:
     """The meaning by the specification of the format."""
     alternatives: tuple[Alternative, ...] = ()
     """Other ways to write it, the preferred first."""
+    narrows: str = ""
+    """Name of the feature of which it is a special case; empty if it is of none."""
     formats: frozenset[str] = frozenset()
     """Names of the formats of which the cells speak."""
     query: str = ""

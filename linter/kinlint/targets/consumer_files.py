@@ -98,6 +98,7 @@ class _Reader:
             self._one(node, "rdfs:label"),
             self._one(node, "rdfs:comment"),
             tuple(Alternative(label, feature.removeprefix(FEATURE)) for _, label, feature in ways),
+            narrows=self._one(node, "narrows").removeprefix(FEATURE),
             formats=frozenset(self._all(node, "format")),
             query=next(iter(self._all(node, "sh:select")), ""),
         )
