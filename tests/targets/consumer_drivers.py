@@ -24,8 +24,8 @@ Summary = dict[str, Any]
 configuration as 12 numbers of a transform to the base, the kinds of the shapes, with the scale of
 meshes, and the diagonal of the inertia about the centre of mass in the axes of the link;
 `joints` has by name the number of degrees of freedom, the limits of the first (None if it has
-none), the greatest effort, and what it is coupled to; `floating` tells whether the base moves; `loops` is the number
-of constraints between bodies, and `others` that of robots beside the one that is described.
+none), the greatest effort, and what it is coupled to; `floating` tells whether the base moves;
+`loops` is the number of constraints between bodies, and `others` that of further robots.
 """
 
 

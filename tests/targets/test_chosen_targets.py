@@ -75,7 +75,9 @@ def test_a_name_may_stand_for_several_consumers():
 
 def test_a_version_of_several_is_of_those_that_have_it():
     """Gazebo 11 is Classic, 8 is Sim, and 9 is both."""
-    told = {text: [one.name for one in chosen_targets([f"gazebo@{text}"])] for text in "8 9 11".split()}
+    told = {
+        text: [one.name for one in chosen_targets([f"gazebo@{text}"])] for text in ["8", "9", "11"]
+    }
     assert told["11"] == ["gazebo-classic"]
     assert told["8"] == ["gazebo-sim"]
     assert told["9"] == ["gazebo-classic", "gazebo-sim"]
@@ -84,7 +86,7 @@ def test_a_version_of_several_is_of_those_that_have_it():
 def test_what_is_a_special_case_is_told_as_that_alone():
     """A link without shapes has no mass by its shapes."""
     bare = ROBOT.replace("<joint", "<link name='tip'/><joint").replace(
-        "<mimic joint=\"right\"/>", "<parent link='palm'/><child link='tip'/><axis xyz='0 0 1'/>"
+        '<mimic joint="right"/>', "<parent link='palm'/><child link='tip'/><axis xyz='0 0 1'/>"
     )
     told = findings(bare, rules=load(), default=FileSettings(targets=("mujoco",)))
     assert [each.feature for each in told if each.rule.code == "INE004"] == ["bare-moving-link"]
@@ -154,8 +156,8 @@ def test_sentences_tell_who_does_what_and_what_all_read_alike():
     )
     assert Portability.of("mimic", chosen_targets(["mujoco"])).sentences == ""
     assert Portability.of("mimic", chosen_targets(["mujoco@3.3"])).sentences == (
-        "In MuJoCo before 3.13, the coupling is dropped silently. Couple the joints where the robot "
-        "is loaded."
+        "In MuJoCo before 3.13, the coupling is dropped silently. Couple the joints where the "
+        "robot is loaded."
     )
 
 
