@@ -51,10 +51,11 @@ def checked_target(text: str, names: Collection[str]) -> Target:
         raise UsageError(f"unknown target '{target.name}'{meant}")
     if target.version:
         table = consumer_table()
-        meant = [one for each in table.members(target.name) if (one := table.consumers.get(each))]
-        newest = [read_version(each.releases[-1])[0] for each in meant if each.releases]
-        if newest and target.version[0] > max(newest) + 1:
-            told = (f"{each.label} are {', '.join(each.releases)}" for each in meant)
+        members = (table.consumers.get(each) for each in table.members(target.name))
+        known = [each for each in members if each is not None and each.releases]
+        newest = (read_version(each.releases[-1])[0] for each in known)
+        if known and target.version[0] > max(newest) + 1:
+            told = (f"{each.label} are {', '.join(each.releases)}" for each in known)
             raise UsageError(f"target '{text}': known versions of {'; of '.join(told)}")
     return target
 

@@ -56,6 +56,7 @@ class Comparison:
             here, there = self.one.joints[mine], self.other.joints[found.joints[mine]]
             if found.groups.get(here.parent) == there.child:
                 there = there.reversed
+            here, there = here.completed_by(there), there.completed_by(here)
             ends = ((here.parent, there.parent), (here.child, there.child))
             tries = [
                 list(joint_differences(here, there, near, beyond, self.tolerances, ranged=ranged))

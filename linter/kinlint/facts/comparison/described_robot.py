@@ -15,6 +15,8 @@ from kinlint.facts.linear_algebra import Matrix, Vector, scale
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.terms import Term
 
+HINGE = "revolute"
+
 
 class Shape(NamedTuple):
     """Collision shape of a body."""
@@ -64,8 +66,9 @@ class Group:
 
     @property
     def name(self) -> str:
-        """Name of the first body."""
-        return self.bodies[0].name
+        """Name of the first body that has a mass or a shape, else of the first."""
+        solid = (body for body in self.bodies if body.mass is not None or body.shapes)
+        return next(solid, self.bodies[0]).name
 
     def body(self, node: Term | None) -> Body | None:
         """Return the body with this node."""
@@ -109,11 +112,21 @@ class MovingJoint:
     """Node of the range."""
     bodies: tuple[Term | None, Term | None] = (None, None)
     """Bodies of the parent and of the child that it joins."""
+    closes: bool = False
+    """True if its child is carried by another joint, so that it closes a loop."""
+    is_point: bool = False
+    """True if the format closes loops at points only, and knows no axis for that."""
 
     @property
     def is_complete(self) -> bool:
         """Tell whether both of its bodies are stated."""
         return self.parent >= 0 and self.child >= 0
+
+    def completed_by(self, other: MovingJoint) -> MovingJoint:
+        """Return the joint, with the movement of hinge *other* if it is but a point of a loop."""
+        if not self.is_point or other.kind != HINGE:
+            return self
+        return replace(self, kind=other.kind, lower=other.lower, upper=other.upper)
 
     @property
     def reversed(self) -> MovingJoint:
@@ -141,7 +154,7 @@ class DescribedRobot:
     groups: Sequence[Group] = ()
     """Rigid groups."""
     joints: Sequence[MovingJoint] = ()
-    """Joints that move, without those that close loops."""
+    """Joints that move, and those that close loops, whatever their kind."""
     fixed: Mapping[str, Term] = field(default_factory=dict)
     """Fixed joints by the name of the body that they hold."""
 
@@ -158,7 +171,7 @@ class DescribedRobot:
     @cached_property
     def roots(self) -> Sequence[int]:
         """Indices of the groups that no joint moves, those with most joints in their tree first."""
-        moved = {joint.child for joint in self.joints}
+        moved = {joint.child for joint in self.joints if not joint.closes}
         free = [index for index in range(len(self.groups)) if index not in moved]
         return sorted(free, key=lambda index: (-self.sizes[index], index))
 
@@ -176,7 +189,7 @@ class DescribedRobot:
         below: list[list[MovingJoint]] = [[] for _ in self.groups]
         moved = set()
         for joint in self.joints:
-            if joint.is_complete:
+            if joint.is_complete and not joint.closes:
                 below[joint.parent].append(joint)
                 moved.add(joint.child)
         waiting = [index for index in range(len(self.groups)) if index not in moved]

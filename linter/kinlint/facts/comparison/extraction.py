@@ -31,9 +31,11 @@ from kinlint.facts.spanning_forest import DisjointSets
 from kinlint.facts.spatial_relations import SpatialRelations
 from kinlint.facts.zero_configuration import ZeroConfiguration
 from kinlint.light_dataclasses import replace
-from kinlint.terms import Term, is_iri
+from kinlint.terms import Term, iri, is_iri
+from kinlint.vocabulary import SRC
 
 FLOATING = "floating"
+FROM, TIED = iri(f"{SRC}from"), iri(f"{SRC}firstBody")
 AXIAL = frozenset({"revolute", "prismatic", "cylindrical", "helical", "planar"})
 """Movements that have one axis, or one normal."""
 
@@ -80,12 +82,15 @@ class RobotExtraction:
     def robot(self, form: str, bodies: Iterable[Term], joints: Iterable[Term]) -> DescribedRobot:
         """Return the robot of *bodies* and *joints*, described in the format called *form*.
 
-        A joint that leaves a body free in the world is left out, as is one that closes a loop.
+        A joint that leaves a body free in the world is left out.
         """
         known = frozenset(joints)
-        edges = [each for each in self.edges if each.joint in known and not each.closes]
+        every = [each for each in self.edges if each.joint in known]
+        edges = [each for each in every if not each.closes]
         movement = self.parts.mechanism.movement
-        moving = [each for each in edges if movement(each.joint) not in {"fixed", FLOATING}]
+        moving = [
+            each for each in every if each.closes or movement(each.joint) not in {"fixed", FLOATING}
+        ]
         fixed = [each for each in edges if movement(each.joint) == "fixed"]
         welded = DisjointSets()
         for each in fixed:
@@ -185,6 +190,16 @@ class RobotExtraction:
         return self._body_pose(body).of(Pose(placed.point, placed.turn))
 
     @cached_property
+    def _origin(self) -> Mapping[Term, Term]:
+        """Element from which each node is lifted."""
+        return self.scan.single(FROM)
+
+    @cached_property
+    def _constraints(self) -> Mapping[Term, Term]:
+        """Elements that tie two bodies without being a joint of their format."""
+        return self.scan.single(TIED)
+
+    @cached_property
     def _scales(self) -> Mapping[Term, tuple[float, ...]]:
         return self.scan.lists(kin("scale"), 3)
 
@@ -215,6 +230,8 @@ class RobotExtraction:
                 numbers.speeds.get(joint),
                 numbers.ranges.get(joint),
                 (each.parent, each.child),
+                each.closes,
+                kind == "spherical" and self._origin.get(joint) in self._constraints,
             )
 
     def _axis(self, edge: Edge, back: Pose) -> Vector | None:

@@ -13,8 +13,8 @@ from kinlint.facts.linear_algebra import angle, product, scale, transpose
 from kinlint.light_dataclasses import replace
 
 LINEAR = "prismatic"
-TURNING = frozenset({"revolute"})
-"""Movements about a line, along which the origin of the joint may be anywhere."""
+TURNING = {"revolute": "place of the axis", "spherical": "place of the centre"}
+"""Movements about a line, along which the origin of the joint may be anywhere, or about a point."""
 
 
 def joint_differences(  # noqa: PLR0913
@@ -80,7 +80,7 @@ def _placements(  # noqa: PLR0913
     if here.kind in TURNING and not moved:
         other = beyond.at(there.anchor)
         if line_distance(here.anchor, here.axis, other) > parts.tolerances.distance:
-            yield from parts.point("place of the axis", here.anchor, other)
+            yield from parts.point(TURNING[here.kind], here.anchor, other)
 
 
 def _limits(

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from kinlint.engine.lifting import lifts
 from kinlint.facts.comparison.comparison import COMPOSED, Comparison
-from kinlint.facts.comparison.described_robot import DescribedRobot, Group, MovingJoint
+from kinlint.facts.comparison.described_robot import HINGE, DescribedRobot, Group, MovingJoint
 from kinlint.facts.comparison.frame_alignment import total_mass
 from kinlint.facts.comparison.measured import Measured
 from kinlint.facts.comparison.reach import reach
@@ -17,6 +17,8 @@ from kinlint.file_format import Format
 from kinlint.robot_difference import Change, Part, RobotDifference, Unstated
 from kinlint.terms import Term
 from kinlint.text import Location
+
+OF_JOINTS = frozenset({"position limit", "effort limit", "speed limit", "axis of the loop"})
 
 
 class Side(NamedTuple):
@@ -82,14 +84,17 @@ def _whole(
 
     *alike* are the groups that correspond. Where one of two states a mass and the other none, as if
     it is computed from a mesh, the mass of the whole is not known. Robots that stand on different
-    links do not reach equally far.
+    links do not reach equally far, and those with loops are no chains.
     """
     mass, now = (sum(map(total_mass, each.robot.groups)) for each in (old, new))
     pairs = ((old.robot.groups[one], new.robot.groups[other]) for one, other in alike.items())
     known = all(_is_weighed(one) == _is_weighed(other) for one, other in pairs)
     if known and min(mass, now) > 0.0 and tolerances.apart(mass, now):
         yield Change("robot", "", "", "mass", "kg", mass, now)
-    standing = old.robot.roots and alike.get(old.robot.roots[0]) in new.robot.roots[:1]
+    closed = any(joint.closes for each in (old, new) for joint in each.robot.joints)
+    standing = (
+        not closed and old.robot.roots and alike.get(old.robot.roots[0]) in new.robot.roots[:1]
+    )
     reaches = [reach(each.robot) if standing else None for each in (old, new)]
     if reaches[0] is not None and reaches[1] is not None:
         near, far = reaches[0].distance, reaches[1].distance
@@ -99,7 +104,8 @@ def _whole(
 
 def _parts(joints: Sequence[MovingJoint], side: Side) -> Iterator[Part]:
     for each in joints:
-        yield Part("joint", each.name, each.kind, side.place(each.node))
+        detail = f"{each.kind}, closes a loop" if each.closes else each.kind
+        yield Part("joint", each.name, detail, side.place(each.node))
 
 
 def _groups(side: Side, known: Collection[int]) -> Iterator[Part]:
@@ -121,13 +127,13 @@ def _unstated(comparison: Comparison, old: Side, new: Side) -> Iterator[Unstated
     for quantity, term, stated in _STATED:
         pairs = [
             (stated(a), stated(b), a.name, b.name)
-            for a, b in (joints if quantity.endswith("limit") else groups)
+            for a, b in (joints if quantity in OF_JOINTS else groups)
         ]
         for old_states, side in ((True, new), (False, old)):
             names = [
                 (mine if old_states else yours)
                 for a, b, mine, yours in pairs
-                if a is not b and a is old_states
+                if a is old_states and b is (not old_states)
             ]
             if quantity == "position limit" and COMPOSED != side.robot.form:
                 continue
@@ -140,14 +146,19 @@ def _weighs(group: Group) -> bool:
     return any(body.mass is not None for body in group.bodies)
 
 
+def _hinged(joint: MovingJoint) -> bool | None:
+    return False if joint.is_point else joint.kind == HINGE or None
+
+
 def _has_tensor(group: Group) -> bool:
     return any(body.tensor is not None for body in group.bodies)
 
 
-_STATED: tuple[tuple[str, Term, Callable[[Any], bool]], ...] = (
+_STATED: tuple[tuple[str, Term, Callable[[Any], bool | None]], ...] = (
     ("position limit", kin("JointPositionLimit"), lambda each: each.lower is not None),
     ("effort limit", kin("ActuatorForceLimit"), lambda each: each.effort is not None),
     ("speed limit", kin("ActuatorVelocityLimit"), lambda each: each.speed is not None),
+    ("axis of the loop", kin("RevoluteJoint"), _hinged),
     ("mass", inertia("mass"), _weighs),
     ("inertia", inertia("ixx"), _has_tensor),
     ("collision shape", kin("CollisionGeometry"), lambda each: bool(each.shapes)),
