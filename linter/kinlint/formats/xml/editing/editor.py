@@ -170,9 +170,8 @@ def _is_in(inner: Span, outer: Span) -> bool:
 
 def _place(layout: ElementLayout, parent: int, tag: str) -> int | None:
     """Return the child of an element that a new one with *tag* comes after."""
-    children = layout.children[parent]
-    alike = (each for each in reversed(children) if layout.name(each) == tag)
-    return next(alike, children[-1] if children else None)
+    last = layout.last_children(parent)
+    return last.get(tag, next(iter(last.values()), None))
 
 
 def merged_edits(edits: Iterable[Edit]) -> list[Edit]:

@@ -59,6 +59,7 @@ class ElementLayout:
         self.parents: list[int] = []
         self.children: list[list[int]] = []
         self._number: dict[int, int] = {}
+        self._last_children: dict[int, dict[str, int]] = {}
         self._nest(found.starts, found.ends)
 
     def _nest(self, starts: list[int], ends: list[int]) -> None:
@@ -84,6 +85,14 @@ class ElementLayout:
     def name(self, number: int) -> str:
         """Return the tag of an element."""
         return self.source[self.tag(number).name]
+
+    def last_children(self, number: int) -> dict[str, int]:
+        """Return the last child of each name in an element, the very last one first."""
+        if number not in self._last_children:
+            children = self._last_children[number] = {}
+            for child in reversed(self.children[number]):
+                children.setdefault(self.name(child), child)
+        return self._last_children[number]
 
     def start(self, number: int) -> int:
         """Return the offset of an element's start."""
