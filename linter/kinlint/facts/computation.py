@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from kinlint.engine.store import Store
 from kinlint.facts.fact_context import FactContext
-from kinlint.facts.fact_kinds import HINTS, KINDS, FactKind
+from kinlint.facts.fact_kind import FactKind
+from kinlint.facts.fact_kinds import HINTS, KINDS
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.inputs import CONCLUDED
 from kinlint.facts.predicate_index import PredicateIndex

@@ -77,7 +77,7 @@ class DrawnSymmetry:
         """Yield the joints that are not mirrored, that share a place, or that cross sides."""
         for robot, edges in self.trees.robots.items():
             drawn = self.robots[robot]
-            yield from _sharing(drawn, self._kind, self.numbers.gearings)
+            yield from _sharing(drawn, self.kind, self.numbers.gearings)
             yield from self._unmirrored(drawn)
             yield from self._crossing(edges)
 
@@ -149,14 +149,14 @@ class DrawnSymmetry:
 
     def _unmirrored(self, drawn: Mapping[Term, Drawn]) -> Iterator[Triple]:
         """Yield the joints on the left whose steps or axes are no mirror images of the right."""
-        pairs = list(self._pairs(drawn))
-        fits = [[_is_mirrored(*pair, at) for pair in pairs] for at in range(3)]
-        plane = max(range(3), key=lambda at: sum(fits[at]))
-        good = [pair for pair, fit in zip(pairs, fits[plane], strict=True) if fit]
+        pairs = list(self.pairs(drawn))
+        plane = plane_of(pairs)
+        fits = [_is_mirrored(*pair, plane) for pair in pairs]
+        good = [pair for pair, fit in zip(pairs, fits, strict=True) if fit]
         evident = [pair for pair in good if abs(pair[0].step[plane]) > NEAR]
         beside = {body for pair in evident for body in pair[0].edge.ends}
         symmetric = len(good) >= PAIRS and len(pairs) - len(good) <= FEW * len(pairs)
-        for pair, fit in zip(pairs, fits[plane], strict=True):
+        for pair, fit in zip(pairs, fits, strict=True):
             left, right = pair
             one = left.edge.parent == right.edge.parent
             if fit:
@@ -173,7 +173,7 @@ class DrawnSymmetry:
 
     def _carries_motion(self, edge: Edge) -> bool:
         """Tell whether a joint moves, or carries a joint that does."""
-        return self._kind(edge.joint) in MOVING or edge.child in self._driven
+        return self.kind(edge.joint) in MOVING or edge.child in self._driven
 
     @cached_property
     def _driven(self) -> frozenset[Term]:
@@ -181,10 +181,10 @@ class DrawnSymmetry:
             edge.parent
             for edges in self.trees.robots.values()
             for edge in edges
-            if edge.parent is not None and self._kind(edge.joint) in MOVING
+            if edge.parent is not None and self.kind(edge.joint) in MOVING
         )
 
-    def _pairs(self, drawn: Mapping[Term, Drawn]) -> Iterator[tuple[Drawn, Drawn]]:
+    def pairs(self, drawn: Mapping[Term, Drawn]) -> Iterator[tuple[Drawn, Drawn]]:
         """Yield the joints of the left with those of the right, by name or by those of bodies."""
         above = self.trees.above
         carrying = {body: drawn[above[body].joint] for body in above if above[body].joint in drawn}
@@ -193,19 +193,19 @@ class DrawnSymmetry:
             body = left.edge.child
             if right is None and body is not None and above[body].joint == joint:
                 right = carrying.get(twin_of(body, carrying) or "")
-            if right is not None and self._kind(joint) == self._kind(right.edge.joint):
+            if right is not None and self.kind(joint) == self.kind(right.edge.joint):
                 yield left, right
 
     def _turned(self, left: Drawn, right: Drawn, plane: int) -> Iterator[Triple]:
         """Yield how the axes of two mirrored joints differ, if they are no mirror images."""
         joint, other = left.edge.joint, right.edge.joint
-        if left.axis is None or right.axis is None or self._kind(joint) not in MOVING:
+        if left.axis is None or right.axis is None or self.kind(joint) not in MOVING:
             return
         if length(cross(_mirrored(left.axis, plane), right.axis)) > PARALLEL:
             yield joint, fact("axis-unmirrored"), other
             return
         along = dot(_mirrored(left.axis, plane), right.axis)
-        sense = along if self._kind(joint) == "prismatic" else -along
+        sense = along if self.kind(joint) == "prismatic" else -along
         (low, high), (least, most) = (
             self.numbers.limits.get(each, (None, None)) for each in (joint, other)
         )
@@ -217,7 +217,8 @@ class DrawnSymmetry:
         if equal not in (opposite, sense > 0.0):
             yield joint, fact("moves-unlike"), other
 
-    def _kind(self, joint: Term) -> str:
+    def kind(self, joint: Term) -> str:
+        """Return the type of *joint*."""
         return self.trees.mechanism.kind(joint)
 
     def _crossing(self, edges: Sequence[Edge]) -> Iterator[Triple]:
@@ -267,6 +268,11 @@ def _sharing(
         first = found.setdefault((each.edge.parent, space, bare, place), each)
         if first is not each and first.axis and dot(first.axis, each.axis) > ALIKE:
             yield joint, fact("in-place-of"), first.edge.joint
+
+
+def plane_of(pairs: Sequence[tuple[Drawn, Drawn]]) -> int:
+    """Return the axis across which most *pairs* are mirrored: of several, that of REP 103."""
+    return max((1, 0, 2), key=lambda at: sum(_is_mirrored(*pair, at) for pair in pairs))
 
 
 def _is_mirrored(left: Drawn, right: Drawn, plane: int) -> bool:

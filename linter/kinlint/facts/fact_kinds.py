@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
 
 from kinlint.facts import inputs
+from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
 from kinlint.facts.dangling_references import DanglingReferences
 from kinlint.facts.dataflow import DataSources
 from kinlint.facts.dependency_cycles import dependency_cycles
+from kinlint.facts.drawn_symmetry import DrawnSymmetry
 from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
+from kinlint.facts.fact_kind import FactKind
 from kinlint.facts.fact_needs import (
     CHANGES,
     DRAWN,
     ERRORS,
+    MISPLACED,
     MOMENTS,
     MOTIONS,
     NODES,
+    ODD,
     PLANNING,
     PROPORTIONS,
     QUANTITIES,
     RELATED,
     RESIDUALS,
+    SIBLINGS,
+    SOLID,
     STEPS,
     TREES,
     WATER,
@@ -38,9 +44,11 @@ from kinlint.facts.loop_closure import cycles
 from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, proportions
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias
+from kinlint.facts.misplaced_inertia import misplaced_inertias
 from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_quantities import resemblances
 from kinlint.facts.namesakes import namesakes
+from kinlint.facts.odd_siblings import odd_siblings
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.prefix_disagreement import disagreements
@@ -56,31 +64,6 @@ from kinlint.terms import Term, Triple, iri
 from kinlint.vocabulary import GENERATION
 
 LIBRARY = iri(f"{GENERATION}Library")
-LABELLED = 4
-"""The number of facts in the label of a kind."""
-
-
-class FactKind(NamedTuple):
-    """Facts of one kind, which are computed together."""
-
-    module: str
-    """The module of this package that computes them."""
-    needs: Mapping[str, tuple[Term, ...]]
-    """The properties and classes by which they are asked for, each with those it follows from.
-
-    What is said of elements of files is there unasked, and so is what holds of any node.
-    """
-    found: Callable[[FactContext], Iterator[Triple]]
-    """Function that computes them."""
-    parts: tuple[str, ...]
-    """The parts of scans that this takes; what a part of `FactContext` is made of comes with it."""
-    details: tuple[str, ...] = ()
-    """Further properties of their nodes."""
-
-    @property
-    def label(self) -> str:
-        """Return the module and the first of the facts."""
-        return f"{self.module}: {', '.join([*self.needs][:LABELLED])}"
 
 
 def _related(context: FactContext) -> Iterator[Triple]:
@@ -119,6 +102,16 @@ def _mirrored(name: str, found: Callable[[FactContext], Iterator[Triple]]) -> Fa
     return FactKind("mirror_symmetry", {name: inputs.SIDES}, found, ("twins",))
 
 
+def _drawn(
+    module: str,
+    needs: Mapping[str, tuple[Term, ...]],
+    found: Callable[[DrawnSymmetry, BodyShapes], Iterator[Triple]],
+    details: tuple[str, ...] = (),
+) -> FactKind:
+    parts = ("symmetry", "geometries")
+    return FactKind(module, needs, lambda own: found(own.symmetry, own.geometries), parts, details)
+
+
 def _identifier_slip(name: str, found: Callable[[FactContext], Iterator[Triple]]) -> FactKind:
     return FactKind("identifier_slips", {name: ()}, found, ("identifiers",))
 
@@ -154,6 +147,13 @@ KINDS = (
         lambda own: com_far_from_joints(own.assemblies, own.geometries, own.placements),
         ("assemblies", "geometries", "placements"),
         ("widest",),
+    ),
+    FactKind(
+        "misplaced_inertia",
+        MISPLACED,
+        lambda own: misplaced_inertias(own.inertias, own.assemblies, own.geometries),
+        ("assemblies", "geometries"),
+        SOLID,
     ),
     FactKind(
         "length_outliers",
@@ -203,12 +203,8 @@ KINDS = (
         ("symmetry",),
         ("step-x", "step-y", "step-z", "own-side"),
     ),
-    FactKind(
-        "wheels",
-        WHEELS,
-        lambda own: wheels(own.symmetry, own.geometries),
-        ("symmetry", "geometries"),
-    ),
+    _drawn("wheels", WHEELS, wheels),
+    _drawn("odd_siblings", SIBLINGS, odd_siblings, ODD),
     FactKind(
         "shape_agreement",
         {"drawn-as": (*inputs.SHAPES, *inputs.PLACED)},

@@ -65,6 +65,12 @@ WHEELS = dict.fromkeys(
     ("disc-cosine", "drive-cosine", "track", "leftward", "rolling-radius"),
     (*inputs.DRAWN, *inputs.SHAPES),
 )
+SIBLINGS = dict.fromkeys(
+    ("placed-unlike", "turns-against", "shaped-unlike"), (*inputs.DRAWN, *inputs.SHAPES)
+)
+ODD = ("own-step", "usual-step", "own-size", "usual-size")
+MISPLACED = dict.fromkeys(("inertia-of", "other-axes-of"), inputs.SIZES)
+SOLID = tuple(f"{each}-{axis}" for each in ("moment", "solid") for axis in "xyz")
 NODES = ("member", "derived-from", "size")
 ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
 CHANGES = ("entry", "amended")

@@ -105,7 +105,7 @@ class InertiaRepairs:
             here = self.placements.inertial(owner)
             there = self.placements.shape_placement(shape.node)
             if here is not None and here.is_at(there):
-                tensor = (*_solid(shape, mass), 0.0, 0.0, 0.0)
+                tensor = (*solid_moments(shape, mass), 0.0, 0.0, 0.0)
                 changed = dict(zip(entries, _rounded(tensor), strict=False))
                 yield from _amended(node, "solid", entries, changed, numbers)
 
@@ -122,7 +122,7 @@ class InertiaRepairs:
             if shape is None or not all(map(OWN.is_at, places)):
                 continue
             mass = WATER * shape.volume
-            moments = _solid(shape, mass)
+            moments = solid_moments(shape, mass)
             if math.isfinite(sum((mass, *moments))) and min(mass, *moments) > 0.0:
                 values = (*_rounded([mass]), *_rounded(moments))
                 for name, value in zip(("mass", *MOMENTS), values, strict=True):
@@ -190,7 +190,7 @@ def _possible(values: Sequence[float]) -> bool:
     return least > 1e-9 * greatest and least + middle >= 0.99 * greatest
 
 
-def _solid(shape: Shape, mass: float) -> tuple[float, float, float]:
+def solid_moments(shape: Shape, mass: float) -> tuple[float, float, float]:
     """Return the principal moments of a solid of uniform density about its centre, in kg m².
 
     Source: https://en.wikipedia.org/wiki/List_of_moments_of_inertia; a capsule is a cylinder

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Sequence
 from kinlint.engine.store import Store
 from kinlint.facts.computation import asked, helpful
 from kinlint.facts.fact_context import FactContext
-from kinlint.facts.fact_kinds import KINDS, FactKind
+from kinlint.facts.fact_kind import FactKind
+from kinlint.facts.fact_kinds import KINDS
 from kinlint.facts.fact_statements import fact
 from kinlint.incremental.change import Changes, to_quads
 from kinlint.incremental.tracked_index import TrackedIndex

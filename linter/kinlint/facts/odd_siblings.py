@@ -1,0 +1,115 @@
+"""The one of four or more wheels, legs or fingers that is placed, turned or shaped otherwise.
+
+Siblings are joints of one kind whose names differ by left, right, front and rear alone. A robot of
+left and right is taken as mirrored across the axis that `plane_of` tells.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from urllib.parse import unquote
+
+from kinlint.facts.body_shapes import BodyShapes
+from kinlint.facts.drawn_symmetry import ALIKE, NEAR, Drawn, DrawnSymmetry, plane_of
+from kinlint.facts.fact_statements import fact, numbers
+from kinlint.facts.laterality import is_left, without_side
+from kinlint.facts.linear_algebra import dot, length
+from kinlint.facts.mirror_symmetry import split_name
+from kinlint.terms import Triple
+
+MOST = 3
+"""Fewest siblings that agree while another differs."""
+UP = 2
+"""The axis that points up, by REP 103."""
+APART = 0.01
+"""The part of a length by which two differ at least, beside a `NEAR` or two."""
+
+
+def odd_siblings(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
+    """Yield each joint whose place, sense or wheel is unlike those of at least three siblings."""
+    for joints in drawn.robots.values():
+        plane = plane_of([*drawn.pairs(joints)])
+        siblings: dict[tuple[str, str, str], list[Drawn]] = {}
+        for joint, each in joints.items():
+            space, name = split_name(joint)
+            if without_side(name) != unquote(name):
+                key = (space, without_side(name), drawn.kind(joint))
+                siblings.setdefault(key, []).append(each)
+        for group in siblings.values():
+            if len(group) > MOST:
+                yield from _placed(group, plane)
+                yield from _turned(group, drawn)
+                yield from _shaped(group, shapes)
+
+
+def _placed(group: Sequence[Drawn], plane: int) -> Iterator[Triple]:
+    """Yield the joint whose step from its parent has another component than the others.
+
+    With the step that it would have like them. Which of four is in front, no sign tells.
+    """
+    for at in range(3):
+        steps = [each.step[at] for each in group]
+        signs = [_side(each) if at == plane else 1.0 for each in group]
+        slack = 2.0 * NEAR + APART * max(length(each.step) for each in group)
+        signed = [a * b for a, b in zip(steps, signs, strict=True)]
+        for values in ([signed] if at in (plane, UP) else []) + [[*map(abs, steps)]]:
+            odd = _odd(values, lambda one, other: abs(one - other) <= NEAR)
+            if odd is None:
+                continue
+            other = (odd + 1) % len(group)
+            if abs(values[odd] - values[other]) > slack:
+                joint = group[odd].edge.joint
+                usual = signs[odd] * values[other]
+                if values is not signed:
+                    usual = math.copysign(values[other], steps[odd])
+                yield joint, fact("placed-unlike"), group[other].edge.joint
+                yield from numbers(joint, [("own-step", steps[odd]), ("usual-step", usual)])
+                return
+
+
+def _turned(group: Sequence[Drawn], drawn: DrawnSymmetry) -> Iterator[Triple]:
+    """Yield the wheel that turns against all others."""
+    axes = [each.axis for each in group]
+    first = axes[0]
+    if first is None or drawn.kind(group[0].edge.joint) != "continuous":
+        return
+    senses = [dot(first, axis) if axis is not None else 0.0 for axis in axes]
+    if min(map(abs, senses)) < ALIKE:
+        return
+    odd = _odd(senses, lambda one, other: (one > 0.0) == (other > 0.0))
+    if odd is not None:
+        other = (odd + 1) % len(group)
+        yield group[odd].edge.joint, fact("turns-against"), group[other].edge.joint
+
+
+def _shaped(group: Sequence[Drawn], shapes: BodyShapes) -> Iterator[Triple]:
+    """Yield the only shape of a body whose sizes differ from those of the others."""
+    known = [shapes.sole(each.edge.child) if each.edge.child else None for each in group]
+    found = [each for each in known if each is not None]
+    if len(found) < len(group) or len({each.kind for each in found}) > 1:
+        return
+    for at in range(len(found[0].sizes)):
+        sizes = [each.sizes[at] for each in found]
+        odd = _odd(sizes, lambda one, other: abs(one - other) <= APART * other)
+        if odd is not None:
+            other = found[(odd + 1) % len(group)]
+            yield found[odd].node, fact("shaped-unlike"), other.node
+            yield from numbers(
+                found[odd].node, [("own-size", sizes[odd]), ("usual-size", other.sizes[at])]
+            )
+            return
+
+
+def _odd(values: Sequence[float], alike: Callable[[float, float], bool]) -> int | None:
+    """Return the place of the one value that differs from all others, which are alike."""
+    for odd in range(len(values)):
+        others = [value for at, value in enumerate(values) if at != odd]
+        if all(alike(each, others[0]) for each in others) and not alike(values[odd], others[0]):
+            return odd
+    return None
+
+
+def _side(each: Drawn) -> float:
+    """Return 1 for what is on the left, and -1 for what is on the right, by its name."""
+    return -1.0 if is_left(split_name(each.edge.joint)[1]) is False else 1.0
