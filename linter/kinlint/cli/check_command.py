@@ -24,7 +24,7 @@ from kinlint.cli.lint_run import (
     profiled,
     threshold,
 )
-from kinlint.cli.option_conflicts import check_together
+from kinlint.cli.option_conflicts import check_together, check_urls
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_destinations import check_destinations, destinations
 from kinlint.cli.report_outputs import Outputs
@@ -175,6 +175,7 @@ def _find(options: Namespace, layers: Layers) -> Found:
     paths = options.paths or (["-"] if stdin else ["."])
     _no_command(paths[0])
     found = search.find(paths)
+    check_urls(options, found)
     if not options.in_project or options.show_files or options.profile:
         return found
     from kinlint.cli.project_mode import merge_with_project  # noqa: PLC0415  few runs look beyond what is named

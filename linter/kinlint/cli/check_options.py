@@ -34,9 +34,9 @@ STDOUT = "-"
 """The name of standard output, and of standard input."""
 
 DESCRIPTION = """\
-Lint robot descriptions. PATH is a file, a directory, a quoted glob, or - for
-standard input; the default is the current directory. The word check may be
-left out."""
+Lint robot descriptions. PATH is a file, a directory, a quoted glob, a URL such
+as s3://bucket/robots, or - for standard input; the default is the current
+directory. The word check may be left out."""
 
 EPILOG = """\
 R selects rules: a code (UNI002), a name (unit-quantity-mismatch), a family

@@ -21,6 +21,8 @@ class EarlyOutput:
         """
         self.written = set[str]()
         """The names of the files whose findings are written."""
+        self.counting = not (outputs.copies or outputs.verbose or outputs.summarises)
+        """True if nothing but their number is asked of findings that are written."""
         self._outputs = outputs
         self._named = named
         self._unsafe = unsafe

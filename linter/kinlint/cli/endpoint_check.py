@@ -30,15 +30,14 @@ from kinlint.endpoint.pushing import concerned
 from kinlint.endpoint.stored_graphs import models
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
-from kinlint.finding import Finding
 from kinlint.light_dataclasses import replace
+from kinlint.parallel.early_findings import counted
 from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.reporters.sqlite_database import FindingsDatabase
 from kinlint.rule import Rule
 from kinlint.terms import Term, iri
-from kinlint.text import Location, SourceText
 
 OF_FILES = (
     *("fix", "fix_only", "diff", "add_ignore", "watch", "in_project", "new_from_rev"),
@@ -167,23 +166,4 @@ def _told(
             made.add(report)
         if report.findings and not outputs.silent:
             bar.step_aside(lambda each: outputs.begin(each, sys.stdout), report)
-        kept = replace(
-            report,
-            findings=tuple(map(_counted, report.findings)),
-            suppressed=tuple(map(_counted, report.suppressed)),
-            structures=(),
-        )
-        yield kept, [each.location.source.name for each in report.findings]
-
-
-def _counted(finding: Finding) -> Finding:
-    """Return *finding* with what a summary counts, and without its text."""
-    bare = SourceText(finding.location.source.name, "")
-    return replace(
-        finding,
-        location=Location(bare, finding.location.span),
-        related=(),
-        because=(),
-        consequences=(),
-        members=(),
-    )
+        yield counted(report), [each.location.source.name for each in report.findings]

@@ -16,6 +16,7 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.configuration.settings import Settings
 from kinlint.errors import SourceError
+from kinlint.files.url_mirror import mirrored
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found
@@ -243,21 +244,25 @@ class LintRun:
             from kinlint.parallel.shard import Job  # noqa: PLC0415  loads the readers
 
         first = fixing and wanted is None
-        job = Job(self.settings, self.book, first, least=least)
-        kept = not any(one.path is None for one in self.found.inputs)
+        job = Job(self.settings, self.book, first, least=least, roots=mirrored())
         memory = None
-        if kept:
+        if not any(one.path is None for one in self.found.inputs):
             memory = ReportCache.from_settings(self.settings, self.book, fixing=first, least=least)
         with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
-            sources, failed = self.read_sources(bar)
+            unread = None
+            if executor or mirrored():
+                from kinlint.parallel.survey import survey_found  # noqa: PLC0415
+
+                unread = survey_found(self.found, job, jobs, executor, bar.advance, self._passed)
+            sources, failed = unread or self.read_sources(bar)
             tell = partial(bar.step_aside, self.early.tell) if self.early is not None else None
-            survey = ParallelRunner(job, jobs, memory, self.phases, bar.advance, executor, tell)
-            report = survey.report(sources, failed)
+            few = self.early is not None and self.early.counting
+            parts = (job, jobs, memory, self.phases, bar.advance, executor, tell, few)
+            report = ParallelRunner(*parts).report(sources, failed)
         if fixing and wanted is not None:
             keys = frozenset(each.key for each in wanted(report.findings) if each.rule.repairs)
-            proving = Job(self.settings, self.book, True, keys, least)  # noqa: FBT003
-            runner = ParallelRunner(proving, jobs, executor=executor)
-            report = _with_fixes(report, sources, runner)
+            proving = replace(job, fixing=True, wanted=keys)
+            report = _with_fixes(report, sources, ParallelRunner(proving, jobs, executor=executor))
         if report.files:
             return report
         # Nothing was read, so nothing decides which rules speak but what holds where kinlint runs.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from argparse import Namespace
 
 from kinlint.errors import UsageError
+from kinlint.project.discovery import Found
 
 EXCLUDING = (
     ("--new-from-rev", ("--new-from-merge-base",)),
@@ -21,6 +22,11 @@ EXCLUDING = (
     ("--add-ignore", ("--fix", "--fix-only", "--diff", "--write-baseline", "--prune-baseline")),
 )
 """Each option with those that it excludes."""
+LOCAL = (
+    *("fix", "fix_only", "diff", "add_ignore", "watch", "in_project", "report_bug"),
+    *("new_from_rev", "new_from_merge_base"),
+)
+"""The options that are for files on this machine."""
 
 
 def check_together(options: Namespace) -> None:
@@ -29,6 +35,14 @@ def check_together(options: Namespace) -> None:
         for other in others:
             if _given(options, option) and _given(options, other):
                 raise UsageError(f"{option} and {other} exclude each other")
+
+
+def check_urls(options: Namespace, found: Found) -> None:
+    """Raise `UsageError` for options that mean nothing for files by URL, which are only read."""
+    if any(one.remote for one in found.inputs):
+        for name in LOCAL:
+            if getattr(options, name) not in (None, False):
+                raise UsageError(f"--{name.replace('_', '-')} is not for files by URL")
 
 
 def _given(options: Namespace, option: str) -> bool:

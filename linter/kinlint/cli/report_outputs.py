@@ -85,7 +85,7 @@ class Outputs:
     @property
     def shows_structure(self) -> bool:
         """Tell whether any output shows the structure of robots."""
-        return self._summarises or any(FORMATS[name].drawn for name in self._written)
+        return self.summarises or any(FORMATS[name].drawn for name in self._written)
 
     @property
     def begins_early(self) -> bool:
@@ -137,7 +137,7 @@ class Outputs:
             left = (one for one in told.findings if one.location.source.name not in written)
             self._main(report, replace(told, findings=tuple(left)) if written else told, out)
         self._aside(report, told, out)
-        if self._summarises:
+        if self.summarises:
             from kinlint.cli.github_step_summary import append  # noqa: PLC0415  only on GitHub
 
             append(told, Path(os.environ[SUMMARY]))
@@ -193,7 +193,7 @@ class Outputs:
         return copies if self.path is None and self.silent else [self.main, *copies]
 
     @property
-    def _summarises(self) -> bool:
+    def summarises(self) -> bool:
         """Tell whether GitHub shows a summary of this step beside the annotations."""
         return "github" in self._written and bool(os.environ.get(SUMMARY))
 

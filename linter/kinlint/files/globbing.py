@@ -11,7 +11,6 @@ from pathlib import Path
 from kinlint.files.pathglob import MAGIC, absolute, translate
 
 ANY_DEPTH = "**"
-_ALTERNATIVES = re.compile(r"\{([^{}]*)\}")
 
 
 def matches(
@@ -23,8 +22,10 @@ def matches(
     directories, `{a,b}` is either. What wildcards stand for and *skip* is true of is not looked
     into. Links to directories are followed only where the pattern says so, so that loops end.
     """
+    from kinlint.files.glob_alternatives import alternatives  # noqa: PLC0415  few runs
+
     found = set[Path]()
-    for alternative in filter(None, _alternatives(pattern)):
+    for alternative in filter(None, alternatives(pattern)):
         parts = Path(os.path.expanduser(alternative)).parts  # noqa: PTH111  never fails
         fixed = next((i for i, part in enumerate(parts) if MAGIC.search(part)), len(parts))
         # Several ** in a row mean what one means, and would be walked many times.
@@ -35,15 +36,6 @@ def matches(
         ]
         found.update(_Walk(skip, unreadable).below(absolute(Path(*parts[:fixed])), rest))
     return sorted(found)
-
-
-def _alternatives(pattern: str) -> Iterator[str]:
-    match = _ALTERNATIVES.search(pattern)
-    if match is None:
-        yield pattern
-        return
-    for choice in match[1].split(","):
-        yield from _alternatives(pattern[: match.start()] + choice + pattern[match.end() :])
 
 
 class _Walk:

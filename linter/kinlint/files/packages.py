@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import unquote
 
+from kinlint.files import url_mirror
 from kinlint.files.bounded_read import head
 from kinlint.files.environment import Environment, kind
 from kinlint.files.pathglob import absolute
@@ -276,6 +277,7 @@ def _directories(root: Path) -> Iterator[Path]:
             seen += 1
             if seen > DIRECTORIES:
                 return
+            url_mirror.provide(directory, content=False)
             try:
                 with os.scandir(directory) as entries:
                     listed = sorted(entries, key=lambda entry: entry.name)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path, PurePath, PureWindowsPath
 
+from kinlint.files import url_mirror
 from kinlint.light_dataclasses import dataclass
 
 MAGIC = re.compile(r"[*?\[{]")
@@ -110,5 +111,10 @@ def _class(inside: str) -> str:
 
 
 def absolute(path: str | Path) -> Path:
-    """Return *path* from the root of the file system, without `.` and `..`, links kept."""
+    """Return *path* from the root of the file system, without `.` and `..`, links kept.
+
+    The name of a file by URL means its mirror.
+    """
+    if url_mirror.in_use() and isinstance(path, str) and (found := url_mirror.path_of(path)):
+        return found
     return Path(os.path.abspath(path))  # noqa: PTH100  Path.resolve would follow links

@@ -6,6 +6,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
+from kinlint.files import url_mirror
 from kinlint.files.tracked_io import question
 from kinlint.suggestion import nearest
 
@@ -22,7 +23,12 @@ def has_working_directory() -> bool:
 
 
 def shown(path: Path, given: str = "") -> str:
-    """Return *path* relative to the working directory if it is below it, else as it was *given*."""
+    """Return *path* relative to the working directory if it is below it, else as it was *given*.
+
+    What is mirrored is shown by its URL.
+    """
+    if url_mirror.in_use() and (url := url_mirror.name_of(path)):
+        return printable(url)
     with suppress(OSError, ValueError):  # The working directory may be gone.
         return printable(path.relative_to(Path.cwd()).as_posix())
     return printable(Path(given).as_posix() if given else path.as_posix())

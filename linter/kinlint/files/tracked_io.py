@@ -16,8 +16,10 @@ from contextvars import ContextVar
 from functools import wraps
 from hashlib import sha256
 from importlib import import_module
+from pathlib import Path
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
+from kinlint.files import url_mirror
 from kinlint.light_dataclasses import dataclass, field
 
 P = ParamSpec("P")
@@ -27,6 +29,8 @@ Asked: TypeAlias = tuple[str, tuple[Any, ...]]
 
 HOME = "kinlint.files."
 """Package of all questions."""
+READER = f"{HOME}bounded_read"
+"""Module of the questions for what is in a file."""
 
 
 @dataclass
@@ -68,6 +72,8 @@ def question(look: Callable[P, R]) -> Callable[P, R]:
 
     @wraps(look)
     def asked(*args: P.args, **kwargs: P.kwargs) -> R:
+        if url_mirror.in_use():
+            _provide(args, content=look.__module__ == READER)
         record = _KEPT.get()
         if record is None:
             return look(*args, **kwargs)
@@ -84,6 +90,12 @@ def question(look: Callable[P, R]) -> Callable[P, R]:
         return answer
 
     return asked
+
+
+def _provide(about: tuple[object, ...], *, content: bool) -> None:
+    for each in about:
+        if isinstance(each, Path):
+            url_mirror.provide(each, content=content)
 
 
 def answer(asked: Asked) -> str:

@@ -13,6 +13,7 @@ from typing import Any
 
 from kinlint import __version__
 from kinlint.errors import KinlintError, SourceError, UsageError
+from kinlint.files.url_mirror import end
 from kinlint.parallel.executor import WorkerPool, Workplace
 from kinlint.parallel.shard import Job
 
@@ -58,9 +59,17 @@ def worker_pool(address: str, job: Job, errors: Sequence[SourceError]) -> Iterat
             elif monotonic() - seen > GRACE:
                 raise KinlintError(f"--executor: {address} has no workers any more")
 
-        yield WorkerPool(
-            _Cluster(client), workplace, threads * (1 + WAITING), distributed.KilledWorker, watch
-        )
+        try:
+            yield WorkerPool(
+                _Cluster(client),
+                workplace,
+                threads * (1 + WAITING),
+                distributed.KilledWorker,
+                watch,
+            )
+        finally:
+            if job.roots and client.status == "running":
+                client.run(end, job.roots, on_error="ignore")
 
 
 class _Cluster(Executor):

@@ -5,9 +5,33 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.parallel.merge_reports import once
 from kinlint.parallel.partition import Model, first_name
 from kinlint.report import Report
+from kinlint.text import Location, SourceText
+
+
+def counted(report: Report) -> Report:
+    """Return *report* with what a summary counts of its findings, and without their texts."""
+    return replace(
+        report,
+        findings=tuple(map(_counted, report.findings)),
+        suppressed=tuple(map(_counted, report.suppressed)),
+        structures=(),
+    )
+
+
+def _counted(finding: Finding) -> Finding:
+    bare = SourceText(finding.location.source.name, "")
+    return replace(
+        finding,
+        location=Location(bare, finding.location.span),
+        related=(),
+        because=(),
+        consequences=(),
+        members=(),
+    )
 
 
 class EarlyFindings:

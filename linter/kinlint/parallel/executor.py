@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import chdir
+from contextlib import chdir, contextmanager
 from threading import Lock
 from typing import Any
 
@@ -16,6 +16,8 @@ from kinlint.parallel import shard
 from kinlint.parallel.division import Task, TaskQueue
 from kinlint.parallel.partition import Model
 from kinlint.parallel.shard import Job, Outcome
+from kinlint.parallel.unread import Survey, survey
+from kinlint.project.discovery import Input
 
 PATIENCE = 5.0
 """Seconds between looks at whether there is still somebody who works."""
@@ -88,6 +90,34 @@ class WorkerPool:
             for each in pending:
                 each.cancel()
 
+    def survey(self, chunks: Sequence[Sequence[Input]]) -> Iterator[Survey]:
+        """Yield what workers see in *chunks*; what a lost one was at is looked at by others."""
+        found, left = dict[int, Survey](), deque(range(len(chunks)))
+        pending: dict[Future[Survey], int] = {}
+        for number in range(len(chunks)):
+            while number not in found:
+                while left and len(pending) < self.width:
+                    begun = left.popleft()
+                    pending[self._look(chunks[begun])] = begun
+                finished, _ = wait(pending, PATIENCE, FIRST_COMPLETED)
+                if not finished or any(each.cancelled() for each in finished):
+                    self.watch()
+                for each in finished:
+                    if each.cancelled():
+                        left.appendleft(pending.pop(each))
+                    else:
+                        found[pending.pop(each)] = self._seen(each)
+            yield found.pop(number)
+
+    def _look(self, chunk: Sequence[Input]) -> Future[Survey]:
+        return self.executor.submit(survey_at, self.workplace, chunk)
+
+    def _seen(self, finished: Future[Survey]) -> Survey:
+        try:
+            return finished.result()
+        except self.lost:
+            raise KinlintError("--executor: each worker that read some files was lost") from None
+
     def _conclude(
         self, task: Task, finished: Future[list[Outcome]], tasks: TaskQueue, *, alone: bool
     ) -> Sequence[Task]:
@@ -115,11 +145,26 @@ def lint_at(
     Raises KinlintError if this worker does not have the working directory, or fails otherwise: not
     every exception can be sent.
     """
-    if not os.path.isdir(workplace.directory):  # noqa: PTH112  no path of this run
+    with _at(workplace):
+        return shard.lint_shard(models, [*workplace.errors, *errors], workplace.job)
+
+
+def survey_at(workplace: Workplace, chunk: Sequence[Input]) -> Survey:
+    """Return what is seen in *chunk* at *workplace*. Raises KinlintError as `lint_at` does."""
+    with _at(workplace):
+        job = workplace.job
+        return survey(job.settings, job.roots, chunk)
+
+
+@contextmanager
+def _at(workplace: Workplace) -> Iterator[None]:
+    """Work at *workplace*, alone."""
+    job = workplace.job
+    if not os.path.isdir(workplace.directory) and not job.roots:  # noqa: PTH112  no path of this run
         raise KinlintError(f"a worker has no directory {workplace.directory}: it needs the files")
     try:
-        with _alone, chdir(workplace.directory):
-            return shard.lint_shard(models, [*workplace.errors, *errors], workplace.job)
+        with _alone, chdir("." if job.roots else workplace.directory):
+            yield
     except (KinlintError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001  see above

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from kinlint.configuration.settings import Settings
 from kinlint.formats.dependencies.file_groups import group_sources
-from kinlint.formats.dependencies.mentions import includes_nothing
+from kinlint.parallel.unread import is_closed, keys_of, size
 from kinlint.text import SourceText
 
 Model: TypeAlias = Sequence[SourceText]
@@ -22,7 +22,9 @@ small robots, eight take the least time.
 
 def partition(sources: Sequence[SourceText], settings: Settings) -> list[Model]:
     """Split *sources* into models that can be checked apart, which may be one."""
-    return [*group_sources(sources)] if sources and _separable(settings) else [list(sources)]
+    return (
+        [*group_sources(sources, keys_of)] if sources and _separable(settings) else [list(sources)]
+    )
 
 
 def is_divisible(sources: Sequence[SourceText], settings: Settings) -> bool:
@@ -42,9 +44,7 @@ def split_into_shares(found: Sequence[Model], least: int, settings: Settings) ->
 
     A model that may include other files is a share of its own, so that what it depends on is known.
     """
-    joint = [
-        n for n, each in enumerate(found) if not settings.drawn and all(map(includes_nothing, each))
-    ]
+    joint = [n for n, each in enumerate(found) if not settings.drawn and all(map(is_closed, each))]
     apart = set(range(len(found))).difference(joint)
     count = min(len(joint), max(least - len(apart), -(-len(joint) // MOST)))
     made: list[list[int]] = [[] for _ in range(count)]
@@ -66,16 +66,16 @@ def split_in_order(found: Sequence[Model], least: int, settings: Settings) -> li
     if settings.drawn:
         return [[number] for number in order]
     joint = [number for number in order if first_name(found[number])]
-    size = max(1, min(MOST, -(-len(joint) // least)))
-    shares = [joint[start : start + size] for start in range(0, len(joint), size)]
+    width = max(1, min(MOST, -(-len(joint) // least)))
+    shares = [joint[start : start + width] for start in range(0, len(joint), width)]
     return [*([number] for number in order if not first_name(found[number])), *shares]
 
 
 def first_name(model: Model) -> str:
     """Return the first of the names of the files of *model*; empty if it may include others."""
     names = (source.name for source in model)
-    return min(names) if all(map(includes_nothing, model)) else ""
+    return min(names) if all(map(is_closed, model)) else ""
 
 
 def _size(model: Model) -> int:
-    return sum(len(source.text) for source in model)
+    return sum(map(size, model))

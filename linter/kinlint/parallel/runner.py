@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -14,16 +15,18 @@ from kinlint.parallel import shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_in_order, split_into_shares
 from kinlint.parallel.shard import Job, Outcome
+from kinlint.parallel.unread import texts
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.suppression.suppression_faults import UNUSED
 from kinlint.text import SourceText
 
-if TYPE_CHECKING:
-    from kinlint.parallel.early_findings import EarlyFindings
-
 SHARES = 4
 """Number of shards for each process, so that none waits long for the last one."""
+
+
+if TYPE_CHECKING:
+    from kinlint.parallel.early_findings import EarlyFindings
 
 
 def _nobody(_files: int) -> None:
@@ -48,6 +51,9 @@ class ParallelRunner:
     """The address of the cluster that lints, `dask://HOST:PORT`; empty for processes here."""
     tell: Callable[[Sequence[Finding]], None] | None = None
     """A function that is told findings as soon as it is clear that none comes before them."""
+
+    counting: bool = False
+    """True if of findings that were told only their number is kept."""
 
     def report(self, sources: Sequence[SourceText], errors: Sequence[SourceError]) -> Report:
         """Lint *sources*; *errors* are of files that could not even be decoded.
@@ -93,12 +99,16 @@ class ParallelRunner:
             found[number] = report
             if early is not None and not _calls_unused(report):
                 early.done(number, report)
+                if self.counting:
+                    from kinlint.parallel.early_findings import counted  # noqa: PLC0415  see above
+
+                    found[number] = counted(report)
 
         found: dict[int, Report] = {}
         if self.memory is not None:
             with self.phases.phase("recalling"):
                 for number, model in enumerate(models):
-                    report = self.memory.recall(model, complete=not failed)
+                    report = self._recalled(self.memory, model, failed)
                     if report is not None:
                         done(number, report)
                         self._advance(model, failed)
@@ -111,12 +121,20 @@ class ParallelRunner:
                 isinstance(error, (InternalError, FileTimeout)) for error in outcome.report.errors
             )
             if self.memory is not None and not any(failures):
-                self.memory.keep(
-                    models[left[number]], outcome.report, outcome.record, complete=not failed
-                )
+                with suppress(SourceError):
+                    read = texts(models[left[number]])
+                    self.memory.keep(read, outcome.report, outcome.record, complete=not failed)
 
         self._lint([models[n] for n in left], failed, linted, in_order=early is not None)
         return [found[number] for number in range(len(models))], recalled
+
+    def _recalled(
+        self, memory: ReportCache, model: Model, failed: Sequence[SourceError]
+    ) -> Report | None:
+        try:
+            return memory.recall(texts(model), complete=not failed)
+        except SourceError:
+            return None  # whoever lints it says why
 
     def _lint(
         self,

@@ -15,12 +15,14 @@ from kinlint.files.tracked_io import Record, recorded
 from kinlint.finding import Finding, FindingKey
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.parallel.partition import Model
+from kinlint.parallel.unread import provided
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.rule import Rule, Severity
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
+    from kinlint.files.url_root import Root
     from kinlint.fixes.rounds import RoundsResult
     from kinlint.pipeline.given_documents import GivenDocuments
 
@@ -41,6 +43,8 @@ class Job:
     """Least severity of findings that fixes are proven of."""
     given: GivenDocuments | None = None
     """Documents of the texts, if these were read before."""
+    roots: tuple[Root, ...] = ()
+    """Places of the files that are named by URL."""
     rounds: Callable[..., RoundsResult] | None = None
     """Function that fixes the texts of a model, round by round; None if they stay as they are."""
 
@@ -67,6 +71,18 @@ def lint_shard(
     share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None = None
 ) -> list[Outcome]:
     """The outcome for each model of *share*; *errors* that were known before are left out."""
+    try:
+        read = provided(share, job.roots)
+    except SourceError as error:
+        if len(share) > 1:
+            return _one_by_one(share, errors, job, phases)
+        return [Outcome(Report(errors=(error,)), Record())]
+    return _lint(read, errors, job, phases)
+
+
+def _lint(
+    share: Sequence[Model], errors: Sequence[SourceError], job: Job, phases: Phases | None
+) -> list[Outcome]:
     try:
         with recorded() as record:
             if job.rounds is not None:

@@ -23,6 +23,7 @@ from kinlint.files.globbing import ANY_DEPTH, matches
 from kinlint.files.packages import CATKIN, IGNORED, working_copies
 from kinlint.files.pathglob import MAGIC, Glob, absolute
 from kinlint.files.pathname import missing, printable, real, shown
+from kinlint.files.url_mirror import find, is_url
 from kinlint.formats.records import BY_NAME, GLOBBED, JSON, SEARCHED, SHARED, TOLD, by_suffix
 from kinlint.light_dataclasses import dataclass, field
 
@@ -58,6 +59,8 @@ class Input:
     """The path; None for standard input."""
     named: bool = True
     """True if the user named this very file."""
+    remote: bool = False
+    """True if the name is a URL; the path is None."""
 
 
 @dataclass
@@ -125,6 +128,9 @@ class Search:
             found.errors.append(SourceError(printable(given), cause))
 
     def _path(self, given: str, found: Found) -> Iterator[Input]:
+        if is_url(given):
+            yield from self._url(given, found)
+            return
         path = absolute(os.path.expanduser(given))  # noqa: PTH111  never fails
         if path.is_dir():
             yield from self._directory(path, found)
@@ -135,6 +141,23 @@ class Search:
             yield from self._glob(given, found)
         else:
             found.errors.append(SourceError(printable(given), missing(path)))
+
+    def _url(self, given: str, found: Found) -> Iterator[Input]:
+        """Yield the files that a URL stands for; which of them are models, their readers see."""
+        try:
+            names, named = find(given)
+        except SourceError as error:
+            found.errors.append(error)
+            return
+        if not names:
+            found.errors.append(SourceError(given, "no file matches"))
+        ends = GLOBBED if MAGIC.search(given) else SEARCHED
+        patterns = self.excluding(Path.cwd())
+        for name in names:
+            path = Path(os.path.abspath(name))  # noqa: PTH100  where patterns take it to be
+            excluded = any(each.covers(path) for each in patterns)
+            if named or (name.lower().endswith(ends) and not excluded):
+                yield Input(name, None, named, remote=True)
 
     def _glob(self, pattern: str, found: Found) -> Iterator[Input]:
         from kinlint.files.gitignore import GitIgnore  # noqa: PLC0415  only of searches

@@ -152,6 +152,12 @@ def governing_directory(one: Input) -> Path:
 
 
 def _path(one: Input) -> Path:
+    """Return the path by which *one* is governed; files by URL are as below the working directory.
+
+    So nothing in a bucket configures a run.
+    """
+    if one.remote:
+        return Path(os.path.abspath(one.name))  # noqa: PTH100  not that of its mirror
     return absolute(one.name) if one.path is None else one.path
 
 

@@ -12,6 +12,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.contexts.context_library import Contexts, Extra
 from kinlint.errors import SourceError
 from kinlint.files.time_limit import time_limit
+from kinlint.files.url_mirror import contents_of
 from kinlint.formats.recognition import objection
 from kinlint.formats.registry import decode
 from kinlint.light_dataclasses import replace
@@ -39,7 +40,7 @@ def read_models(
     for one in inputs:
         try:
             # Whoever writes to standard input may take any time.
-            seconds = None if one.path is None else settings.file_timeout
+            seconds = None if one.path is None and not one.remote else settings.file_timeout
             with time_limit(one.name, seconds):
                 source = read_source(one)
                 is_read = one.named or is_model(source, own)
@@ -77,6 +78,8 @@ def own_contexts(settings: Settings) -> tuple[str, ...]:
 
 
 def _bytes(one: Input) -> bytes:
+    if one.remote:
+        return _bounded(one, contents_of(one.name))
     if one.path is None:
         return _bounded(one, sys.stdin.buffer.read(MOST_BYTES + 1))
     try:

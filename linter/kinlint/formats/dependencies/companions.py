@@ -16,6 +16,7 @@ from kinlint.configuration.settings import Settings
 from kinlint.errors import ConfigError, SourceError
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import missing, real, shown
+from kinlint.files.url_mirror import provide, provide_below
 from kinlint.formats.decoding import decode
 from kinlint.formats.dependencies.robot_collection import Robots, shared_directories
 from kinlint.formats.dependencies.robot_descriptions import Description, describe, may_be_srdf
@@ -174,15 +175,18 @@ class _Shelf:
         if self.overlay is None or srdf.source.name[:1] == "<":
             return
         for folder in folders:
+            provide(folder, content=False)
             for pattern in PATTERNS:
                 yield from self._described(sorted(folder.glob(pattern)), given)
 
     def _in_others(self, srdf: Description) -> Iterator[Description]:
         """Yield the robots of the packages beside that of *srdf*."""
         homes = (srdf.path.parent, srdf.path.parent.parent)
+        provide(srdf.path, content=False)
         home = next((each for each in homes if (each / MANIFEST).is_file()), None)
         if home is None or self.overlay is None:
             return
+        provide_below(home.parent, 2)
         ways = (f"{folder}/{pattern}" for folder in NEIGHBOURS for pattern in PATTERNS)
         files = [path for way in ways for path in sorted(home.parent.glob(way))]
         found = self._described(files[:MOST_FILES], Robots(()))
@@ -242,6 +246,7 @@ def _namesakes(
 def _companion(path: Path, overlay: Mapping[Path, SourceText]) -> SourceText:
     if overlay and (open_ := overlay.get(real(path))):
         return replace(open_, companion=True)
+    provide(path, content=True)
     if not path.is_file():
         raise SourceError(shown(path), "not a regular file")
     return replace(decode(shown(path), path.read_bytes()), companion=True)

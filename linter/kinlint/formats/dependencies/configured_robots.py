@@ -20,6 +20,7 @@ from kinlint.files.environment import kind, listing
 from kinlint.files.packages import MANIFEST, Packages
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import real, shown
+from kinlint.files.url_mirror import provide
 from kinlint.formats.decoding import decode
 from kinlint.formats.dependencies.launch_mentions import LaunchMentions
 from kinlint.formats.dependencies.robot_descriptions import Description, describe
@@ -209,6 +210,7 @@ class _Finder:
                 yield given[path]
                 continue
             try:
+                provide(path, content=True)
                 text = self.overlay.get(real(path)) or decode(shown(path), path.read_bytes())
             except (OSError, SourceError):
                 continue

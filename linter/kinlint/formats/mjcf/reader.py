@@ -50,7 +50,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     Raises SourceError for a file that cannot be read; an included one that cannot be read is
     stated.
     """
-    main = absolute(Path(source.name))
+    main = absolute(source.name)
     budget = _Budget(ProjectReach(main, options.packages_of(source.name)))
     whole = _Assembly(main, options, budget, (main,)).read(source, None, main)
     root = tree(whole.graph, whole.statements)

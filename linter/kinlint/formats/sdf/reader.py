@@ -49,7 +49,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     stated.
     """
     inclusion = _Inclusion(options, options.packages_of(source.name))
-    whole = inclusion.read(source, (absolute(Path(source.name)),))
+    whole = inclusion.read(source, (absolute(source.name),))
     root = tree(whole.graph, whole.statements)
     if root is None:
         return whole

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from kinlint.addresses import document_iri, root_of
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.files.pathglob import absolute
@@ -83,7 +81,7 @@ def read_layer(source: SourceText) -> Layer:
     statements = (*said.triples, *layer.triples)
     places = SourceMap({**said.triples, **layer.triples}, {**said.nodes, **layer.nodes})
     document = Document(source, graph, statements, places, format=USD)
-    path = absolute(Path(source.name))
+    path = absolute(source.name)
     if path.suffix.lower() == ".usdz":
         path /= "root"
     return Layer(path, root, document, said.node_of, said.item_of)
