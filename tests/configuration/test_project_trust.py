@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from kinlint.configuration.config_file import Configs
-from kinlint.configuration.project_trust import ProjectTrust, untrusted_message, user_file
+from kinlint.configuration.project_trust import ProjectTrust, untrusted_message
+from kinlint.configuration.user_configuration import user_file
 from kinlint.errors import ConfigError
 
 CONFIG = 'rules = ["rules"]\nshapes = ["s.ttl"]\nxacro-env = ["TOKEN"]\nignore = ["UNI"]\n'

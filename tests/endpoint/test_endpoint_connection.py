@@ -1,11 +1,14 @@
 """How a store is spoken to: patience, credentials, and nobody else."""
 
+import os
+import sys
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
 from kinlint.cli.main import main
+from kinlint.configuration.user_configuration import user_file
 from kinlint.endpoint.connection import Endpoint, EndpointError, QueryRefused
 
 ROW = b'{"x": {"type": "uri", "value": "urn:a"}}'
@@ -112,3 +115,57 @@ def test_no_file_of_a_project_names_an_endpoint(tmp_path, monkeypatch, capsys):
     (tmp_path / "a.urdf").write_text('<robot name="a"><link name="b"/></robot>')
     assert main(["a.urdf"]) == 2
     assert "endpoint" in capsys.readouterr().err
+
+
+def test_the_user_may_give_names_to_stores(serving, tmp_path, monkeypatch, capsys):
+    """No file of a project may: its keys are unknown there, and a name alone reaches nobody."""
+    server = serving()
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.setenv("APPDATA", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    user = user_file(os.environ) if sys.platform != "darwin" else None
+    if user is None:
+        pytest.skip("the user's configuration lies below the home directory there")
+    user.parent.mkdir()
+    project = tmp_path / "kinlint.toml"
+    project.write_text(f'endpoint = "{server.url}"')
+    assert main(["check"]) == 2
+    project.write_text(f'[endpoints]\nplant = "{server.url}"')
+    assert main(["check", "--endpoint", "plant"]) == 2
+    assert server.asked == []
+    assert "a name in your configuration, got 'plant'" in capsys.readouterr().err
+
+    project.unlink()
+    for said in (
+        f'plant = "{server.url}"',
+        f'plant = {{ query = "{server.url}", update = "http://b" }}',
+    ):
+        user.write_text(f"[endpoints]\n{said}")
+        main(["check", "--endpoint", "plant"])
+        assert server.asked
+        server.asked.clear()
+    user.write_text("[endpoints]\nplant = 3")
+    assert main(["check", "--endpoint", "plant"]) == 2
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "SELECT $this WHERE { SERVICE <http://127.0.0.1:1/> { $this a ?x } }",
+        "LOAD <http://127.0.0.1:1/>",
+        "INSERT DATA { <a:a> <a:a> <a:a> }",
+        "SELECT $this FROM <http://127.0.0.1:1/> WHERE { $this a ?x }",
+    ],
+)
+def test_rules_of_users_neither_change_nor_leave_the_store(query, store, tmp_path, capsys):
+    store.update("INSERT DATA { GRAPH <a:g> { <a:b> a <a:c> } }")
+    shapes = tmp_path / "shapes.ttl"
+    shapes.write_text(
+        "@prefix sh: <http://www.w3.org/ns/shacl#> .\n"
+        f'<a:s> a sh:NodeShape ; sh:targetClass <a:c> ; sh:sparql [ sh:select "{query}" ] .'
+    )
+
+    told = ["check", "--isolated", "--endpoint", store.query_url, "--shapes", str(shapes)]
+    assert main(told) == 2
+    assert "shapes.ttl" in capsys.readouterr().err
+    assert len(list(store.select("SELECT ?s { GRAPH ?g { ?s ?p ?o } }"))) == 1

@@ -164,7 +164,12 @@ def dask_address(text: str) -> str:
 def add_store(made: Parser, title: str) -> Callable[..., object]:
     """Add the options for the address of a triple store; return what adds more under *title*."""
     add = made.add_argument_group(title).add_argument
-    add("--endpoint", type=non_empty, metavar="URL", help="SPARQL 1.1 endpoint of the store")
+    add(
+        "--endpoint",
+        type=non_empty,
+        metavar="URL|NAME",
+        help="SPARQL 1.1 endpoint of the store, or its name in your own configuration",
+    )
     add(
         "--update-endpoint",
         type=non_empty,

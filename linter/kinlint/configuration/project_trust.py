@@ -9,12 +9,12 @@ kinlint runs, except to ROS packages, count only where the user says so: with `-
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from kinlint.configuration.config_file import Config
+from kinlint.configuration.user_configuration import read_user_file, user_file
 from kinlint.errors import ConfigError
 from kinlint.files.packages import package_name, working_copies
 from kinlint.files.pathglob import absolute
@@ -31,7 +31,6 @@ LEADING: Mapping[str, str] = {
     "srdf": "srdf",
 }
 """Fields whose paths lead out of their project in trusted projects only, with their keys."""
-FILE = "config.toml"
 
 
 @dataclass(frozen=True)
@@ -110,17 +109,6 @@ def _packaged(path: Path) -> bool:
     return any(package_name(each) is not None for each in path.parents)
 
 
-def user_file(environment: Mapping[str, str]) -> Path:
-    """Return the path of the user's own configuration, which need not exist."""
-    if sys.platform == "win32":
-        base = Path(environment.get("APPDATA") or Path.home() / "AppData" / "Roaming")
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Application Support"
-    else:
-        base = Path(environment.get("XDG_CONFIG_HOME") or Path.home() / ".config")
-    return base / "kinlint" / FILE
-
-
 def untrusted_message(config: Config) -> str:
     """Return the line that tells what of *config* does not count."""
     leading = {**LEADING, "extend": "extend"}
@@ -131,17 +119,7 @@ def untrusted_message(config: Config) -> str:
 
 
 def _trusted(path: Path) -> tuple[Path, ...]:
-    if not path.is_file():
-        return ()
-    import tomllib  # noqa: PLC0415  few users have a configuration of their own
-
-    try:
-        said = tomllib.loads(path.read_text("utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise ConfigError(f"{shown(path)}: {error}") from None
-    found = said.get("trusted", [])
-    if set(said) - {"trusted"} or not isinstance(found, list):
-        raise ConfigError(f"{shown(path)}: expected trusted = [directories], and nothing else")
-    if not all(isinstance(each, str) for each in found):
+    found = read_user_file(path).get("trusted", [])
+    if not isinstance(found, list) or not all(isinstance(each, str) for each in found):
         raise ConfigError(f"{shown(path)}: trusted: expected strings")
     return tuple(absolute(path.parent / os.path.expanduser(each)) for each in found)  # noqa: PTH111

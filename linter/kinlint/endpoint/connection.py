@@ -19,6 +19,7 @@ from urllib.error import HTTPError, URLError
 from urllib.parse import urlencode, urlsplit
 
 from kinlint import __version__
+from kinlint.configuration.user_configuration import known_store
 from kinlint.errors import KinlintError, UsageError
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, blank, iri, literal
@@ -58,9 +59,15 @@ class Endpoint:
 
     @classmethod
     def from_options(cls, options: Namespace, environment: Mapping[str, str]) -> Endpoint:
-        """Return the endpoint that *options* of the command line name. Raises `UsageError`."""
+        """Return the endpoint that *options* of the command line name. Raises `UsageError`.
+
+        A name without a slash is one that the user's own configuration gives to an address.
+        """
         timeout = options.endpoint_timeout or None
-        return cls.from_user(options.endpoint, options.update_endpoint, environment, timeout)
+        url, update = options.endpoint, options.update_endpoint
+        if "/" not in url and (known := known_store(url, environment)) is not None:
+            url, update = known.query, update or known.update
+        return cls.from_user(url, update, environment, timeout)
 
     @classmethod
     def from_user(
@@ -74,7 +81,8 @@ class Endpoint:
         for each in (url, update_url or url):
             parts = _parts(each)
             if parts.scheme not in {"http", "https"} or not parts.hostname:
-                raise UsageError(f"--endpoint: expected an address http(s)://..., got '{each}'")
+                kinds = "an address http(s)://... or a name in your configuration"
+                raise UsageError(f"--endpoint: expected {kinds}, got '{each}'")
             if parts.username or parts.password:
                 raise UsageError(f"--endpoint: no passwords in addresses: use {USER}, {PASSWORD}")
         beside = url[: -len("query")] + "update" if url.endswith("/query") else url
