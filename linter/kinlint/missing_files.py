@@ -11,6 +11,7 @@ from kinlint.files.environment import kind
 from kinlint.files.file_exists import AbsentDirectory, Fault, Missing, References, UnknownPackage
 from kinlint.files.packages import Packages
 from kinlint.files.pathglob import absolute
+from kinlint.formats.urdf.mujoco_directories import mujoco_directories
 from kinlint.formats.xml.references import file_names
 from kinlint.terms import RDF_TYPE, XSD, Term, Triple, iri, iri_value, literal, literal_value
 from kinlint.vocabulary import SRC
@@ -28,6 +29,8 @@ NODE, NAME, RESEMBLES, PRESENT = (
 FILES_IN, STRIPPED = iri(f"{SRC}filesIn"), iri(f"{SRC}strippedPath")
 """The directory, from that of the whole document, in which files that an element names are looked
 for first, and whether this is done without the directories in their names."""
+UNREAD = iri(f"{SRC}MissingForMujoco")
+"""Class of what is said of a file that is not where the settings for MuJoCo say."""
 OF_MESHES = ("metres", "up", "fault", "kind", "written", "line")
 STATED = frozenset(
     {
@@ -37,6 +40,7 @@ STATED = frozenset(
         RESEMBLES,
         PRESENT,
         MESH,
+        UNREAD,
         *(iri(f"{SRC}{name}") for name in OF_MESHES),
     }
 )
@@ -62,11 +66,17 @@ def references(
     for document in documents:
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
-        directories = _directories(document)
+        directories, of_mujoco = _directories(document), mujoco_directories(document)
         for triple in file_names(document):
             written, near = literal_value(triple[2]), _home(document, triple)
             fault = known.fault(written, near)
-            if fault is not None and triple[0] in directories:
+            if (place := of_mujoco.get(triple[0])) is not None:
+                # A file that is there for its simulator is there.
+                other = known.fault(_below(place, written), near)
+                if fault is None and other is not None and (place[1] or "://" not in written):
+                    yield from _elsewhere(triple[0], place[0])
+                fault = fault if other is not None else None
+            elif fault is not None and triple[0] in directories:
                 near = absolute(document.source.name).parent
                 place = directories[triple[0]]
                 fault = known.fault(_below(place, written), near)
@@ -85,7 +95,7 @@ def references(
 
 def asks_for_files(wanted: Collection[Term] | None) -> bool:
     """Tell whether one of the terms *wanted* says that a file is not found, or of a mesh."""
-    return wanted is None or not {*CLASSES.values(), MESH}.isdisjoint(wanted)
+    return wanted is None or not {*CLASSES.values(), MESH, UNREAD}.isdisjoint(wanted)
 
 
 def _home(document: Document, triple: Triple) -> Path:
@@ -106,6 +116,14 @@ def _directories(document: Document) -> Mapping[Term, tuple[str, bool]]:
     told = [each for each in document.statements if each[1] in (FILES_IN, STRIPPED)]
     stripped = {element for element, property_, _ in told if property_ == STRIPPED}
     return {s: (literal_value(o), s in stripped) for s, p, o in told if p == FILES_IN}
+
+
+def _elsewhere(element: Term, directory: str) -> Iterator[Triple]:
+    """Yield that the file that *element* names is not in *directory*, where MuJoCo expects it."""
+    node = iri(f"{iri_value(element)};mujoco-file")
+    yield node, RDF_TYPE, UNREAD
+    yield node, NODE, element
+    yield node, NAME, literal(directory)
 
 
 def _below(place: tuple[str, bool], written: str) -> str:

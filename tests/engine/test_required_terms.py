@@ -176,6 +176,12 @@ def test_a_rule_alone_finds_what_it_finds_where_everything_is_made(rule: Rule) -
     assert told
 
 
+def test_no_rule_has_everything_made_of_a_lifted_format() -> None:
+    about = {each.iri for each in BOOK.rules if set(each.formats or FORMATS) & set(FORMATS)}
+    asking = [each.owner for each in BOOK.constraints if terms([each]) is None]
+    assert not about.intersection(asking)
+
+
 def test_every_lifted_format_has_rules() -> None:
     """Else the test above would show nothing."""
     assert set(FORMATS) <= {each for rule in BOOK.rules for each in rule.formats}
