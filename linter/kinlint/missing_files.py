@@ -66,17 +66,13 @@ def references(
     for document in documents:
         packages = packages_of(document.source.name)
         known = lookups.setdefault(id(packages), References(packages))
-        directories, of_mujoco = _directories(document), mujoco_directories(document)
+        directories = _directories(document)
+        found, lost = _sought_by_mujoco(document, known)
+        yield from lost
         for triple in file_names(document):
             written, near = literal_value(triple[2]), _home(document, triple)
-            fault = known.fault(written, near)
-            if (place := of_mujoco.get(triple[0])) is not None:
-                # A file that is there for its simulator is there.
-                other = known.fault(_below(place, written), near)
-                if fault is None and other is not None and (place[1] or "://" not in written):
-                    yield from _elsewhere(triple[0], place[0])
-                fault = fault if other is not None else None
-            elif fault is not None and triple[0] in directories:
+            fault = None if triple[0] in found else known.fault(written, near)
+            if fault is not None and triple[0] in directories:
                 near = absolute(document.source.name).parent
                 place = directories[triple[0]]
                 fault = known.fault(_below(place, written), near)
@@ -118,12 +114,23 @@ def _directories(document: Document) -> Mapping[Term, tuple[str, bool]]:
     return {s: (literal_value(o), s in stripped) for s, p, o in told if p == FILES_IN}
 
 
-def _elsewhere(element: Term, directory: str) -> Iterator[Triple]:
-    """Yield that the file that *element* names is not in *directory*, where MuJoCo expects it."""
-    node = iri(f"{iri_value(element)};mujoco-file")
-    yield node, RDF_TYPE, UNREAD
-    yield node, NODE, element
-    yield node, NAME, literal(directory)
+def _sought_by_mujoco(document: Document, known: References) -> tuple[set[Term], list[Triple]]:
+    """Return the elements of a URDF whose files are where its settings for MuJoCo say.
+
+    With them, what is to be said of others, whose files are only where they are for others.
+    """
+    found, lost = set[Term](), list[Triple]()
+    directories = mujoco_directories(document)
+    for element, _, name in file_names(document) if directories else ():
+        if (place := directories.get(element)) is None:
+            continue
+        written, near = literal_value(name), absolute(document.source.name).parent
+        if known.fault(_below(place, written), near) is None:
+            found.add(element)
+        elif known.fault(written, near) is None and (place[1] or "://" not in written):
+            node = iri(f"{iri_value(element)};mujoco-file")
+            lost += (node, RDF_TYPE, UNREAD), (node, NODE, element), (node, NAME, literal(place[0]))
+    return found, lost
 
 
 def _below(place: tuple[str, bool], written: str) -> str:
