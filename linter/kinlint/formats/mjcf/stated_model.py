@@ -7,6 +7,7 @@ from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.mjcf.asset_files import state_directories
 from kinlint.formats.mjcf.body_statements import BodyStatements
 from kinlint.formats.mjcf.compiled_model import CompiledModel
+from kinlint.formats.mjcf.contact_masks import state_unmet
 from kinlint.formats.mjcf.convention_statements import state_conventions
 from kinlint.formats.mjcf.keyframe_statements import KeyframeStatements
 from kinlint.formats.mjcf.mjcf_elements import MjcfElement
@@ -30,6 +31,7 @@ def stated(document: Document, root: MjcfElement) -> Document:
     BodyStatements(model, said).state()
     RelationStatements(model, said).state()
     KeyframeStatements(model, said).state()
+    state_unmet(model, said)
     state_conventions(model, said)
     state_directories(root, model.settings, said)
     found = dict(said.triples)

@@ -76,6 +76,8 @@ def _of_geoms(body: CompiledBody) -> Iterator[UnreadAttribute]:
         weighs = "mass" in element.said and element.number("mass") != 0
         if body.inertial is not None and not inferred and weighs:
             yield UnreadAttribute(element, "mass", "inertial")
+        elif weighs and "density" in element.said:
+            yield UnreadAttribute(element, "density", "mass")
 
 
 def unchecked(root: MjcfElement) -> Iterator[tuple[MjcfElement, MjcfElement]]:

@@ -1,4 +1,4 @@
-"""Where MuJoCo looks for the meshes of a URDF, as its <mujoco><compiler> says."""
+"""Finds where MuJoCo looks for the meshes of a URDF, as its <mujoco><compiler> says."""
 
 from __future__ import annotations
 
