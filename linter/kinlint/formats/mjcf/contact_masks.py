@@ -10,7 +10,7 @@ from kinlint.formats.mjcf.model_statements import ModelStatements
 from kinlint.terms import Term
 
 Bits: TypeAlias = tuple[int, int]
-"""What a geom touches by, and what it lets itself be touched by: `contype` and `conaffinity`."""
+"""The bits `contype` and `conaffinity` of a geom."""
 GROUND = frozenset({"plane", "hfield"})
 OPAQUE = frozenset({"flex", "flexcomp", "composite"})
 """Elements with geoms, or what they touch, that are not listed."""
