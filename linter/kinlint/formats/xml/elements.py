@@ -166,7 +166,8 @@ class Elements:
             if type_ is ANY:
                 remarks.note_unlisted_element(number, outer, tag, first)
             elif type_.checked or not number:
-                remarks.check_element(number, type_, attributes, self._display_only)
+                dated = outer.lifetime != type_.lifetime
+                remarks.check_element(number, type_, attributes, self._display_only, dated=dated)
             frames.append((address, node, type_, number, {}))
             if len(frames) > MOST_DEEP or len(address) > LONGEST_ADDRESS or number >= MOST_ELEMENTS:
                 raise TooLarge(_excess(len(frames), address), starts[number])

@@ -142,10 +142,13 @@ class Diagnostics:
         type_: ElementType,
         attributes: Mapping[str, str],
         display_only: Callable[[ElementType], bool],
+        *,
+        dated: bool,
     ) -> None:
         """Note missing attributes of an element, and features of other versions of the format.
 
-        *display_only* tells whether an element of a type would only matter for display here.
+        *display_only* tells whether an element of a type would only matter for display here, and
+        *dated* whether it came or went without the element around it.
         """
         if not number:
             self._version = attributes.get("version", self.schema.version)
@@ -161,7 +164,7 @@ class Diagnostics:
                 self.check_word(number, type_, name, attributes[name])
         if not type_.dated:
             return
-        if type_.lifetime is not None:
+        if dated and type_.lifetime is not None:
             self._dated(number, None, type_, type_.tag, type_.lifetime)
         for name, lifetime in type_.lifetimes.items():
             if name in attributes:
