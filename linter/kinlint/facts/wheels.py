@@ -11,12 +11,14 @@ from kinlint.facts.elements_by_tag import elements
 from kinlint.facts.fact_statements import numbers
 from kinlint.facts.linear_algebra import IDENTITY, apply, dot
 from kinlint.terms import Term, Triple, iri, literal_value
-from kinlint.vocabulary import EXTENSION, SRC
+from kinlint.vocabulary import EXTENSION, REFERENCE, SRC
 
 LEFT = tuple(iri(f"{EXTENSION}{name}") for name in ("left_joint", "leftJoint"))
 RIGHT = tuple(iri(f"{EXTENSION}{name}") for name in ("right_joint", "rightJoint"))
 TEXT = iri(f"{SRC}text")
 PLUGIN = iri(f"{EXTENSION}plugin")
+SIDES = (iri(f"{SRC}left"), iri(f"{SRC}right"))
+MEMBER, JOINT = iri(f"{SRC}memberOf"), iri(f"{REFERENCE}joint")
 AHEAD = 0.02
 """The part of the track by which two wheels of one axle may be ahead of each other."""
 UPRIGHT = 0.9
@@ -36,6 +38,39 @@ def wheels(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
             if element is not None and shape is not None and shape.kind == CYLINDER:
                 yield from _disc(element, each, shape, drawn, shapes)
         yield from _drives(element_of(robot), joints, drawn, shapes)
+    yield from _controlled(drawn, shapes)
+
+
+def _controlled(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
+    """Yield what is drawn of the wheels of each controller in a file beside the robot.
+
+    Of several wheels on a side, the first counts, with the one beside it.
+    """
+    scan = drawn.trees.scan
+    lists = [scan.single(side) for side in SIDES]
+    if not all(lists):
+        return
+    named: dict[Term, list[Term]] = {}
+    for entry, group in scan.single(MEMBER).items():
+        named.setdefault(group, []).append(entry)
+    at = {
+        drawn.trees.mechanism.element(joint) or joint: each
+        for joints in drawn.robots.values()
+        for joint, each in joints.items()
+    }
+    joints = scan.single(JOINT)
+    for controller in sorted(lists[0].keys() & lists[1].keys()):
+        left, right = (
+            [
+                at[joints[entry]]
+                for entry in sorted(named.get(each[controller], ()))
+                if joints.get(entry) in at
+            ]
+            for each in lists
+        )
+        if left and right:
+            beside = min(right, key=lambda each: abs(each.step[0] - left[0].step[0]))
+            yield from _drive(controller, left[0], beside, shapes)
 
 
 def _round(joint: Drawn, shapes: BodyShapes) -> Shape | None:

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import yaml
 
+from kinlint.formats.yaml.controllers import controllers
 from kinlint.formats.yaml.ros_keys import (
     CONFIGURATIONS,
     DISPLAYED,
@@ -30,6 +30,7 @@ from kinlint.formats.yaml.ros_keys import (
     PROJECTION,
     SOLVER,
 )
+from kinlint.formats.yaml.yaml_nodes import Entry, Number, floats, list_offset, name_of, said
 from kinlint.text import Span
 
 BOUNDS = {
@@ -43,32 +44,6 @@ BOUNDS = {
 _TRUE = frozenset({"true", "True", "TRUE", "yes", "on"})
 _PROJECTED = re.compile(r"(joints|link)\(([^()]*)\)")
 _WORD = re.compile(r"[^\s,]+")
-
-
-class Number(NamedTuple):
-    """A number that a file gives."""
-
-    name: str
-    """Its key."""
-    value: float
-    """The number."""
-    span: Span
-    """Its place."""
-
-
-class Entry(NamedTuple):
-    """Mention of a part of a robot, with the numbers that a file gives for it."""
-
-    tag: str
-    """`joint`, `joint_limit`, `initial_position`, `link`, `frame` or `group`."""
-    name: str
-    """The name of the part."""
-    span: Span
-    """The place of the name, without quotes."""
-    numbers: tuple[Number, ...] = ()
-    """Numbers that are given for it."""
-    group: int = -1
-    """Offset of the list or table that it is a member of; -1 if it is none."""
 
 
 def entries(top: yaml.Node) -> Iterator[Entry]:
@@ -89,8 +64,9 @@ def entries(top: yaml.Node) -> Iterator[Entry]:
 
 
 def _of_mapping(node: yaml.MappingNode) -> Iterator[Entry]:
-    said = _said(node)
-    lists_joints = isinstance(said.get("joints"), yaml.SequenceNode)
+    yield from controllers(node)
+    given = said(node)
+    lists_joints = isinstance(given.get("joints"), yaml.SequenceNode)
     for key, value in node.value:
         if not isinstance(key, yaml.ScalarNode):
             continue
@@ -100,7 +76,7 @@ def _of_mapping(node: yaml.MappingNode) -> Iterator[Entry]:
             yield from _listed(kind, value)
         elif word == PROJECTION:
             yield from _projected(value)
-        elif word == "group" and "pose" in said:
+        elif word == "group" and "pose" in given:
             yield from _listed(GROUP, value)
         elif isinstance(value, yaml.MappingNode):
             yield from _of_table(key, word, value, lists_joints=lists_joints)
@@ -117,10 +93,10 @@ def _of_table(
     elif word == DISPLAYED:
         yield from _keys(FRAME, table)
     elif word == "frame":
-        said = _said(table)
-        if "id" in said and getattr(said.get("external"), "value", "") not in _TRUE:
-            yield from _listed(FRAME, said["id"])
-    elif _is_group(table) and (group := _name(key)):
+        told = said(table)
+        if "id" in told and getattr(told.get("external"), "value", "") not in _TRUE:
+            yield from _listed(FRAME, told["id"])
+    elif _is_group(table) and (group := name_of(key)):
         yield Entry(GROUP, *group)
 
 
@@ -136,34 +112,29 @@ def _valued(word: str, table: yaml.MappingNode) -> Iterator[Entry]:
     at = table.start_mark.index
     for name, given in _named(table):
         if word == POSITIONS:
-            if numbers := tuple(_numbers({"value": given})):
+            if numbers := tuple(floats({"value": given})):
                 yield Entry("initial_position", *name, numbers, at)
         elif isinstance(given, yaml.MappingNode):
             yield Entry("joint_limit", *name, tuple(_bounds(given)), at)
 
 
-def _said(table: yaml.MappingNode) -> dict[str, yaml.Node]:
-    """Return the values of *table* by their keys."""
-    return {str(getattr(key, "value", "")): value for key, value in table.value}
-
-
 def _is_group(table: yaml.MappingNode) -> bool:
     """Tell whether *table* has what kinematics.yaml or ompl_planning.yaml says of a group."""
-    said = _said(table)
-    chosen = isinstance(said.get(CONFIGURATIONS), yaml.SequenceNode)
-    return chosen or PROJECTION in said or isinstance(said.get(SOLVER), yaml.ScalarNode)
+    told = said(table)
+    chosen = isinstance(told.get(CONFIGURATIONS), yaml.SequenceNode)
+    return chosen or PROJECTION in told or isinstance(told.get(SOLVER), yaml.ScalarNode)
 
 
 def _listed(kind: str, value: yaml.Node) -> Iterator[Entry]:
     several = isinstance(value, yaml.SequenceNode)
-    group = value.start_mark.index if several else -1
+    group = list_offset(value) if several else -1
     listed = value.value if several else [value]
-    yield from (Entry(kind, *name, (), group) for each in listed if (name := _name(each)))
+    yield from (Entry(kind, *name, (), group) for each in listed if (name := name_of(each)))
 
 
 def _projected(value: yaml.Node) -> Iterator[Entry]:
     """Yield the joints or the link of `joints(shoulder, elbow)` or `link(tool0)`."""
-    if not isinstance(value, yaml.ScalarNode) or (found := _name(value)) is None:
+    if not isinstance(value, yaml.ScalarNode) or (found := name_of(value)) is None:
         return
     text, span = found
     match = _PROJECTED.fullmatch(text)
@@ -177,42 +148,16 @@ def _projected(value: yaml.Node) -> Iterator[Entry]:
 
 def _named(mapping: yaml.MappingNode) -> Iterator[tuple[tuple[str, Span], yaml.Node]]:
     for key, value in mapping.value:
-        if name := _name(key):
+        if name := name_of(key):
             yield name, value
 
 
 def _bounds(given: yaml.MappingNode) -> Iterator[Number]:
     """Yield the limits of a joint that count."""
-    said = {key.value: value for key, value in given.value if isinstance(key, yaml.ScalarNode)}
+    told = {key.value: value for key, value in given.value if isinstance(key, yaml.ScalarNode)}
     counting = {
-        name: said[name]
+        name: told[name]
         for name, flag in BOUNDS.items()
-        if name in said and (flag not in said or getattr(said[flag], "value", "") in _TRUE)
+        if name in told and (flag not in told or getattr(told[flag], "value", "") in _TRUE)
     }
-    yield from _numbers(counting)
-
-
-def _numbers(values: dict[str, yaml.Node]) -> Iterator[Number]:
-    for name, node in values.items():
-        if isinstance(node, yaml.ScalarNode) and node.tag.endswith((":int", ":float")):
-            try:
-                yield Number(name, float(node.value), span_of(node))
-            except ValueError:
-                continue
-
-
-def _name(node: yaml.Node) -> tuple[str, Span] | None:
-    """Return a name and its place; None for what is none, or is made by a launch file."""
-    if not isinstance(node, yaml.ScalarNode) or not node.tag.endswith(":str"):
-        return None
-    name = node.value
-    if not name or name.isspace() or any(each in name for each in "$<>{}*\n"):
-        return None
-    return name, span_of(node)
-
-
-def span_of(node: yaml.ScalarNode) -> Span:
-    """Return the place of the text of *node*, without quotes."""
-    start, end = node.start_mark.index, node.end_mark.index
-    quoted = node.style in ("'", '"')
-    return Span(start + quoted, end - quoted)
+    yield from floats(counting)

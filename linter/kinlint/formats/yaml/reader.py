@@ -44,11 +44,13 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
         stated[root, _term(each.tag), element] = each.span
         stated[element, iri(f"{ATTRIBUTE}name"), literal(each.name)] = each.span
         if each.group >= 0:
-            group = literal(str(each.group), f"{XSD}integer")
-            layer.triples[element, src("memberOf"), group] = each.span
+            layer.triples[element, src("memberOf"), _list(root, each.group)] = each.span
+        for name, value in each.told:
+            told = _list(root, value) if isinstance(value, int) else literal(value)
+            layer.triples[element, src(name), told] = each.span
         for number in each.numbers:
-            value = literal(repr(number.value), f"{XSD}double")
-            stated[element, iri(f"{ATTRIBUTE}{number.name}"), value] = number.span
+            size = literal(repr(number.value), f"{XSD}double")
+            stated[element, iri(f"{ATTRIBUTE}{number.name}"), size] = number.span
     state_comments(source.text, tops, layer)
     statements = (*stated, *layer.triples)
     places = SourceMap({**stated, **layer.triples}, {**nodes, **layer.nodes})
@@ -58,6 +60,11 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
 def _may_be_of_robot(tag: str, name: str) -> bool:
     """Tell whether *name* is none of a frame that usually others publish."""
     return tag != FRAME or ("/" not in name and name not in OUTSIDE)
+
+
+def _list(root: Term, offset: int) -> Term:
+    """Return the name of the list or table that begins at *offset*."""
+    return child(root, "list", str(offset))
 
 
 def _term(name: str) -> Term:
