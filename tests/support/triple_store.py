@@ -38,6 +38,44 @@ def served(server: str) -> Iterator[str]:
             process.wait()
 
 
+VIRTUOSO = """[Database]
+DatabaseFile={0}/v.db
+ErrorLogFile={0}/v.log
+LockFile={0}/v.lck
+TransactionFile={0}/v.trx
+xa_persistent_file={0}/v.pxa
+[Parameters]
+ServerPort=127.0.0.1:{1}
+[HTTPServer]
+ServerPort=127.0.0.1:{2}
+[SPARQL]
+ResultSetMaxRows=1000000
+"""
+ALLOWED = "GRANT SPARQL_UPDATE TO \"SPARQL\"; DB.DBA.RDF_DEFAULT_USER_PERMS_SET('nobody', 7);"
+
+
+@contextmanager
+def virtuoso(directory: Path) -> Iterator[str]:
+    """The address of an empty store of Virtuoso in *directory*, which anybody may change."""
+    sql, http = _free_port(), _free_port()
+    settings = directory / "virtuoso.ini"
+    settings.write_text(VIRTUOSO.format(directory, sql, http))
+    process = subprocess.Popen(
+        ["virtuoso-t", "+foreground", "+configfile", str(settings)],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        url = f"http://127.0.0.1:{http}/sparql"
+        assert _answers(process, url)
+        allowing = ["isql-vt", f"127.0.0.1:{sql}", "dba", "dba", f"exec={ALLOWED}"]
+        subprocess.run(allowing, check=True, stdout=subprocess.DEVNULL)
+        yield url
+    finally:
+        process.kill()
+        process.wait()
+
+
 def _answers(process: subprocess.Popen, url: str) -> bool:
     while process.poll() is None:
         try:

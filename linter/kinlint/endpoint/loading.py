@@ -103,11 +103,13 @@ def replacement(stored: StoredDocument, model: Term | None, companions: Iterable
 
 
 def _counted(graphs: Iterable[Term]) -> str:
-    """Return the update that numbers the loading of *graphs*."""
-    return (
-        f"DELETE {{ GRAPH {COUNTER} {{ {COUNTER} {REVISION} ?old }} }}\n"
-        f"INSERT {{ GRAPH {COUNTER} {{ {COUNTER} {REVISION} ?new }}"
-        f" GRAPH ?g {{ ?g {REVISION} ?new }} }}\n"
-        f"WHERE {{ OPTIONAL {{ GRAPH {COUNTER} {{ {COUNTER} {REVISION} ?old }} }}"
-        f" BIND(COALESCE(?old, 0) + 1 AS ?new) VALUES ?g {{ {' '.join(graphs)} }} }}"
+    """Return the updates that number the loading of *graphs*, each as simple as stores want it."""
+    said = f"GRAPH {COUNTER} {{ {COUNTER} {REVISION} "
+    newest = f"SELECT (COALESCE(MAX(?old), 0) + 1 AS ?new) WHERE {{ {said}?old }} }}"
+    every = f"VALUES ?g {{ {' '.join(graphs)} }}"
+    updates = (
+        f"INSERT {{ {said}?new }} }} WHERE {{ {{ {newest} }} }}",
+        f"DELETE {{ {said}?old }} }} WHERE {{ {said}?old, ?newer FILTER(?newer > ?old) }} }}",
+        f"INSERT {{ GRAPH ?g {{ ?g {REVISION} ?new }} }} WHERE {{ {said}?new }} {every} }}",
     )
+    return " ;\n".join(updates)

@@ -47,7 +47,7 @@ def _same(written: str, kind: str) -> str:
     if kind == f"{XSD}boolean":
         return BOOLEANS.get(plain, plain)
     try:
-        return repr(float(plain))
+        return f"{float(plain):.13g}"  # Virtuoso gives back no more digits than 14
     except ValueError:
         return written
 

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.storable import unskolemised
 from kinlint.light_dataclasses import dataclass, replace
-from kinlint.terms import XSD, Term, Triple, iri, iri_value, literal_value
+from kinlint.terms import (
+    XSD,
+    Term,
+    Triple,
+    iri,
+    iri_value,
+    literal,
+    literal_datatype,
+    literal_value,
+)
 from kinlint.vocabulary import KINLINT, STORE
 
 FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE, APART = (
@@ -23,6 +32,19 @@ COUNTER = iri(f"{KINLINT}store")
 """The named graph that holds the number of the newest loading, and nothing else."""
 MODIFIED = "<http://purl.org/dc/terms/modified>"
 """Property of other graphs that tells when they changed."""
+OWN = tuple(
+    f"<{each}>"
+    for each in (
+        "http://www.openlinksw.com/schemas/virtrdf#",
+        "http://localuriqaserver/sparql",
+        "http://www.w3.org/ns/ldp#",
+        "http://www.w3.org/2002/07/owl#",
+        "urn:activitystreams-owl:map",
+    )
+)
+"""Named graphs that Virtuoso makes for itself."""
+DIGITS = '(IF(isNumeric(?o), STR(?o), "") AS ?digits)'
+"""Numbers as their stores keep them: Virtuoso's results have doubles with six digits."""
 PAGE = 10_000
 """Most solutions of one answer: stores cut off longer ones, some without a word."""
 
@@ -94,7 +116,8 @@ def _foreign(endpoint: Endpoint, since: str | None) -> Iterator[Term]:
             f' FILTER(?time <= "{since}"^^<{XSD}dateTime>) }}'
         )
     not_ours = f"FILTER NOT EXISTS {{ GRAPH ?g {{ ?g {RECORD} ?record }} }}"
-    where = f"GRAPH ?g {{ ?s ?p ?o }} {not_ours}{old} FILTER(?g != {COUNTER})"
+    not_these = f"FILTER(?g NOT IN ({', '.join((COUNTER, *OWN))}))"
+    where = f"GRAPH ?g {{ ?s ?p ?o }} {not_ours}{old} {not_these}"
     return (row["g"] for row in pages(endpoint, "DISTINCT ?g", where))
 
 
@@ -134,25 +157,31 @@ def statements(endpoint: Endpoint, graphs: Iterable[StoredGraph]) -> dict[Term, 
     found: dict[Term, list[Triple]] = {each.name: [] for each in asked}
     named = " ".join(found)
     where = f"VALUES ?g {{ {named} }} GRAPH ?g {{ ?s ?p ?o }}"
-    rows = list(endpoint.select(f"SELECT ?g ?s ?p ?o WHERE {{ {where} }} LIMIT {PAGE}"))
+    rows = list(endpoint.select(f"SELECT ?g ?s ?p ?o {DIGITS} WHERE {{ {where} }} LIMIT {PAGE}"))
     if len(rows) >= PAGE:
         if len(asked) > 1:
             parts = (statements(endpoint, [each]) for each in asked)
             return {name: said for part in parts for name, said in part.items()}
         rows = list(_large(endpoint, asked[0].name))
     for row in rows:
-        found[row.get("g", asked[0].name)].append((row["s"], row["p"], row["o"]))
+        found[row.get("g", asked[0].name)].append((row["s"], row["p"], _exact(row)))
     return {
         name: [(unskolemised(s), p, unskolemised(o)) for s, p, o in said]
         for name, said in found.items()
     }
 
 
+def _exact(row: Mapping[str, Term]) -> Term:
+    """Return the object of the statement in *row*, with all digits of a number."""
+    digits = literal_value(row["digits"]) if "digits" in row else ""
+    return literal(digits, literal_datatype(row["o"])) if digits else row["o"]
+
+
 def _large(endpoint: Endpoint, name: Term) -> Iterator[dict[str, Term]]:
     """Yield the statements of a graph page by page, in an order that stays the same."""
     offset = 0
     while True:
-        count, inner = 0, f"SELECT ?s ?p ?o WHERE {{ GRAPH {name} {{ ?s ?p ?o }} }}"
+        count, inner = 0, f"SELECT ?s ?p ?o {DIGITS} WHERE {{ GRAPH {name} {{ ?s ?p ?o }} }}"
         ordered = f"{inner} ORDER BY ?s ?p ?o LIMIT {PAGE} OFFSET {offset}"
         for row in endpoint.select(ordered):
             count += 1
