@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
 
-from benchmarks import editing, reading, store
+from benchmarks import cluster, editing, reading, store
 from benchmarks.fleet import Fleet
 from benchmarks.growth.measurement import GROWTH_HEADING, measured
 from benchmarks.keystrokes import Keystrokes
@@ -95,6 +95,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--store", type=int, metavar="N", help="only N robots in a triple store, and 100 N of them"
     )
+    parser.add_argument(
+        "--cluster",
+        type=int,
+        metavar="N",
+        help="with --fleet: N files made of the robots below DIR, on a cluster that loses a worker",
+    )
     parser.add_argument("--runs", type=int, default=5, help="of which medians are taken")
     return parser
 
@@ -110,10 +116,7 @@ def _workplace() -> Iterator[Workplace]:
 
 def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
     if options.fleet:
-        if options.mjcf:
-            yield from Fleet(options.fleet).compared_by_size(options.mjcf, options.runs)
-        else:
-            yield from Fleet(options.fleet).rows(options.runs)
+        yield from _fleet(options)
         return
     if options.store:
         with store.served() as url:
@@ -150,6 +153,14 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
             seconds = compared(joints, catalogue, options.runs)
             target = 1000 if joints == SIZES[-1] else None
             yield Row(f"checking {joints} joints", "pySHACL", seconds, "faster", target)
+
+
+def _fleet(options: argparse.Namespace) -> Iterator[Row]:
+    if options.cluster:
+        return cluster.rows(options.fleet, options.cluster)
+    if options.mjcf:
+        return Fleet(options.fleet).compared_by_size(options.mjcf, options.runs)
+    return Fleet(options.fleet).rows(options.runs)
 
 
 def _growth(arguments: Sequence[str], options: argparse.Namespace, catalogue: Rulebook) -> int:

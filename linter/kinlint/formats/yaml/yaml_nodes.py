@@ -35,7 +35,7 @@ class Entry(NamedTuple):
     group: int = -1
     """Offset of the list or table that it is a member of; -1 if it is none."""
     told: tuple[tuple[str, str | int], ...] = ()
-    """What else is said of it, by the names of properties."""
+    """Facts that are said of it besides, by the names of properties."""
 
 
 def said(table: yaml.MappingNode) -> dict[str, yaml.Node]:
