@@ -130,9 +130,9 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
     told = report.with_consequences() if options.show_consequences else report
     with phases.phase("reporting"):
-        streamed = any(one.path is None for one in found.inputs)
-        out = sys.stderr if options.diff or (_fixing(options) and streamed) else sys.stdout
-        outputs.emit(told, out, early.written if early is not None else ())
+        left = outputs if early is None else early.conclude(told)
+        out = sys.stderr if _prints_text(options, found) else sys.stdout
+        left.emit(told, out, early.written if early is not None else ())
     if options.statistics and options.verbose:
         _tell_times(phases, book)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
@@ -156,6 +156,12 @@ def _early_output(
 def _fixing(options: Namespace) -> bool:
     """Tell whether *options* ask to change files."""
     return options.fix or options.fix_only or options.add_ignore is not None
+
+
+def _prints_text(options: Namespace, found: Found) -> bool:
+    """Tell whether standard output has a patch, or the text of a model."""
+    streamed = any(one.path is None for one in found.inputs)
+    return options.diff or (_fixing(options) and streamed)
 
 
 def _with_suppressed(report: Report) -> Report:

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING
 
 from kinlint.cli.installed_findings import without_installed
-from kinlint.cli.report_outputs import Outputs
+from kinlint.cli.report_outputs import Outputs, replacing_bytes
 from kinlint.finding import Finding
+from kinlint.light_dataclasses import replace
 from kinlint.report import Report
+
+if TYPE_CHECKING:
+    from kinlint.reporters.sqlite_database import FindingsDatabase
 
 
 class EarlyOutput:
@@ -21,8 +26,13 @@ class EarlyOutput:
         """
         self.written = set[str]()
         """The names of the files whose findings are written."""
-        self.counting = not (outputs.copies or outputs.verbose or outputs.summarises)
+        self.counting = outputs.streams and not (outputs.verbose or outputs.summarises)
         """True if nothing but their number is asked of findings that are written."""
+        self._database: FindingsDatabase | None = None
+        if outputs.copies and self.counting:
+            from kinlint.reporters.sqlite_database import FindingsDatabase  # noqa: PLC0415  few runs
+
+            self._database = FindingsDatabase(large=True)
         self._outputs = outputs
         self._named = named
         self._unsafe = unsafe
@@ -30,5 +40,21 @@ class EarlyOutput:
     def tell(self, findings: Sequence[Finding]) -> None:
         """Write *findings*: all those of some files, which come before those of others."""
         report = Report(findings=tuple(findings), unsafe=self._unsafe)
-        self._outputs.begin(without_installed(report, self._named), sys.stdout)
+        report = without_installed(report, self._named)
+        self._outputs.begin(report, sys.stdout)
+        if self._database is not None:
+            self._database.add(report)
         self.written.update(each.location.source.name for each in findings)
+
+    def conclude(self, report: Report) -> Outputs:
+        """Write what goes to databases, with the rest of *report*; return the other outputs."""
+        if self._database is None:
+            return self._outputs
+        left = [each for each in report.findings if each.location.source.name not in self.written]
+        with self._database as made:
+            made.add(replace(report, findings=tuple(left)))
+            made.conclude(report)
+            for _, path in self._outputs.copies:
+                with replacing_bytes(path) as stream:
+                    made.copy(stream)
+        return replace(self._outputs, copies=())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
@@ -165,6 +166,7 @@ def _at(workplace: Workplace) -> Iterator[None]:
     try:
         with _alone, chdir("." if job.roots else workplace.directory):
             yield
+            gc.collect()  # what the engine made can be freed by its own thread alone
     except (KinlintError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001  see above

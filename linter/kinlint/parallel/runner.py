@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import FileTimeout, InternalError, SourceError
 from kinlint.finding import Finding
-from kinlint.light_dataclasses import dataclass, field
+from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.parallel import shard
 from kinlint.parallel.merge_reports import merge_reports
 from kinlint.parallel.partition import Model, partition, split_in_order, split_into_shares
@@ -116,7 +116,7 @@ class ParallelRunner:
         left = [number for number in range(len(models)) if number not in found]
 
         def linted(number: int, outcome: Outcome) -> None:
-            done(left[number], outcome.report)
+            done(left[number], self._with_own_rules(outcome.report))
             failures = (
                 isinstance(error, (InternalError, FileTimeout)) for error in outcome.report.errors
             )
@@ -127,6 +127,22 @@ class ParallelRunner:
 
         self._lint([models[n] for n in left], failed, linted, in_order=early is not None)
         return [found[number] for number in range(len(models))], recalled
+
+    def _with_own_rules(self, report: Report) -> Report:
+        """Return *report* with the rules of this process, not the copies that a worker sends."""
+        own = {rule.code: rule for rule in self.job.book.rules}
+        if all(own.get(rule.code, rule) is rule for rule in report.rules):
+            return report
+
+        def told(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+            return tuple(replace(one, rule=own.get(one.rule.code, one.rule)) for one in findings)
+
+        return replace(
+            report,
+            rules=tuple(own.get(rule.code, rule) for rule in report.rules),
+            findings=told(report.findings),
+            suppressed=told(report.suppressed),
+        )
 
     def _recalled(
         self, memory: ReportCache, model: Model, failed: Sequence[SourceError]
