@@ -209,6 +209,23 @@ def _runs(process):
             },
             ["ab"],
         ),
+        (
+            {
+                "a.urdf": '<robot name="x"/>',
+                "b.xml": '<mujoco model="X"/>',
+                "c.xml": '<mujoco model="y"/>',
+            },
+            ["ab"],
+        ),
+        ({"a.urdf": '<robot name="x"/>', "b.xml": '<mujoco model="y"/>'}, ["ab"]),
+        (
+            {
+                "p/a.urdf": '<robot name="x"/>',
+                "p/A.usda": "#usda 1.0",
+                "q/a.usda": "#usda 1.0",
+            },
+            ["aA"],
+        ),
     ],
 )
 def test_what_is_judged_together(texts, together):

@@ -35,6 +35,7 @@ from kinlint.terms import Term, iri, is_iri
 from kinlint.vocabulary import SRC
 
 FLOATING = "floating"
+PAIR = 2
 FROM, TIED = iri(f"{SRC}from"), iri(f"{SRC}firstBody")
 AXIAL = frozenset({"revolute", "prismatic", "cylindrical", "helical", "planar"})
 """Movements that have one axis, or one normal."""
@@ -82,14 +83,26 @@ class RobotExtraction:
     def robot(self, form: str, bodies: Iterable[Term], joints: Iterable[Term]) -> DescribedRobot:
         """Return the robot of *bodies* and *joints*, described in the format called *form*.
 
-        A joint that leaves a body free in the world is left out.
+        A joint that leaves a body free in the world is left out, as is a second one of a body
+        that ties it to another tree, whose place is unknown.
         """
         known = frozenset(joints)
         every = [each for each in self.edges if each.joint in known]
         edges = [each for each in every if not each.closes]
+        trees = DisjointSets()
+        for parent, child in (each.ends for each in edges if len(each.ends) == PAIR):
+            trees.join(parent, child)
+        loops = {
+            each.joint
+            for each in every
+            if each.closes and len({trees.representative(end) for end in each.ends}) == 1
+        }
         movement = self.parts.mechanism.movement
         moving = [
-            each for each in every if each.closes or movement(each.joint) not in {"fixed", FLOATING}
+            each
+            for each in every
+            if each.joint in loops
+            or (not each.closes and movement(each.joint) not in {"fixed", FLOATING})
         ]
         fixed = [each for each in edges if movement(each.joint) == "fixed"]
         welded = DisjointSets()

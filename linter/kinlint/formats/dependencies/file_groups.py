@@ -15,6 +15,8 @@ from kinlint.text import SourceText
 
 CONFIGURATIONS = (YAML, LAUNCH)
 """Formats whose files belong to robots that were found for them, or to none."""
+PAIR = 2
+"""Number of files that are compared whatever their names."""
 
 
 class JoinKeys(NamedTuple):
@@ -44,10 +46,11 @@ def group_sources(
 
     Composable files make one model, together with all others, since names may join them. Files of
     elements belong together if they describe robots of one name, or if one may include the other,
-    or both the same file. An SRDF, which need not name its robot correctly, joins all; so does a
-    robot whose name is computed, where robots in another format may be the same. *known* returns
-    the keys of a source. A YAML file belongs to the robots that it was paired with, a
-    launch file to none.
+    or both the same file; so do those of one name but for the suffix, and two of different formats
+    that are alone, which are compared whatever their robots are called. An SRDF, which need not
+    name its robot correctly, joins all; so does a robot whose name is computed, where robots in
+    another format may be the same. *known* returns the keys of a source. A YAML file belongs to the
+    robots that it was paired with, a launch file to none.
     """
     if any(each.format in CONFIGURATIONS for each in sources):
         yield from _with_configurations(sources, known)
@@ -96,10 +99,16 @@ def _joined(sources: Sequence[SourceText], tied: Sequence[JoinKeys]) -> _Groups:
     robots: dict[str, int] = {}
     users: dict[str, int] = {}
     files: dict[str, list[int]] = {}
+    stems: dict[tuple[PurePath, str], int] = {}
+    if len({each.format for each in tied}) == len(tied) == PAIR:
+        groups.join(0, 1)
     for index, source in enumerate(sources):
+        path = PurePath(source.name)
+        stem = path.parent, path.name.partition(".")[0].casefold()
+        groups.join(index, stems.setdefault(stem, index))
         for name in tied[index].robots:
             groups.join(index, robots.setdefault(name, index))
-        for part in PurePath(source.name).parts[-3:]:
+        for part in path.parts[-3:]:
             files.setdefault(part, []).append(index)
     for index, each in enumerate(tied):
         for meant in each.included:

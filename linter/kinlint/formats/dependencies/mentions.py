@@ -16,7 +16,7 @@ from kinlint.text import XML_COMMENT, SourceText
 
 _VALUE = r"""\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 _ROBOT = re.compile(rf"<robot\b[^<>]*?\sname{_VALUE}")
-_MODEL = re.compile(rf"<(?:robot|model)\b[^<>]*?\sname{_VALUE}")
+_MODEL = re.compile(rf"<(?:robot|model|mujoco)\b[^<>]*?\s(?:name|model){_VALUE}")
 _PART = re.compile(rf"<(?:link|joint|passive_joint)\b[^<>]*?\sname{_VALUE}")
 _REFERENCE = re.compile(
     rf"\s(?:base_link|tip_link|parent_link|child_link|link1|link2|joint_name){_VALUE}"
