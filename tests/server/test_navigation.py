@@ -115,7 +115,7 @@ async def test_an_srdf_leads_into_a_urdf_that_is_not_open(editor):
     editor.write("leg.urdf", "\ufeff" + urdf.replace("\n", "\r\n"))
     editor.open("leg.srdf", SRDF)
     assert await definitions(editor, "leg.srdf", '"shin"', 2) == [("leg.urdf", "shin")]
-    assert "**shin**" in (await hover(editor, "leg.srdf", '"shin"', 2)).contents.value
+    assert "**link shin**" in (await hover(editor, "leg.srdf", '"shin"', 2)).contents.value
 
 
 async def test_a_renamed_link_is_followed_at_once(editor):

@@ -50,6 +50,13 @@ class EarlyFindings:
         self._waiting: list[Finding] = []
         self._tell = tell
 
+    def has_told(self, report: Report) -> bool:
+        """Tell whether no finding of *report*, which is done, waits for others."""
+        if self._passed == len(self._order):
+            return True
+        until = self._firsts[self._order[self._passed]]
+        return all(each.location.source.name < until for each in report.findings)
+
     def done(self, number: int, report: Report) -> None:
         """Take the *report*, which is final, of the model with this *number*."""
         self._done.add(number)

@@ -102,9 +102,13 @@ class ParallelRunner:
                 if self.counting:
                     from kinlint.parallel.early_findings import counted  # noqa: PLC0415  see above
 
-                    found[number] = counted(report)
+                    waiting.append(number)
+                    for each in [one for one in waiting if early.has_told(found[one])]:
+                        found[each] = counted(found[each])
+                        waiting.remove(each)
 
         found: dict[int, Report] = {}
+        waiting: list[int] = []
         if self.memory is not None:
             with self.phases.phase("recalling"):
                 for number, model in enumerate(models):
