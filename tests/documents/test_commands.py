@@ -20,6 +20,8 @@ ADDING = "kinlint contexts add"
 """What changes a project, and may use the network; `tests/cli` runs it."""
 STORED = "--endpoint"
 """What asks a triple store; `tests/endpoint` runs it."""
+BUCKET = "://bucket/"
+"""What reads a bucket; `tests/files/test_url_inputs.py` does."""
 LASTING = {"--watch", "-w", "server"}
 """What runs until it is told to stop; `tests/cli` and `tests/server` do."""
 
@@ -34,6 +36,7 @@ def runs(line):
     return (
         not line.startswith(ADDING)
         and STORED not in line
+        and BUCKET not in line
         and not LASTING & set(shlex.split(line))
         and not ELSEWHERE & set(programs(line))
     )
