@@ -17,8 +17,8 @@ def names(text: str) -> set[str]:
     document = read(SourceText("controllers.yaml", text), ReadOptions())
     return {
         value[1:-1]
-        for _, predicate, value in document.statements
-        if predicate.endswith("attribute#name>")
+        for element, predicate, value in document.statements
+        if predicate.endswith("attribute#name>") and "/controller" not in element
     }
 
 
