@@ -38,6 +38,7 @@ from kinlint.terms import Term, Triple
 CHILD_ATTACHMENT = kin("child-attachment")
 TURNING = frozenset(("revolute", "continuous"))
 MOVING = TURNING | {"prismatic"}
+OF_MUJOCO = {"hinge": "revolute", "slide": "prismatic"}
 STEPS = ("step-x", "step-y", "step-z")
 DIGITS = re.compile(r"[0-9]+")
 ALIKE = 0.9
@@ -218,8 +219,9 @@ class DrawnSymmetry:
             yield joint, fact("moves-unlike"), other
 
     def kind(self, joint: Term) -> str:
-        """Return the type of *joint*."""
-        return self.trees.mechanism.kind(joint)
+        """Return the type of *joint*, in the words of URDF."""
+        kind = self.trees.mechanism.kind(joint)
+        return OF_MUJOCO.get(kind, kind)
 
     def _crossing(self, edges: Sequence[Edge]) -> Iterator[Triple]:
         """Yield the joints that hang a body of one side on a body of the other."""
@@ -262,10 +264,9 @@ def _sharing(
             or not isfinite(length(each.step) / NEAR)
         ):
             continue
-        space, name = split_name(joint)
-        bare = DIGITS.sub("", without_side(name))
+        bare = DIGITS.sub("", without_side(joint))
         place = tuple(round(at / NEAR) for at in each.step)
-        first = found.setdefault((each.edge.parent, space, bare, place), each)
+        first = found.setdefault((each.edge.parent, bare, place), each)
         if first is not each and first.axis and dot(first.axis, each.axis) > ALIKE:
             yield joint, fact("in-place-of"), first.edge.joint
 

@@ -30,11 +30,12 @@ def odd_siblings(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
     """Yield each joint whose place, sense or wheel is unlike those of at least three siblings."""
     for joints in drawn.robots.values():
         plane = plane_of([*drawn.pairs(joints)])
-        siblings: dict[tuple[str, str, str], list[Drawn]] = {}
+        siblings: dict[tuple[str, str], list[Drawn]] = {}
         for joint, each in joints.items():
-            space, name = split_name(joint)
+            _, name = split_name(joint)
             if without_side(name) != unquote(name):
-                key = (space, without_side(name), drawn.kind(joint))
+                # What a joint is in may have names of sides, too.
+                key = (without_side(joint), drawn.kind(joint))
                 siblings.setdefault(key, []).append(each)
         for group in siblings.values():
             if len(group) > MOST:
