@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
-from kinlint.facts.frame_placement import Placements
+from kinlint.facts.frame_placement import ATTACHED_TO, Placements
 from kinlint.facts.linear_algebra import Vector, length, subtract
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex, Table
@@ -208,6 +208,10 @@ class BodyShapes:
     @cached_property
     def _boxes(self) -> Mapping[Term, tuple[float, ...]]:
         return self.scan.lists(kin("size"), 3)
+
+    def frame(self, node: Term) -> Term | None:
+        """Return the frame along whose axes the shape *node* is drawn."""
+        return self.scan.single(ATTACHED_TO).get(node)
 
     def _middle(self, node: Term) -> Vector | None:
         """Return the centre of a shape in the frame of its link, in m.

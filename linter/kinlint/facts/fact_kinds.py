@@ -151,8 +151,10 @@ KINDS = (
     FactKind(
         "misplaced_inertia",
         MISPLACED,
-        lambda own: misplaced_inertias(own.inertias, own.assemblies, own.geometries),
-        ("assemblies", "geometries"),
+        lambda own: misplaced_inertias(
+            own.inertias, own.assemblies, own.geometries, own.orientations
+        ),
+        ("assemblies", "geometries", "orientations"),
         SOLID,
     ),
     FactKind(

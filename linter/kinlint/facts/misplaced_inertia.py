@@ -13,6 +13,7 @@ from kinlint.facts.inertia_repair import solid_moments
 from kinlint.facts.laterality import without_side
 from kinlint.facts.linear_algebra import Matrix, Vector, product, transpose
 from kinlint.facts.mirror_symmetry import split_name
+from kinlint.facts.orientation_graph import OrientationGraph
 from kinlint.terms import Term, Triple
 
 ALIKE = 0.05
@@ -24,13 +25,12 @@ DIGITS = 5
 
 
 def misplaced_inertias(
-    inertias: Inertias, assemblies: Assemblies, geometries: BodyShapes
+    inertias: Inertias, assemblies: Assemblies, geometries: BodyShapes, axes: OrientationGraph
 ) -> Iterator[Triple]:
     """Yield the bodies whose moments are those of their solid shape, in another order of its axes.
 
     And those whose moments are, to the last digit, those of another body of another mass.
     """
-    placements = geometries.placements
     first: dict[tuple[str, Matrix], tuple[Term, Term, float]] = {}
     for node, tensor in sorted(inertias.central.items()):
         weighed = assemblies.weighed(node)
@@ -44,18 +44,21 @@ def misplaced_inertias(
             yield node, fact("inertia-of"), other[1]
             yield from derived(node, [other[0]])
         shape = geometries.sole(body)
-        here = placements.inertial(body)
-        there = placements.shape_placement(shape.node) if shape is not None else None
-        if shape is None or here is None or there is None or not (here.turn and there.turn):
+        seen_by = assemblies.companions.frames.get(node)
+        own = geometries.frame(shape.node) if shape is not None else None
+        if shape is None or own is None or seen_by is None:
             continue
-        moments = _along(tensor, product(transpose(there.turn), here.turn))
+        turn = axes.between(*map(geometries.placements.relations.axes, (own, seen_by)))
+        if turn is None:
+            continue
+        moments = _along(tensor, turn)
         solid = solid_moments(shape, mass)
         if moments is not None and _reordered(moments, solid):
             yield node, fact("other-axes-of"), shape.node
             named = zip("xyz", moments, solid, strict=True)
-            for axis, moment, own in named:
+            for axis, moment, meant in named:
                 yield from numbers(
-                    node, [(f"moment-{axis}", _short(moment)), (f"solid-{axis}", _short(own))]
+                    node, [(f"moment-{axis}", _short(moment)), (f"solid-{axis}", _short(meant))]
                 )
 
 
