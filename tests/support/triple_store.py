@@ -44,6 +44,9 @@ ErrorLogFile={0}/v.log
 LockFile={0}/v.lck
 TransactionFile={0}/v.trx
 xa_persistent_file={0}/v.pxa
+[TempDatabase]
+DatabaseFile={0}/t.db
+TransactionFile={0}/t.trx
 [Parameters]
 ServerPort=127.0.0.1:{1}
 [HTTPServer]

@@ -250,7 +250,7 @@ class LintRun:
             memory = ReportCache.from_settings(self.settings, self.book, fixing=first, least=least)
         with ProgressBar(len(self.found.inputs), wanted=self.watched, color=self.color) as bar:
             unread = None
-            if executor or mirrored():
+            if executor or any(one.remote for one in self.found.inputs):
                 from kinlint.parallel.survey import survey_found  # noqa: PLC0415
 
                 unread = survey_found(self.found, job, jobs, executor, bar.advance, self._passed)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from kinlint.configuration.user_directories import user_directory
 from kinlint.errors import ConfigError
 from kinlint.files.pathname import shown
 
@@ -26,13 +26,7 @@ class StoreAddress(NamedTuple):
 
 def user_file(environment: Mapping[str, str]) -> Path:
     """Return the path of the user's own configuration, which need not exist."""
-    if sys.platform == "win32":
-        base = Path(environment.get("APPDATA") or Path.home() / "AppData" / "Roaming")
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Application Support"
-    else:
-        base = Path(environment.get("XDG_CONFIG_HOME") or Path.home() / ".config")
-    return base / "kinlint" / FILE
+    return user_directory("settings", environment) / FILE
 
 
 def read_user_file(path: Path) -> Mapping[str, Any]:

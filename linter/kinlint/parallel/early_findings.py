@@ -48,29 +48,33 @@ class EarlyFindings:
         self._done = set[int]()
         self._passed = 0
         self._waiting: list[Finding] = []
+        self._lasts = dict[int, str]()
         self._tell = tell
 
-    def has_told(self, report: Report) -> bool:
-        """Tell whether no finding of *report*, which is done, waits for others."""
-        if self._passed == len(self._order):
-            return True
-        until = self._firsts[self._order[self._passed]]
-        return all(each.location.source.name < until for each in report.findings)
+    def done(self, number: int, report: Report) -> list[int]:
+        """Take the *report*, which is final, of the model with this *number*.
 
-    def done(self, number: int, report: Report) -> None:
-        """Take the *report*, which is final, of the model with this *number*."""
+        Return the numbers of the models of which everything is told now, and was not before.
+        """
         self._done.add(number)
         self._waiting += report.findings
+        names = (each.location.source.name for each in report.findings)
+        self._lasts[number] = max(names, default="")
         before, order = self._passed, self._order
         while self._passed < len(order) and order[self._passed] in self._done:
             self._passed += 1
         if self._passed == before:
-            return
+            return []
         ready, waiting = self._waiting, list[Finding]()
+        told = [*self._lasts]
         if self._passed < len(order):
             until = self._firsts[order[self._passed]]
+            told = [each for each, last in self._lasts.items() if last < until]
             ready = [each for each in self._waiting if each.location.source.name < until]
             waiting = [each for each in self._waiting if each.location.source.name >= until]
         self._waiting = waiting
         if ready:
             self._tell(once(ready))
+        for each in told:
+            del self._lasts[each]
+        return told

@@ -21,12 +21,11 @@ from kinlint.report import Report
 from kinlint.suppression.suppression_faults import UNUSED
 from kinlint.text import SourceText
 
-SHARES = 4
-"""Number of shards for each process, so that none waits long for the last one."""
-
-
 if TYPE_CHECKING:
     from kinlint.parallel.early_findings import EarlyFindings
+
+SHARES = 4
+"""Number of shards for each process, so that none waits long for the last one."""
 
 
 def _nobody(_files: int) -> None:
@@ -51,7 +50,6 @@ class ParallelRunner:
     """The address of the cluster that lints, `dask://HOST:PORT`; empty for processes here."""
     tell: Callable[[Sequence[Finding]], None] | None = None
     """A function that is told findings as soon as it is clear that none comes before them."""
-
     counting: bool = False
     """True if of findings that were told only their number is kept."""
 
@@ -98,17 +96,13 @@ class ParallelRunner:
         def done(number: int, report: Report) -> None:
             found[number] = report
             if early is not None and not _calls_unused(report):
-                early.done(number, report)
+                told = early.done(number, report)
                 if self.counting:
                     from kinlint.parallel.early_findings import counted  # noqa: PLC0415  see above
 
-                    waiting.append(number)
-                    for each in [one for one in waiting if early.has_told(found[one])]:
-                        found[each] = counted(found[each])
-                        waiting.remove(each)
+                    found.update((each, counted(found[each])) for each in told)
 
         found: dict[int, Report] = {}
-        waiting: list[int] = []
         if self.memory is not None:
             with self.phases.phase("recalling"):
                 for number, model in enumerate(models):

@@ -27,12 +27,11 @@ def survey_found(  # noqa: PLR0913, PLR0917  of one run
 
     Those by URL are looked at by *executor*. *advance* is called with the number of those looked
     at, *passed* is told which may have been meant as models. None where they are to be read
-    here: they are few, come by a stream, or speak of others, which are to be found for them.
+    here: they come by a stream, or speak of others, which are to be found for them.
     """
     remote = any(one.remote for one in found.inputs)
     streamed = any(one.path is None and not one.remote for one in found.inputs)
-    few = not remote and len(found.inputs) <= CHUNK
-    if few or streamed or found.turtle or found.asides:
+    if streamed or found.turtle or found.asides:
         return None
     left = iter(found.inputs)
     chunks = list(iter(lambda: list(islice(left, CHUNK)), []))

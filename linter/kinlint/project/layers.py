@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any
 
 from kinlint.configuration.config_file import Config, Configs
 from kinlint.configuration.settings import FileSettings, Ignore, Settings
+from kinlint.configuration.user_directories import user_directory
 from kinlint.contexts.context_library import NEWEST, Contexts
 from kinlint.errors import ConfigError, UsageError
 from kinlint.files.pathglob import Glob, absolute
@@ -227,10 +227,4 @@ def cache_directory(environment: Mapping[str, str], given: str | None = None) ->
         return Path(given)
     if said := environment.get("KINLINT_CACHE_DIR"):
         return Path(said)
-    if sys.platform == "win32":
-        base = Path(environment.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
-    else:
-        base = Path(environment.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return base / "kinlint"
+    return user_directory("cache", environment)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 
 from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.file_format import Format
 from kinlint.formats.blank_nodes import BlankNodes
+from kinlint.formats.garbage import uncollected
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.urdf.format import URDF
@@ -45,7 +44,7 @@ def read(
     """
     if source.format is None or source.format.schema is None:
         raise SourceError(source.name, "not a robot in XML that kinlint reads")
-    with _undisturbed():
+    with uncollected():
         return _read(source, source.format, roots)
 
 
@@ -78,15 +77,3 @@ def _read(source: SourceText, form: Format, roots: Mapping[str, ElementType] | N
     spans = TripleSpans(places, statements, layer.triples, leading)
     described = ElementSpans(places, layer.nodes)
     return Document(source, graph, statements, SourceMap(spans, described), format=form)
-
-
-@contextmanager
-def _undisturbed() -> Iterator[None]:
-    """Suspend garbage collection while many small objects are made and none is freed."""
-    collecting = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collecting:
-            gc.enable()
