@@ -394,7 +394,8 @@ def newton(path: str) -> Summary:
     import warp as wp
 
     builder = nt.ModelBuilder()
-    (builder.add_mjcf if path.endswith(".xml") else builder.add_urdf)(path)
+    readers = {".xml": builder.add_mjcf, ".usda": builder.add_usd}
+    readers.get(Path(path).suffix, builder.add_urdf)(path)
     kinds = {nt.JointType.FREE: 6, nt.JointType.FIXED: 0, nt.JointType.BALL: 3, nt.JointType.D6: 3}
     joints, links, floating = {}, {}, False
     for number, kind in enumerate(builder.joint_type):
@@ -418,6 +419,7 @@ def newton(path: str) -> Summary:
             ),
             builder.joint_axis[at],
         )
+        joints[name]["stiffness"] = builder.joint_target_ke[at]
     for number, label in enumerate(builder.body_label):
         pose = builder.body_q[number]
         rotation = wp.quat_to_matrix(wp.quat(*pose[3:7]))

@@ -210,6 +210,44 @@ SIMULATED = {
 }
 """The same for features of MJCF and SDF."""
 
+BY_SHAPE = (2 / 240, 2 / 240, 2 / 600)
+"""Moments of inertia of the box of the arm in USD, of 2 kg."""
+STAGED = {
+    **{f"usd-{kind}-joint": moves(1) for kind in ("revolute", "prismatic", "distance")},
+    **{f"usd-{kind}-joint": moves(3) for kind in ("spherical", "generic")},
+    "usd-fixed-joint": moves(0),
+    "usd-unlimited-joint": lambda made: "limited" if limits(made) else HONOURED,
+    "usd-position-limits": lambda made: ends(made, (-0.5, 0.5)),
+    "usd-cone-limit": lambda made: HONOURED if limits(made) else "ignored",
+    "usd-joint-to-world": lambda made: first((made["floating"], "moves")),
+    "usd-excluded-joint": lambda made: first(("close" not in made["joints"], "open")),
+    "usd-closed-loop": lambda made: first(("close" not in made["joints"], "open")),
+    "usd-disabled-joint": lambda made: first(("extra" in made["joints"], "closed")),
+    "usd-drive": counts("stiffness"),
+    "usd-drive-force": lambda made: effort(made, 6),
+    "usd-acceleration-drive": lambda made: "force" if elbow(made)["stiffness"] else "ignored",
+    "usd-inertia": lambda made: inertial(made, (0.03, 0.04, 0.05)),
+    "usd-principal-axes": lambda made: inertial(made, (0.04, 0.03, 0.05)),
+    **{
+        f"usd-{kind}": lambda made: inertial(made, BY_SHAPE)
+        for kind in ("mass-by-density", "mass-alone", "body-without-mass")
+    },
+    "usd-kinematic-body": lambda made: HONOURED,
+    **{f"usd-{kind}": shaped(kind) for kind in ("box", "cylinder", "sphere", "capsule", "cone")},
+    "usd-mesh": shaped([1, 1, 1]),
+    "usd-convex-hull": lambda made: first(([1, 1, 1] not in upper(made)["kinds"], "nothing")),
+    "usd-several-colliders": lambda made: first((upper(made)["shapes"] != 2, "another")),
+    **{
+        f"usd-mimic-of-{one}": lambda made: (
+            HONOURED if made["joints"]["wrist"]["coupled"] else "free"
+        )
+        for one in ("newton", "physx")
+    },
+    "usd-other-units": lambda made: first((abs(upper(made)["place"][11] - 1) < 1e-6, "metres")),
+    "usd-y-up": lambda made: first((abs(upper(made)["place"][10] + 1) > 1e-6, "on its side")),
+}
+"""The same for features of USD."""
+
 OUTCOMES = {
     "revolute-joint": lambda made: first((elbow(made)["freedom"] != 1, "fixed")),
     "prismatic-joint": lambda made: first((elbow(made)["freedom"] != 1, "fixed")),
@@ -285,5 +323,6 @@ OUTCOMES = {
     "fixed-child": fixed,
     "empty-robot-name": lambda made: HONOURED,
     **SIMULATED,
+    **STAGED,
 }
 """By feature, the word for what became of it in a robot that was loaded."""

@@ -16,6 +16,7 @@ import pytest
 from targets.consumer_drivers import MODULES
 from targets.observed_outcomes import HONOURED, outcome
 from targets.simulator_fixtures import MJCF, SDF
+from targets.stage_fixtures import USD
 from targets.urdf_fixtures import FIXTURES as URDF
 from targets.urdf_fixtures import MESHES
 
@@ -30,9 +31,10 @@ FILES = {
     **{name: ("plain", "urdf", text) for name, text in URDF.items()},
     **{name: ("mjcf", "xml", text) for name, text in MJCF.items()},
     **{name: ("sdf", "sdf", text) for name, text in SDF.items()},
+    **{name: ("usd", "usda", text) for name, text in USD.items()},
 }
 """By feature, the robot that has none in its format, the suffix, and the file."""
-READ = {"mujoco": {"xml"}, "newton": {"xml"}, "pinocchio": {"xml"}}
+READ = {"mujoco": {"xml"}, "newton": {"xml", "usda"}, "pinocchio": {"xml"}}
 READ |= {"drake": {"xml", "sdf"}, "pybullet": {"xml", "sdf"}}
 """Suffixes that consumers read beside URDF, with what pip installs."""
 PATIENCE = 300
@@ -52,6 +54,10 @@ UNSEEN = {
     "safety-controller",
     "transmission",
     "unknown-element",
+    "usd-armature-of-physx",
+    "usd-breakable-joint",
+    "usd-joint-friction-of-physx",
+    "usd-joint-velocity-of-physx",
 }
 """Features of which nothing shows in a robot that is loaded."""
 
@@ -125,4 +131,4 @@ def test_features_that_nothing_shows_are_few():
     """All other features of the table that have files are measured by what they are about."""
     from targets.observed_outcomes import OUTCOMES  # noqa: PLC0415
 
-    assert FILES.keys() - OUTCOMES.keys() - {"plain", "mjcf", "sdf"} == UNSEEN
+    assert FILES.keys() - OUTCOMES.keys() - {"plain", "mjcf", "sdf", "usd"} == UNSEEN

@@ -2,13 +2,18 @@
 
 import json
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
+from facts.arm_in_formats import Arm, collada, xacro
 from targets.simulator_fixtures import MJCF, SDF
+from targets.stage_fixtures import USD
 from targets.urdf_fixtures import FIXTURES
 
 from kinlint.cli.main import main
+from kinlint.targets.consumer_files import consumer_table
 
+SAMPLES = Path(__file__).parents[2] / "samples"
 HAND = """<robot name="hand" version="1.1">
   <link name="palm"><inertial><mass value="1"/>
     <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
@@ -66,16 +71,83 @@ def test_a_healthy_robot_has_rows(tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("suffix", "files"), [("xml", MJCF), ("sdf", SDF)])
+@pytest.mark.parametrize(("suffix", "files"), [("xml", MJCF), ("sdf", SDF), ("usda", USD)])
 def test_each_feature_of_simulators_has_a_row(suffix, files, tmp_path, monkeypatch, capsys):
     """A file has the row of each of its features, and none of another format's."""
     monkeypatch.chdir(tmp_path)
-    for feature in files.keys() - {"mjcf", "sdf"}:
+    for feature in files.keys() - {"mjcf", "sdf", "usd"}:
         (tmp_path / f"arm.{suffix}").write_text(files[feature], "utf-8")
         assert main(["targets", "--matrix", f"arm.{suffix}", "--output-format", "json"]) == 0
         rows = {each["feature"] for each in json.loads(capsys.readouterr().out)["features"]}
         assert feature in rows
         assert not rows & FIXTURES.keys()
+
+
+def _rows(capsys, *files):
+    """The features that the matrix of *files* has."""
+    command = ["targets", *(word for file in files for word in ("--matrix", str(file)))]
+    assert main([*command, "--output-format", "json"]) == 0
+    return {each["feature"] for each in json.loads(capsys.readouterr().out)["features"]}
+
+
+def _known(prefix):
+    """The features that the vocabulary can find in a format."""
+    features = consumer_table().features.values()
+    return {each.name for each in features if each.query and each.name.startswith(prefix)}
+
+
+def test_a_document_of_collada_has_rows(tmp_path, capsys):
+    """Axes, bodies and what ties them, each with what its readers make of it."""
+    arm = collada(Arm())
+    axis, info = '<revolute sid="axis0"><axis>0 1 0</axis>', "arm/j2/axis0"
+    told = f"""<library_articulated_systems>
+<articulated_system id="a"><kinematics><technique_common>
+<axis_info axis="{info}"><locked><bool>true</bool></locked></axis_info></technique_common>
+</kinematics></articulated_system>
+<articulated_system id="m"><motion><technique_common><axis_info axis="{info}">
+<speed><float>1</float></speed><acceleration><float>2</float></acceleration></axis_info>
+</technique_common></motion></articulated_system></library_articulated_systems>"""
+    whole = arm.replace(axis, f'<prismatic sid="x"><axis>0 1 0</axis></prismatic>{axis}', 1)
+    whole = whole.replace(
+        '<link sid="l3" name="hand"></link>',
+        '<link sid="l3" name="hand"><attachment_start joint="arm/j1"/></link>',
+    )
+    whole = whole.replace(
+        "</technique_common></kinematics_model>",
+        """<formula><target><param>arm/j3/axis0</param></target><technique_common/></formula>
+</technique_common></kinematics_model>""",
+    )
+    whole = whole.replace(
+        "<sphere><radius>0.05</radius></sphere>",
+        "<capsule><height>0.1</height><radius>0.05 0.05</radius></capsule>",
+    )
+    whole = whole.replace(
+        '<node id="n3" name="hand">', '<node id="n3" name="hand"><instance_geometry url="#g"/>'
+    )
+    whole = whole.replace("<library_kinematics_models>", f"{told}<library_kinematics_models>")
+    (tmp_path / "arm.dae").write_text(arm, "utf-8")
+    (tmp_path / "all.dae").write_text(whole, "utf-8")
+    rows = _rows(capsys, tmp_path / "arm.dae") | _rows(capsys, tmp_path / "all.dae")
+    assert rows == _known("collada-")
+
+
+def test_composable_models_have_rows(tmp_path, capsys):
+    """Joints, couplings, limits and shapes, in JSON-LD as in Turtle."""
+    (tmp_path / "left.ttl").write_text(
+        "<urn:elbow> <https://w3id.org/kinlint/kinematics#handedness>"
+        " <https://w3id.org/kinlint/kinematics#LeftHanded> .",
+        "utf-8",
+    )
+    rows = _rows(capsys, tmp_path / "left.ttl")
+    for name in ("joint-kinds", "gripper", "orientations"):
+        rows |= _rows(capsys, SAMPLES / name)
+    assert rows == _known("model-")
+
+
+def test_a_xacro_has_the_rows_of_urdf(tmp_path, capsys):
+    """Consumers read what it expands to."""
+    (tmp_path / "arm.urdf.xacro").write_text(xacro(Arm()), "utf-8")
+    assert {"revolute-joint", "inertia"} <= _rows(capsys, tmp_path / "arm.urdf.xacro")
 
 
 def test_targets_that_do_not_read_a_format_are_named_once(tmp_path, monkeypatch, capsys):
