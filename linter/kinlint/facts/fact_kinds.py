@@ -49,6 +49,8 @@ from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_quantities import resemblances
 from kinlint.facts.namesakes import namesakes
 from kinlint.facts.odd_siblings import odd_siblings
+from kinlint.facts.odd_units import TERMS as NUMBERED
+from kinlint.facts.odd_units import odd_units
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.prefix_disagreement import disagreements
@@ -195,6 +197,12 @@ KINDS = (
         "zero_limits",
         lambda scan: ZeroLimits(scan).facts(),
         dict.fromkeys(("idle", "working"), inputs.DRIVES),
+    ),
+    _alone(
+        "odd_units",
+        odd_units,
+        {"unit-unlike": (*NUMBERED, *inputs.UNITS)},
+        ("least-like", "most-like"),
     ),
     _mirrored("twin", lambda own: own.twins.facts()),
     _mirrored("unlike-siblings", lambda own: own.twins.odd_ones()),
