@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from kinlint.facts import inputs
 from kinlint.facts.body_shapes import BodyShapes
+from kinlint.facts.compared_units import TERMS as NUMBERED
+from kinlint.facts.compared_units import odd_units, shared_units
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
@@ -49,8 +51,6 @@ from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_quantities import resemblances
 from kinlint.facts.namesakes import namesakes
 from kinlint.facts.odd_siblings import odd_siblings
-from kinlint.facts.odd_units import TERMS as NUMBERED
-from kinlint.facts.odd_units import odd_units
 from kinlint.facts.parallel_axis import parallel_axis_residuals
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.prefix_disagreement import disagreements
@@ -58,7 +58,6 @@ from kinlint.facts.quantity import stated
 from kinlint.facts.query_terms import SELECT, query_terms
 from kinlint.facts.schedule_order import data_cycles, reordered, steps
 from kinlint.facts.shape_agreement import shape_pairs
-from kinlint.facts.shared_units import shared_units
 from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.wheels import wheels
 from kinlint.facts.zero_limits import ZeroLimits
@@ -199,7 +198,7 @@ KINDS = (
         dict.fromkeys(("idle", "working"), inputs.DRIVES),
     ),
     _alone(
-        "odd_units",
+        "compared_units",
         odd_units,
         {"unit-unlike": (*NUMBERED, *inputs.UNITS)},
         ("least-like", "most-like"),
@@ -279,7 +278,7 @@ KINDS = (
         {"undescribed-in": ()},
         ("described", "first", "subject", "property", "beside", *NODES),
     ),
-    _alone("shared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
+    _alone("compared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
     _alone("namesakes", namesakes, {"namesake": ()}),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
 )

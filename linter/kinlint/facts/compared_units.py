@@ -1,4 +1,4 @@
-"""Units that are unlike those of the other numbers of a kind, which are of the same size."""
+"""Kinds of quantity with the same units, and units unlike those of numbers of the same size."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from kinlint.facts.fact_statements import fact, numbers
 from kinlint.facts.metamodel_terms import body, coord, inertia, kin, qudt
 from kinlint.facts.mirror_symmetry import split_name
 from kinlint.facts.predicate_index import PredicateIndex
-from kinlint.facts.units import INERTIA, LENGTH, MASS, Unit, Units
+from kinlint.facts.units import INERTIA, KIND, LENGTH, MASS, Unit, Units
 from kinlint.terms import Term, Triple
 
 KINDS: tuple[tuple[Term | None, tuple[Term, ...]], ...] = (
@@ -31,7 +31,7 @@ APART = 5.0
 
 
 class Numbers(NamedTuple):
-    """What a node states of one kind."""
+    """Numbers of one kind that a node states."""
 
     node: Term
     """Node itself."""
@@ -39,6 +39,21 @@ class Numbers(NamedTuple):
     """Greatest of its numbers as written, without sign."""
     unit: Unit
     """Unit of them."""
+
+
+def shared_units(scan: PredicateIndex) -> Iterator[Triple]:
+    """Yield for each kind that a model states the kinds with which it shares a unit, itself too."""
+    units = scan.instances(qudt("Unit"))
+    measured = scan.table(KIND)
+    stated = {kind for node, kinds in measured.items() if node not in units for kind in kinds}
+    shared = {
+        (kind, other)
+        for unit in units
+        for kind in stated.intersection(measured.values(unit))
+        for other in measured.values(unit)
+    }
+    for kind, other in sorted(shared):
+        yield kind, fact("shares-unit-with"), other
 
 
 def odd_units(scan: PredicateIndex) -> Iterator[Triple]:
