@@ -39,6 +39,12 @@ COMPOSABLE = f"{KINLINT}composable.json"
 INDEX = "contexts.json"
 """File in a directory of contexts that maps IRIs to relative paths."""
 
+REVISION = re.compile(
+    r"^https://(?:raw\.githubusercontent\.com|github\.com|cdn\.jsdelivr\.net/gh)"
+    r"/([\w-]+)/([\w.-]+?)(?:/blob|/raw)?(?:/refs/(?:heads|tags))?[/@][\w.-]+/"
+)
+"""Address of a file in a revision of a repository, up to its path: by owner and name."""
+
 _ALIASES = {
     **{release: release for release in RELEASES},
     **{date: release for release, date in RELEASE_DATES.items()},
@@ -96,11 +102,12 @@ class Contexts:
     def resembling(self, iri: str) -> str | None:
         """Return the IRI of the only document that the unknown *iri* can be a slip for.
 
-        They differ in the scheme, in the end of the name, or in at most two letters.
+        They differ in the scheme, in the end of the name, or in at most two letters; or *iri* is
+        that of a revision of the file, at GitHub or a mirror of it.
         """
-        wanted = _plain(iri)
         if "://" not in iri or self.document(iri) is not None:
             return None
+        wanted = _plain(REVISION.sub(r"https://\1.github.io/\2/", iri))
         names = {each: _plain(each) for each in self.iris}
         same = [each for each, name in names.items() if name == wanted]
         near = same or [each for each, name in names.items() if slips(wanted, name) is not None]

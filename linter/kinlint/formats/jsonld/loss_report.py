@@ -87,8 +87,7 @@ class LossReport:
             for other in self._others()
             if (found := other.key_iri(key, origin)) is not None
         }
-        for release in elsewhere:
-            yield Detail("mappedInRelease", literal(release))
+        yield from _mapped(elsewhere)
         terms, meant = drop.resolution.terms, frozenset(elsewhere.values())
         has = [each for name in ("@type", "type") for each in strings(origin.element.get(name))]
         types = self._compared.scopes.types(key, terms, lost, meant, has)
@@ -134,9 +133,14 @@ class LossReport:
         """Return the types that are relative IRIs."""
         return [
             lost.loss.with_details(
-                Detail("mappedInRelease", literal(other.release))
-                for other in self._others()
-                if lost.origin and other.maps_type(lost.written.token, lost.origin)
+                _mapped(
+                    {
+                        other.release: found
+                        for other in self._others()
+                        if lost.origin
+                        and (found := other.type_iri(lost.written.token, lost.origin))
+                    }
+                )
             ).with_details(self._resembled_type(lost.written))
             for lost in self._watch.types
         ]
@@ -204,6 +208,14 @@ def _duplicates(repeated: Object, node: Term | None) -> list[Loss]:
             losses.append(Loss("DuplicateKey", key.span, node, text_details(key=key)))
         seen.add(key)
     return losses
+
+
+def _mapped(meanings: Mapping[str, str]) -> Iterator[Detail]:
+    """Yield what a word means in other releases, by these."""
+    for release in meanings:
+        yield Detail("mappedInRelease", literal(release))
+    for meant in dict.fromkeys(meanings.values()):
+        yield Detail("mappedTo", iri(meant))
 
 
 def _in(stray: StrayValue) -> dict[str, str]:

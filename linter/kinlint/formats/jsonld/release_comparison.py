@@ -35,9 +35,9 @@ class OtherRelease:
         """Return what the release makes of *key* on the node of *origin*; None if nothing."""
         return self._meaning(self._contexts(origin)[0], key)
 
-    def maps_type(self, name: Text, origin: Origin) -> bool:
-        """Tell whether *name* is a type in the release."""
-        return self._meaning(self._contexts(origin)[1], name) is not None
+    def type_iri(self, name: Text, origin: Origin) -> str | None:
+        """Return the type that the release makes of *name*; None if none."""
+        return self._meaning(self._contexts(origin)[1], name)
 
     def _meaning(self, context: Context, name: str) -> str | None:
         found = self._processor._expand_iri(context, str(name), None, vocab=True)  # noqa: SLF001
