@@ -47,7 +47,7 @@ def manifest(root: str) -> str:
 def test_findings_are_at_the_lines_of_the_document(members: dict[str, str | bytes]) -> None:
     report = lint([decode("arm.zae", packed(members))])
     places = [(each.location.start.line, each.rule.code) for each in report.findings]
-    assert places == [(3, "FRM009")]
+    assert places == [(1, "TOP034"), (3, "FRM009")]
     assert not report.findings[0].fixes
 
 

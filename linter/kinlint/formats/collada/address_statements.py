@@ -21,8 +21,10 @@ LEADER = Address(iri(f"{REFERENCE}leader"), "parameter", ())
 
 def address_statements(
     root: ColladaElement, addressing: Addressing
-) -> Iterator[tuple[Triple, Triple]]:
+) -> Iterator[tuple[Triple, Triple | None]]:
     """Yield what follows from the addresses below *root*, each with the statement of the address.
+
+    A text that is empty has no statement.
 
     That is what leads to the element that is addressed (`ref:`), or else a gap (`src:dangling`),
     and elements that are not of a kind that is to be addressed there (`src:unfit`).
@@ -31,12 +33,13 @@ def address_statements(
         for place, address in _addresses(element):
             source = element.said.get(_name(place))
             written = element.text(_name(place))
-            if source is None or not written or not _is_known(element):
+            is_stated = source is not None or place == TEXT
+            if not is_stated or not _is_known(element):
                 continue
-            found = _look_up(addressing, element, address, written)
+            found = _look_up(addressing, element, address, written) if written else Missing("")
             if isinstance(found, Missing):
                 yield from ((each, source) for each in _gap(element, place, source, address, found))
-            elif found is not None:
+            elif found is not None and source is not None:
                 yield (element.node, address.predicate, found.node), source
                 meant = addressing.followed(found)
                 if meant is not None and address.targets and meant.tag not in address.targets:
@@ -73,13 +76,18 @@ def _look_up(
 
 
 def _gap(
-    element: ColladaElement, place: Term, source: Triple, address: Address, missing: Missing
+    element: ColladaElement,
+    place: Term,
+    source: Triple | None,
+    address: Address,
+    missing: Missing,
 ) -> Iterator[Triple]:
     gap = _derived(element, address)
+    written = source[2] if source is not None else literal("")
     yield element.node, src("dangling"), gap
     yield gap, src("property"), place
-    yield gap, src("written"), source[2]
-    bare = address.manner == "uri" and "#" not in literal_value(source[2])
+    yield gap, src("written"), written
+    bare = address.manner == "uri" and "#" not in literal_value(written)
     yield gap, src("manner"), literal("file" if bare else address.manner)
     yield gap, src("step"), literal(missing.step)
     if missing.within is not None:

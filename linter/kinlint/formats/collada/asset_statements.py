@@ -48,13 +48,18 @@ def state_assets(root: ColladaElement, said: DerivedStatements) -> None:
 
 
 def _state_gravity(root: ColladaElement, said: DerivedStatements) -> None:
-    """State how far gravity points along the axis that points up, from -1 (down) to 1."""
+    """State the size of gravity as written, and in m/s² by the unit around.
+
+    Also how far it points along the axis that points up, from -1 (down) to 1.
+    """
     up = root.first("asset", "up_axis")
-    if up is None or up.text() not in UP:
-        return
     for each in root.below():
         numbers = each.numbers() if each.tag == "gravity" else []
         length = hypot(*numbers)
-        if length and len(numbers) == len(UP):
+        if not length or len(numbers) != len(UP):
+            continue
+        said.number(each.node, "gravity", length)
+        said.number(each.node, "metricGravity", length * metres(each))
+        if up is not None and up.text() in UP:
             said.number(each.node, "upward", numbers[UP[up.text()]] / length)
             said.word(each.node, "upAxis", up.text())

@@ -13,6 +13,7 @@ from math import hypot
 from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.asset_units import metres
 from kinlint.formats.collada.collada_elements import ColladaElement
+from kinlint.formats.collada.drawn_links import state_drawn_elsewhere
 from kinlint.formats.collada.kinematics import Model
 from kinlint.formats.collada.parameter_values import meant_by
 from kinlint.formats.collada.transforms import place, world_place
@@ -105,10 +106,21 @@ class PhysicsStatements:
         self.root, self.models, self.addressing, self.said = root, models, addressing, said
         self.nodes = link_nodes(root, models, addressing)
         self.bodies: dict[ColladaElement, BodyInstance] = {}
+        self._take_bodies()
+
+    def _take_bodies(self) -> None:
+        """Find the bodies by the nodes that they move, and state what moves or is moved again."""
+        first: dict[tuple[ColladaElement | None, ColladaElement], BodyInstance] = {}
         for body in self._instances():
-            target = addressing.by_uri(body.instance.text("target"))
-            if isinstance(target, ColladaElement):
-                self.bodies.setdefault(target, body)
+            target = self.addressing.by_uri(body.instance.text("target"))
+            if not isinstance(target, ColladaElement):
+                continue
+            if self.bodies.setdefault(target, body) is not body:
+                before = self.bodies[target]
+                self.said.state(body.instance.node, "movesAfter", before.body.node)
+            placed = first.setdefault((body.instance.parent, body.body), body)
+            if placed is not body:
+                self.said.state(body.instance.node, "instancedAfter", placed.instance.node)
 
     def state(self) -> None:
         """State the nodes that show links, and all links that have a rigid body."""
@@ -122,6 +134,7 @@ class PhysicsStatements:
                 if body is not None and link in places:
                     centres += self._link(link, body, between(places[link], body.model))
             self._mass_frames(centres)
+            state_drawn_elsewhere(model, self.nodes, self.root, self.addressing, self.said)
 
     def _mass_frames(self, centres: Sequence[tuple[ColladaElement, float, float]]) -> None:
         """State the mass frames that look as if links saw them.
@@ -182,6 +195,7 @@ class PhysicsStatements:
         unit = metres(body.body)
         if mass is not None:
             said.state(node, "mass", mass.node)
+        self._substitutes(link, body)
         if inertia is not None and len(inertia.numbers()) == 3:  # noqa: PLR2004  moments
             said.state(node, "inertia", inertia.node)
             names = ("moment-x", "moment-y", "moment-z")
@@ -197,6 +211,15 @@ class PhysicsStatements:
                 yield axes, hypot(*centre[0]) ** 2, hypot(*own[0]) ** 2
         for shape in body.shapes():
             self._shape(link, shape, frame, metres(shape))
+
+    def _substitutes(self, link: ColladaElement, body: BodyInstance) -> None:
+        """State what *link* has or needs in place of a mass."""
+        for each in (one.first(tag) for one in body.shapes() for tag in ("mass", "density")):
+            if each is not None:
+                self.said.state(link.node, "shapeMass", each.node)
+        dynamic = body.first("dynamic")
+        if dynamic is not None and dynamic.text() == "false":
+            self.said.state(link.node, "static", dynamic.node)
 
     def _shape(
         self, link: ColladaElement, shape: ColladaElement, frame: Transform, unit: float

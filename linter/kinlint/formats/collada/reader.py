@@ -49,7 +49,7 @@ def _derived(document: Document, root: ColladaElement) -> Document:
             layer.add_node(kind, document.map.triples[said], *details)
     triples: dict[Triple, Span | None] = {}
     for triple, of in address_statements(root, addressing):
-        triples.setdefault(triple, document.map.triples[of])
+        triples.setdefault(triple, document.map.triples[of] if of is not None else None)
     found = models(root, addressing)
     said_ = DerivedStatements()
     joints = JointStatements(root, found, addressing, said_)

@@ -12,12 +12,12 @@ from kinlint.formats.derived_statements import DerivedStatements
 ENVIRONMENT = ("instance_light", "instance_camera")
 """Parts of a visual scene that are not those of a robot."""
 
+PHYSICS = "physics_scene"
+
 
 def state_models(root: ColladaElement, models: Sequence[Model], said: DerivedStatements) -> None:
     """State what is wrong with the links and joints of *models*, and if *root* instances none."""
-    for scene in root.all("scene"):
-        if models and models[0].links and scene.first("instance_kinematics_scene") is None:
-            said.state(scene.node, "leavesOut", models[0].element.node)
+    _state_left_out(root, models, said)
     for each in root.below() if any(model.joints for model in models) else ():
         if each.tag in ENVIRONMENT:
             said.word(each.node, "besideRobot", each.tag)
@@ -30,6 +30,17 @@ def state_models(root: ColladaElement, models: Sequence[Model], said: DerivedSta
                 name = each.text("name")
                 if name and first.setdefault(name, each) is not each:
                     said.state(each.node, "sameNameAs", first[name].node)
+
+
+def _state_left_out(root: ColladaElement, models: Sequence[Model], said: DerivedStatements) -> None:
+    """State what the scene of *root*, or *root* without one, does not instance."""
+    scenes = [*root.all("scene")] or [root]
+    physics = [each for one in root.all("library_physics_scenes") for each in one.all(PHYSICS)]
+    for scene in scenes:
+        if models and models[0].links and scene.first("instance_kinematics_scene") is None:
+            said.state(scene.node, "leavesOut", models[0].element.node)
+        if physics and scene is not root and scene.first("instance_physics_scene") is None:
+            said.state(scene.node, "leavesOutPhysics", physics[0].node)
 
 
 def _state_attachments(model: Model, said: DerivedStatements) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from math import copysign, cos, hypot, radians, sin, sqrt
 from typing import TypeAlias
 
@@ -18,12 +18,14 @@ TOLERANCE = 1e-4
 Matrix: TypeAlias = tuple[tuple[float, ...], ...]
 
 
-def place(element: ColladaElement, unit: float) -> Transform | None:
+def place(
+    element: ColladaElement, unit: float, without: Container[ColladaElement] = ()
+) -> Transform | None:
     """Return the rigid transform that the children of *element* make, in order.
 
     Lengths are in *unit* metres. None if one of them is malformed, or does more than to move.
     """
-    parts = (_rigid(each, unit) for each in element.all(*TRANSFORMS))
+    parts = (_rigid(each, unit) for each in element.all(*TRANSFORMS) if each not in without)
     return _product(parts)
 
 
