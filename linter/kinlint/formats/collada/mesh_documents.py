@@ -105,7 +105,9 @@ def _examined(path: Path, near: Path, _stamp: tuple[int, int]) -> MeshDocument |
 
     addressing = Addressing(root)
     dangling = [
-        of for (_, way, _), of in address_statements(root, addressing) if way.endswith("dangling>")
+        of
+        for (_, way, _), of in address_statements(root, addressing)
+        if of is not None and way.endswith("dangling>")
     ]
     repeated = [each.said["id"] for each, _ in addressing.repeated]
     counts = [each.said["count"] for each in root.below() if _is_miscounted(each)]
