@@ -107,8 +107,16 @@ def demand(
 
     None stands for any.
     """
+    found = spoken_of(constraints, repairs)
+    return None if found is None else sources(found)
+
+
+def spoken_of(
+    constraints: Iterable[Constraint], repairs: Iterable[Repair] = ()
+) -> frozenset[Term] | None:
+    """Return the terms that *constraints* and *repairs* look at themselves; None is any."""
     found = terms(constraints)
-    return None if found is None else sources(found.union(*(each.terms for each in repairs)))
+    return None if found is None else found.union(*(each.terms for each in repairs))
 
 
 def possible(

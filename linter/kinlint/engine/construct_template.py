@@ -63,7 +63,7 @@ def needed(made: Collection[Made], wanted: Collection[Term]) -> list[Made]:
         each
         for each in made
         if each.term is None
-        or each.term in wanted
+        or (each.term in wanted and each.term != FROM)
         or (each.predicate == RDF_TYPE and ANY_CLASS in wanted)
     }
     stated = {each.subject for each in kept}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from kinlint.catalogue.applicability import axioms_for, demand
+from kinlint.catalogue.applicability import axioms_for, demand, spoken_of
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -16,7 +16,13 @@ from kinlint.engine.required_terms import behind
 from kinlint.files.packages import Packages
 from kinlint.light_dataclasses import dataclass
 from kinlint.missing_files import asks_for_files, references
-from kinlint.terms import Term, Triple
+from kinlint.terms import Term, Triple, iri
+from kinlint.vocabulary import METAMODELS
+
+UNNAMED = frozenset(
+    iri(f"{METAMODELS}geometry/structural-entities#vector-{axis}") for axis in "xyz"
+)
+"""Properties from frames to their vectors; nothing that is lifted refers to these."""
 
 
 @dataclass(frozen=True)
@@ -88,9 +94,13 @@ class Demand:
             from kinlint.facts.robot_structures import ASKED  # noqa: PLC0415  few outputs draw
 
             terms |= ASKED
+        lifted = None if terms is None else behind(axioms, terms)
+        spoken = spoken_of(constraints, selection.repairs)
+        if lifted and spoken is not None and all(document.format.is_tree for document in documents):
+            lifted -= UNNAMED - spoken
         return cls(
             terms=terms,
-            lifted=None if terms is None else behind(axioms, terms),
+            lifted=lifted,
             axioms=axioms if browsed else axioms_for(documents, axioms, terms),
             hints=frozenset(term for each in selection.repairs for term in each.terms),
             constraints=constraints,

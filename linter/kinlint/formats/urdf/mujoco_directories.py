@@ -26,12 +26,12 @@ def mujoco_directories(document: Document) -> Mapping[Term, tuple[str, bool]]:
     """
     if "<compiler" not in document.source.text:
         return {}
+    compilers = [value for _, predicate, value in document.statements if predicate == COMPILER]
+    if not compilers:
+        return {}
     below: dict[tuple[Term, Term], list[Term]] = {}
     for subject, predicate, value in document.statements:
         below.setdefault((subject, predicate), []).append(value)
-    compilers = [c for (_, p), found in below.items() if p == COMPILER for c in found]
-    if not compilers:
-        return {}
 
     def setting(name: Term) -> str:
         found = [value for each in compilers for value in below.get((each, name), ())]
