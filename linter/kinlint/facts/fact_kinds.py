@@ -271,7 +271,12 @@ KINDS = (
         {"missing-context": ()},
         ("context", "count", "word", *NODES),
     ),
-    _alone("prefix_disagreement", disagreements, {"is-elsewhere": ()}, ("meant-elsewhere",)),
+    _alone(
+        "prefix_disagreement",
+        disagreements,
+        {"is-elsewhere": ()},
+        ("meant-elsewhere", "called-elsewhere"),
+    ),
     _alone(
         "undescribed_names",
         undescribed_names,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.identifier_slips import split
@@ -20,7 +20,7 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
 
     Of two as common, it is the one in which more nodes are described, else the first by name. The
     empty prefix is each file's own. It comes with the names that would meet if all files defined it
-    alike.
+    alike; if there are none, with a prefix by which other files describe most of the namespace.
     """
     terms, documents = scan.table(src("term")), scan.table(src("document"))
     prefixes: dict[Term, dict[Term, list[Term]]] = {}
@@ -29,24 +29,36 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
             meanings = prefixes.setdefault(prefix, {})
             meanings.setdefault(namespaces[0], []).append(definition)
     differing = [
-        each for prefix, each in sorted(prefixes.items()) if prefix != NONE and len(each) > 1
+        prefix for prefix, each in sorted(prefixes.items()) if prefix != NONE and len(each) > 1
     ]
     if not differing:
         return
     described, missed = _described(scan), MissedNames(scan)
-    for meanings in differing:
+    for prefix in differing:
+        meanings = prefixes[prefix]
         files = {
             meaning: len({each for one in found for each in documents.values(one)})
             for meaning, found in meanings.items()
         }
-        common = min(meanings, key=lambda each: (-files[each], -described.get(each, 0), each))
+        common = min(meanings, key=lambda each: (-files[each], -described[each], each))
         for meaning, found in sorted(meanings.items()):
-            if meaning != common:
-                yield from ((one, fact("is-elsewhere"), common) for one in sorted(found))
-                yield from missed.names(sorted(found), meaning, common)
+            if meaning == common:
+                continue
+            yield from ((one, fact("is-elsewhere"), common) for one in sorted(found))
+            met = list(missed.names(sorted(found), meaning, common))
+            yield from met
+            if met:
+                continue
+            for other in sorted(each for each in prefixes if meaning in prefixes[each]):
+                own, theirs = (
+                    missed.described_by(prefixes[each][meaning], meaning)
+                    for each in (prefix, other)
+                )
+                if theirs > 2 * own > 0:
+                    yield from ((one, fact("called-elsewhere"), other) for one in sorted(found))
 
 
-def _described(scan: PredicateIndex) -> Mapping[Term, int]:
+def _described(scan: PredicateIndex) -> Counter[Term]:
     """Return the number of nodes that files describe in each namespace, a literal."""
     return Counter(literal(split(node)[0]) for node in scan.described_nodes() if is_iri(node))
 
@@ -73,6 +85,15 @@ class MissedNames:
                             if self._meet(name, meant):
                                 found.add(meant)
             yield from ((one, fact("meant-elsewhere"), name) for name in sorted(found))
+
+    def described_by(self, definitions: Iterable[Term], own: Term) -> int:
+        """Return how many names of the namespace *own* the files describe that define it so."""
+        homes = {each for one in definitions for each in self._homes.values(one)}
+        return sum(
+            is_iri(node) and split(node)[0] == literal_value(own)
+            for home in homes
+            for node in self._documents[home].map.nodes
+        )
 
     def _meet(self, name: Term, meant: Term) -> bool:
         if name in self._described:

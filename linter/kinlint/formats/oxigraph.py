@@ -31,7 +31,7 @@ def triples(
                 _term(quad.object, source, blanks),
             )
     except SyntaxError as error:
-        cause = f"not {form.name}: {error.msg.rpartition(': ')[2]}"
+        cause = f"not {form.name}: {error.msg.partition(': ')[2]}"
         raise SourceError(source.name, cause, *_place(source, error)) from None
 
 

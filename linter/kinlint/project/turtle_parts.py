@@ -26,6 +26,9 @@ _WORD = re.compile(r"[^\s\"'<>#/:,;]+")
 _LAST = re.compile(r"(?<=[#/:])[^\s\"'<>#/:,;]+(?=[\s>,;]|$)")
 """The last word of an IRI or of a prefixed name, in Turtle."""
 
+FEW = 3
+"""Most nodes of a file in another namespace that may end as missing ones do by coincidence."""
+
 
 def turtle_texts(paths: Iterable[Path]) -> Iterator[SourceText]:
     """Yield the texts of the Turtle files at *paths*, but for those that cannot be decoded."""
@@ -55,7 +58,8 @@ class TurtleParts:
         """Return those of the Turtle *candidates* that describe what *sources* only name.
 
         What parts name themselves counts, too. One that has such a name and cannot be parsed is
-        among them, so that its reader tells the fault. *options* are those to read *sources* with.
+        among them, so that its reader tells the fault; and one most of whose names end as missing
+        ones do, so that its namespace is told. *options* are those to read *sources* with.
         """
         models = [each for each in sources if each.format and not each.format.is_tree]
         given = {each.name for each in sources}
@@ -101,6 +105,11 @@ class TurtleParts:
             missing.update(name for each in parts.values() for name in _named(each))
             missing -= described
             waiting = {name: each for name, each in waiting.items() if name not in parts}
+        left = {_end(name) for name in missing}
+        for name, document in waiting.items():
+            own = {_end(node) for node in document.map.nodes} if document is not None else set()
+            if 2 * len(own & left) > len(own) > FEW:
+                yield name
 
     def _words(self, source: SourceText) -> Iterable[str]:
         """Return the words of the names that *source* describes, or all of a broken one."""
