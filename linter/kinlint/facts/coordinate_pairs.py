@@ -30,6 +30,10 @@ class CoordinatePairs:
         """Return an index of *candidates* with the frame and the reference point of a node."""
         return PairedCoordinates(candidates, (self._seen_relation, self._seen_body))
 
+    def point(self, node: Term) -> Term | None:
+        """Return the point that *node* is about."""
+        return self.points.get(self.relations.get(node, node))
+
     def _relation(self, node: Term) -> Term | None:
         return self.relations.get(node)
 
@@ -42,7 +46,7 @@ class CoordinatePairs:
 
     def _seen_body(self, node: Term) -> Hashable | None:
         owner, frame = self._body(node), self.frames.get(node)
-        point = self.points.get(self.relations.get(node, node))
+        point = self.point(node)
         return (owner, point, frame) if owner and point and frame else None
 
 

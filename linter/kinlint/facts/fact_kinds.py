@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping
 
 from kinlint.facts import inputs
 from kinlint.facts.body_shapes import BodyShapes
-from kinlint.facts.compared_units import TERMS as NUMBERED
 from kinlint.facts.compared_units import odd_units, shared_units
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
@@ -21,7 +20,9 @@ from kinlint.facts.fact_kind import FactKind
 from kinlint.facts.fact_needs import (
     CHANGES,
     DRAWN,
+    ELSEWHERE,
     ERRORS,
+    IDLE,
     MISPLACED,
     MOMENTS,
     MOTIONS,
@@ -36,6 +37,7 @@ from kinlint.facts.fact_needs import (
     SOLID,
     STEPS,
     TREES,
+    UNLIKE,
     WATER,
     WELDS,
     WHEELS,
@@ -45,7 +47,7 @@ from kinlint.facts.linkage_loops import stretched_loops
 from kinlint.facts.loop_closure import cycles
 from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, proportions
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
-from kinlint.facts.mirror_symmetry import shared_inertias
+from kinlint.facts.mirror_symmetry import shared_inertias, unmirrored_centres
 from kinlint.facts.misplaced_inertia import misplaced_inertias
 from kinlint.facts.missing_contexts import missing_contexts
 from kinlint.facts.misspelt_quantities import resemblances
@@ -192,18 +194,15 @@ KINDS = (
         lambda own: shared_inertias(own.inertias, own.assemblies, own.geometries),
         ("assemblies", "geometries"),
     ),
-    _alone(
-        "zero_limits",
-        lambda scan: ZeroLimits(scan).facts(),
-        dict.fromkeys(("idle", "working"), inputs.DRIVES),
-    ),
-    _alone(
-        "compared_units",
-        odd_units,
-        {"unit-unlike": (*NUMBERED, *inputs.UNITS)},
-        ("least-like", "most-like"),
-    ),
+    _alone("zero_limits", lambda scan: ZeroLimits(scan).facts(), IDLE),
+    _alone("compared_units", odd_units, UNLIKE, ("least-like", "most-like")),
     _mirrored("twin", lambda own: own.twins.facts()),
+    FactKind(
+        "mirror_symmetry",
+        {"unlike-centre": (*inputs.INERTIAS, *inputs.RELATIONS)},
+        lambda own: unmirrored_centres(own.inertias, own.assemblies, own.relations),
+        ("assemblies", "relations"),
+    ),
     _mirrored("unlike-siblings", lambda own: own.twins.odd_ones()),
     FactKind(
         "drawn_symmetry",
@@ -271,12 +270,7 @@ KINDS = (
         {"missing-context": ()},
         ("context", "count", "word", *NODES),
     ),
-    _alone(
-        "prefix_disagreement",
-        disagreements,
-        {"is-elsewhere": ()},
-        ("meant-elsewhere", "called-elsewhere"),
-    ),
+    _alone("prefix_disagreement", disagreements, {"is-elsewhere": ()}, ELSEWHERE),
     _alone(
         "undescribed_names",
         undescribed_names,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kinlint.facts import inputs
+from kinlint.facts import compared_units, inputs
 from kinlint.facts.metamodel_terms import kin, qudt
 
 QUANTITIES = {
@@ -74,3 +74,6 @@ SOLID = tuple(f"{each}-{axis}" for each in ("moment", "solid") for axis in "xyz"
 NODES = ("member", "derived-from", "size")
 ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
 CHANGES = ("entry", "amended")
+UNLIKE = {"unit-unlike": (*compared_units.TERMS, *inputs.UNITS)}
+ELSEWHERE = ("meant-elsewhere", "called-elsewhere")
+IDLE = dict.fromkeys(("idle", "working"), inputs.DRIVES)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Container, Iterable, Iterator, Mapping
+from itertools import product
 from urllib.parse import unquote
 
 from kinlint.facts.assembly import Assemblies
@@ -12,9 +13,10 @@ from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.fact_statements import derived, fact, integer
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.laterality import twin, without_side
-from kinlint.facts.linear_algebra import IDENTITY, Matrix
+from kinlint.facts.linear_algebra import IDENTITY, Matrix, Vector, length
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.facts.spatial_relations import RelativePosition, SpatialRelations
 from kinlint.terms import Term, Triple, is_iri
 
 LETTERED = re.compile(r"[_-][lL]$")
@@ -172,3 +174,48 @@ def _plain(part: object) -> object:
 
 def _any(tensor: Matrix) -> bool:
     return any(entry != 0.0 for row in tensor for entry in row)
+
+
+def unmirrored_centres(
+    inertias: Inertias, assemblies: Assemblies, relations: SpatialRelations
+) -> Iterator[Triple]:
+    """Yield the centres of mass on the left that are no mirror images of those on the right.
+
+    Where the moments about each axis agree, as many components of both may have other signs as
+    frames have that are mirrored; their sizes agree, and products of inertia have the signs of
+    theirs. It is the coordinates of their positions that are told.
+    """
+    shifts = {each.of: each for each in relations.shifts}
+    found: dict[Term, tuple[Matrix, RelativePosition]] = {}
+    for node, tensor in sorted(inertias.central.items()):
+        body = assemblies.body(node)
+        point = assemblies.companions.point(node)
+        shift = shifts.get(point) if point is not None else None
+        seen_by = assemblies.companions.frames.get(node)
+        if body is None or shift is None or seen_by is None:
+            continue
+        if relations.axes(seen_by) == shift.seen_by:
+            found[body] = tensor, shift
+    for body, (tensor, shift) in found.items():
+        if (other := twin_of(body, found)) is not None:
+            across, there = found[other]
+            alike = all(_near(tensor[at][at], across[at][at]) for at in range(3))
+            if alike and not _is_image(shift.vector, there.vector, tensor, across):
+                yield shift.source, fact("unlike-centre"), there.source
+
+
+def _is_image(left: Vector, right: Vector, tensor: Matrix, across: Matrix) -> bool:
+    """Tell whether some axes exist along which *right* and *across* are *left* and *tensor*."""
+    slack = 1e-3 + 0.02 * length(left)
+    least = 0.01 * max(tensor[at][at] for at in range(3))
+    return any(
+        all(
+            abs(sign * one - two) <= slack
+            for sign, one, two in zip(signs, left, right, strict=True)
+        )
+        and all(
+            abs(signs[row] * signs[at] * tensor[row][at] - across[row][at]) <= least
+            for row, at in ((0, 1), (0, 2), (1, 2))
+        )
+        for signs in product((1.0, -1.0), repeat=3)
+    )
