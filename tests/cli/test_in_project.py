@@ -206,3 +206,13 @@ def test_only_what_is_named_is_ignored_from_now_on(write, kinlint, here):
     kinlint("--in-project", "one.urdf", "--add-ignore", "--select", "INE003", "-q")
     assert "kinlint: ignore[INE003]" in (here / "one.urdf").read_text("utf-8")
     assert (here / "other.urdf").read_text("utf-8") == arm(3, "same")
+
+
+def test_binary_layers_are_passed_over_without_their_extra(kinlint, here, monkeypatch):
+    """A hook gets all files of a commit, and has no more packages than it is given."""
+    (here / "mesh.usd").write_bytes(b"PXR-USDC" + bytes(80))
+    (here / "arm.usda").write_text('#usda 1.0\ndef Xform "arm" {}\n', "utf-8")
+    monkeypatch.setattr("kinlint.formats.usd.robot_layers.find_spec", lambda _: None)
+    code, out, err = kinlint("--in-project", "mesh.usd", "arm.usda")
+    assert (code, err) == (0, "")
+    assert "in 1 file" in out

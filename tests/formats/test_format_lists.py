@@ -15,8 +15,8 @@ SEARCHED_FORMATS = [each for each in FORMATS if each.searched]
 HOOKED_FORMATS = [each for each in FORMATS if each.searched or each.name in ("collada", "usd")]
 """Formats of changed files that hooks lint: directories are not searched for COLLADA and USD, as
 most of their files are meshes, but a robot depends on those, too."""
-HOOKED = {*SEARCHED, ".dae", ".zae", ".usda"}
-"""Suffixes of these files: other layers of USD may be binary, which not everybody can read."""
+HOOKED = {*SEARCHED, *(s for each in HOOKED_FORMATS if not each.searched for s in each.suffixes)}
+"""Suffixes of these files."""
 TITLES = ", ".join(each.title for each in HOOKED_FORMATS)
 KNOWN_TO_EDITORS = ("yaml", "python")
 UNKNOWN_TO_EDITORS = {

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from kinlint.configuration.settings import Settings
 from kinlint.files.pathname import shown
 from kinlint.finding import Finding
-from kinlint.formats.records import JSON
+from kinlint.formats.records import JSON, TOLD
 from kinlint.light_dataclasses import replace
 from kinlint.project.discovery import Found, Input, may_be_jsonld
 from kinlint.report import Report
@@ -106,5 +107,15 @@ def _identity(one: Input) -> str:
 
 
 def _passed_over(one: Input) -> bool:
+    """Tell whether *one* is JSON of another kind, or of a kind that an extra reads that is missing.
+
+    A hook gets all files of a commit, meshes too, and has only the packages that it is given.
+    """
     path = one.path
-    return path is not None and path.suffix.lower() == JSON and not may_be_jsonld(path)
+    if path is None:
+        return False
+    told = TOLD.get(path.suffix.lower())
+    if told is not None:
+        passes: bool = import_module(str(told.robot_files)).needs_extra(path)
+        return passes
+    return path.suffix.lower() == JSON and not may_be_jsonld(path)

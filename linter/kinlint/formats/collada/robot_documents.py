@@ -12,6 +12,11 @@ from kinlint.formats.collada.format import COLLADA
 _KINEMATICS = re.compile(rb"<(?:[\w.-]+:)?(?:kinematics_model|articulated_system|rigid_body)[\s/>]")
 
 
+def needs_extra(_path: Path) -> bool:
+    """Tell whether the file at *path* is read by an extra that is missing; there is none."""
+    return False
+
+
 def robots(paths: Iterable[Path]) -> Iterator[Path]:
     """Yield those of *paths* with joints or rigid bodies, and all archives.
 

@@ -20,6 +20,12 @@ _PACKED = b"hysics"
 """Part of the names of schemas of physics that crates have, compressed as they are."""
 
 
+def needs_extra(path: Path) -> bool:
+    """Tell whether the layer at *path* is binary, and usd-core, which reads it, is missing."""
+    data = beginning(path)
+    return data is not None and _has_crate(data) and find_spec("pxr") is None
+
+
 def robots(layers: Iterable[Path]) -> Iterator[Path]:
     """Yield those of *layers* that lead to bodies or have some, and to which no other leads.
 
@@ -41,9 +47,13 @@ def robots(layers: Iterable[Path]) -> Iterator[Path]:
 
 def _describes_bodies(data: bytes) -> bool:
     """Tell whether *data* may describe bodies; nobody reads a crate without usd-core."""
-    if data.startswith(CRATE) or (data.startswith(PACKAGE) and CRATE in data):
+    if _has_crate(data):
         return _PACKED in data and find_spec("pxr") is not None
     return _BODIES.search(data) is not None
+
+
+def _has_crate(data: bytes) -> bool:
+    return data.startswith(CRATE) or (data.startswith(PACKAGE) and CRATE in data)
 
 
 def _assets(path: Path, data: bytes) -> Iterator[Path]:
