@@ -8,6 +8,7 @@ from support.linting import book, source
 
 from kinlint.configuration.settings import Settings
 from kinlint.navigation.navigator import Navigator
+from kinlint.navigation.usd_meaning import meaning
 from kinlint.pipeline.analyzer import Analyzer
 
 TEXT = """#usda 1.0
@@ -50,6 +51,32 @@ def test_a_prim_is_named_where_paths_lead_through_it(navigator: Navigator) -> No
     places = navigator.references("arm.usda", TEXT.index('"base"') + 2, described=False)
 
     assert [TEXT[each.span.start : each.span.end] for each in places] == ["base"]
+
+
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        (
+            "stiffness",
+            "`drive:angular:physics:stiffness` float of PhysicsDriveAPI, unit: torque per degree",
+        ),
+        ("lowerLimit", "`physics:lowerLimit` float of PhysicsRevoluteJoint, unit: degree"),
+        ("axis", "`physics:axis` token of PhysicsRevoluteJoint, uniform: `X`, `Y`, `Z`"),
+        ("PhysicsDriveAPI", "`PhysicsDriveAPI` schema of "),
+    ],
+)
+def test_a_hover_says_what_schemas_say(place: str, told: str) -> None:
+    text = """#usda 1.0
+def PhysicsRevoluteJoint "elbow" (
+    prepend apiSchemas = ["PhysicsDriveAPI:angular"]
+)
+{
+    uniform token physics:axis = "Z"
+    float physics:lowerLimit = -90
+    float drive:angular:physics:stiffness = 10
+}
+"""
+    assert meaning(text, text.index(place) + 1).startswith(told)
 
 
 JOINT = """#usda 1.0

@@ -16,6 +16,8 @@ from kinlint.vocabulary import ATTRIBUTE, REFERENCE
 
 DEFAULT = "default"
 CLASS_NAME = iri(f"{ATTRIBUTE}class")
+IDENTIFIERS = (iri(f"{ATTRIBUTE}id"), iri(f"{ATTRIBUTE}sid"))
+"""Attributes that addresses lead by, the one of the whole document first."""
 CLASS_NAMES = frozenset({CLASS_NAME, iri(f"{ATTRIBUTE}childclass")})
 
 
@@ -41,11 +43,11 @@ def named_elements(document: Document) -> Iterator[Occurrence]:
         if place is not None and last_tag(target) != DEFAULT:
             yield Occurrence(place, target, Role.REFERENCE)
     table = schema(document.format.lifted_as)
+    naming = iri(ATTRIBUTE + table.names)
     yield from _of_other_kinds(said, calls, leading)
     yield from _classes(said, document, leading)
     if any(type_.addresses for type_ in _types(table)):
-        yield from _addresses(document, said)
-    naming = iri(ATTRIBUTE + table.names)
+        yield from _addresses(document, said, naming)
     for subject, predicate, value in document.statements:
         if predicate != naming or (subject, predicate, value) in calls:
             continue
@@ -84,10 +86,14 @@ def _classes(
             yield Occurrence(place, entity, Role.DESCRIPTION if own else Role.REFERENCE)
 
 
-def _addresses(document: Document, said: StatementIndex) -> Iterator[Occurrence]:
-    """Yield the places of addresses in *document*."""
-    for subject, predicate, target in document.statements:
-        if not predicate.startswith(f"<{REFERENCE}"):
-            continue
+def _addresses(document: Document, said: StatementIndex, naming: Term) -> Iterator[Occurrence]:
+    """Yield the places of addresses in *document*, and of identifiers of what has no name."""
+    leading = [each for each in document.statements if each[1].startswith(f"<{REFERENCE}")]
+    for subject, predicate, target in leading:
         if (place := said.place(subject, predicate, target)) is not None:
             yield Occurrence(place, target, Role.REFERENCE)
+    for target in dict.fromkeys(each[2] for each in leading):
+        stated = dict(said.by_subject.get(target, ()))
+        own = next((each for each in IDENTIFIERS if each in stated and naming not in stated), None)
+        if own is not None and (place := said.place(target, own, stated[own])) is not None:
+            yield Occurrence(place, target, Role.DESCRIPTION)

@@ -14,6 +14,7 @@ from kinlint.facts.robot_structures import Extraction
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
 from kinlint.formats.recognition import with_format
+from kinlint.navigation import usd_meaning
 from kinlint.navigation.element_meaning import meaning
 from kinlint.navigation.entity_hover import MOST, EntityPages
 from kinlint.navigation.file_links import Link, links
@@ -178,9 +179,14 @@ class Navigator:
     def _meaning(self, name: str, offset: int) -> Iterator[str]:
         """Yield what the format means by the element and the attribute at *offset*."""
         for document in self._documents:
-            for source in document.sources if document.format.fence == "xml" else ():
+            for source in document.sources:
                 if self._index.paths[source.name] == self._index.paths[name]:
-                    if told := meaning(source, document.format, offset):
+                    told = ""
+                    if document.format.fence == "xml":
+                        told = meaning(source, document.format, offset)
+                    elif document.format.fence == "usda":
+                        told = usd_meaning.meaning(source.text, offset)
+                    if told:
                         yield told
                     return
 

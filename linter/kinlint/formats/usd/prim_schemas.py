@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 
 from kinlint import resources
-from kinlint.light_dataclasses import dataclass, field
+from kinlint.light_dataclasses import dataclass, field, replace
 
 TABLES = ("usd-elements.ttl", "usd.ttl")
 INSTANCE = "*"
@@ -73,6 +73,8 @@ class PrimSchema:
     """True if readers no longer read it."""
     properties: dict[str, PropertyType] = field(default_factory=dict)
     """Properties that it defines itself, by name."""
+    units: dict[str, str] = field(default_factory=dict)
+    """Units of properties, by name, which may be that of one instance."""
 
 
 @cache
@@ -117,7 +119,9 @@ def properties_of(type_: str, applied: tuple[str, ...]) -> dict[str, PropertyTyp
         included += known[name].includes
     for schema, _, instance in (each.partition(":") for each in expanded((*included, *applied))):
         for name, property_ in known[schema].properties.items() if schema in known else ():
-            found[name.replace(INSTANCE, instance)] = property_
+            own = name.replace(INSTANCE, instance)
+            unit = known[schema].units.get(own, property_.unit)
+            found[own] = property_ if unit == property_.unit else replace(property_, unit=unit)
     return found
 
 
@@ -182,18 +186,24 @@ def _schema(
         replaced_by=old or older,
         unread=bool(older),
         properties={each.name: each for each in _properties(name, entries, nodes)},
+        units=_units(entries, nodes),
     )
+
+
+def _units(entries: dict[str, list[str]], nodes: dict[str, dict[str, list[str]]]) -> dict[str, str]:
+    lists = (list(_list(head, nodes)) for head in entries.get("unit", ()))
+    return {name: unit for unit, *names in lists for name in names}
 
 
 def _properties(
     schema: str, entries: dict[str, list[str]], nodes: dict[str, dict[str, list[str]]]
 ) -> Iterator[PropertyType]:
-    choices, units, references = (
+    choices, references = (
         [list(_list(head, nodes)) for head in entries.get(word, ())]
-        for word in ("choice", "unit", "refersByPath")
+        for word in ("choice", "refersByPath")
     )
     words = {name: tuple(choice) for name, *choice in choices}
-    unit_of = {name: unit for unit, *names in units for name in names}
+    unit_of = _units(entries, nodes)
     leads = {name: (predicate, targets) for predicate, name, *targets in references}
     uniform = set(entries.get("uniform", ()))
     for type_, names in entries.items():

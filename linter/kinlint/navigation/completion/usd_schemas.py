@@ -39,7 +39,7 @@ def complete(situation: Situation) -> Completions:
         candidates = _types()
     else:
         found = _TOKEN.search(text, line, offset) or _NAME.search(text, line, offset)
-        known = _properties(text, start, offset) if found else None
+        known = properties_around(text, offset) if found else None
         if found is None or known is None:
             return NOTHING
         if found.re is _TOKEN:
@@ -57,9 +57,9 @@ def _last_head(text: str, start: int, end: int) -> re.Match[str] | None:
     return found[0] if found else None
 
 
-def _properties(text: str, start: int, offset: int) -> dict[str, PropertyType] | None:
+def properties_around(text: str, offset: int) -> dict[str, PropertyType] | None:
     """Return the properties of the prim whose block is around *offset*; None if there is none."""
-    depth = 0
+    start, depth = max(0, offset - LONGEST), 0
     for at in range(offset - 1, start - 1, -1):
         depth += {"}": 1, "{": -1}.get(text[at], 0)
         if depth < 0:

@@ -8,7 +8,7 @@ from kinlint.formats.xml.documentation import documentation
 from kinlint.formats.xml.element_types import ElementType, Slot
 from kinlint.formats.xml.schema import TEXT, schema
 from kinlint.formats.xml.unfinished_text import Cursor, Spot, TextElement, UnfinishedText
-from kinlint.navigation.completion import ignored_rules, xacro_completion
+from kinlint.navigation.completion import addressed_names, ignored_rules, xacro_completion
 from kinlint.navigation.completion.candidate import NOTHING, Candidate, Completions, Kind
 from kinlint.navigation.completion.element_place import holders, is_in_macro, siblings, types_of
 from kinlint.navigation.completion.file_names import file_names
@@ -20,8 +20,6 @@ from kinlint.vocabulary import ATTRIBUTE
 
 MISSING, USUAL, LATER, ELSEWHERE = 0, 1, 2, 5
 TRUTHS = ("true", "false")
-URI = "uri"
-"""Manner of addresses that lead to the id of an element."""
 
 
 def complete(situation: Situation) -> Completions:
@@ -165,11 +163,8 @@ class _Completion:
         """Yield what the attribute *name* of an element of *type_* can be, or its text ("")."""
         if (reference := type_.references.get(place)) is not None:
             yield from self.names.candidates(reference, user)
-        if (address := type_.addresses.get(place)) is not None and address.manner == URI:
-            for each in self.text.elements:
-                own = each.attributes.get("id")
-                if own and (not address.targets or each.tag in address.targets):
-                    yield Candidate(f"#{own}", Kind.NAME, each.tag)
+        if (address := type_.addresses.get(place)) is not None:
+            yield from addressed_names.candidates(address, self.text.elements)
         for rank, word in enumerate(type_.choices.get(name, ()) or self._usual(type_, name)):
             yield Candidate(word, Kind.WORD, name, rank)
         if place in type_.files:
