@@ -24,7 +24,7 @@ class Change:
     """Quantity of a part that two descriptions give otherwise."""
 
     kind: str
-    """Kind of the part, `joint` or `link`; `robot` for the whole."""
+    """Kind of the part, `joint` or `link`; `robot` for the whole, `value` for what is no value."""
     part: str
     """Name of the part in the old description."""
     new_part: str
@@ -47,6 +47,8 @@ class Change:
         """The part with its name, or both of its names."""
         if self.kind == "robot":
             return "robot"
+        if self.kind == "value":
+            return "not read, so as if it were not given"
         also = f" (now '{self.new_part}')" if self.new_part != self.part else ""
         return f"{self.kind} '{self.part}'{also}"
 
@@ -72,6 +74,8 @@ class Change:
     @property
     def phrase(self) -> str:
         """The change in one phrase, such as `mass 2.1 to 2.4 kg`."""
+        if self.kind == "value":
+            return f"{self.quantity} is {self.old or self.new}"
         old, new = self.values
         unit = f" {self.unit}" if self.unit else ""
         if self.quantity.startswith("orientation"):
@@ -127,6 +131,8 @@ class Unstated:
     """True if the format of the other description could state it."""
     form: str
     """Title of the format of the other description."""
+    counts: bool = False
+    """True if it is a difference: two descriptions in one format could both state it."""
 
 
 @dataclass(frozen=True)
@@ -148,18 +154,19 @@ class RobotDifference:
     added: Sequence[Part] = field(default=())
     """Parts that only the new description has."""
     unstated: Sequence[Unstated] = field(default=())
-    """Quantities that only one states; they are no difference."""
+    """Quantities that only one states."""
 
     @property
     def differs(self) -> bool:
         """Tell whether the descriptions are of different robots."""
-        return bool(self.changes or self.removed or self.added or not (self.old and self.new))
+        return bool(self.count or self.changes or not (self.old and self.new))
 
     @property
     def count(self) -> int:
         """Number of differences of quantities and parts; the whole follows from its parts."""
         own = sum(each.kind != "robot" for each in self.changes)
-        return own + len(self.removed) + len(self.added)
+        lost = sum(len(each.parts) for each in self.unstated if each.counts)
+        return own + len(self.removed) + len(self.added) + lost
 
     def by_part(self) -> Sequence[tuple[str, Sequence[Change]]]:
         """Return the changes of each part, with its title."""

@@ -67,6 +67,40 @@ def test_the_same_robot_gives_zero(kinlint, write):
     assert kinlint("diff", "old.urdf", "old.urdf")[1].endswith("No differences.\n")
 
 
+def test_what_cannot_be_read_is_told_as_it_is_written(kinlint, write):
+    """A decimal comma is no number, and what follows from it is no difference of its own."""
+    write("comma.urdf", ARM.replace('upper="1.5"', 'upper="1,5"'))
+    code, out, _ = kinlint("diff", "old.urdf", "comma.urdf")
+    assert code == 1
+    assert out.splitlines()[1:] == [
+        "  not read, so as if it were not given",
+        "    <limit upper> is '1,5', decimal comma in 1,5  comma.urdf:16",
+        "",
+        "1 difference.",
+    ]
+    assert kinlint("diff", "comma.urdf", "comma.urdf")[0] == 0
+    told = json.loads(kinlint("diff", "comma.urdf", "old.urdf", "--output-format", "json")[1])
+    assert told[0]["changes"][0]["quantity"] == "<limit upper>"
+
+
+def test_what_a_revision_leaves_out_is_a_difference(kinlint, write):
+    """Of two files in one format, one lost what the other says."""
+    write("light.urdf", ARM.replace('<mass value="2.1"/>', ""))
+    code, out, _ = kinlint("diff", "old.urdf", "light.urdf")
+    assert code == 1
+    assert "mass only in the old one, in the new one not given: 'forearm'" in out
+    assert out.endswith("1 difference.\n")
+
+
+@pytest.mark.parametrize("command", [("diff", "old.urdf"), ("convert",), ("targets", "--matrix")])
+def test_a_file_that_cannot_be_parsed_is_an_error_with_its_place(command, kinlint, write):
+    """The cause is that of the text, not that no robot was found."""
+    write("cut.urdf", ARM[:300])
+    code, out, err = kinlint(*command, "cut.urdf")
+    assert (code, out) == (2, "")
+    assert "cut.urdf:11:4: <joint> is never closed" in err
+
+
 def test_robots_on_other_links_reach_as_they_did(kinlint, write):
     """A robot written from its other end is the same; its reach is not compared."""
     turned = ARM.replace('<parent link="base"/>', '<parent link="forearm"/>')

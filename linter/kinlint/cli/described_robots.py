@@ -27,6 +27,7 @@ from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.dependencies.joined_documents import join_companions
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import read
+from kinlint.formats.unread_text import malformed_values, refuse_unread
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
@@ -107,6 +108,7 @@ class RobotReader:
         reading = ReadOptions.from_settings(self.settings)
         texts = pair(sources, self.settings)
         documents = join_companions([read(each, reading) for each in texts], self.settings.partner)
+        refuse_unread(documents)
         store = run_stages(
             "closure",
             Run(self.book.vocabulary, self.book.axioms),
@@ -125,7 +127,12 @@ class RobotReader:
         def place(node: Term) -> Location | None:
             return self._renamed(locator.node(node))
 
-        return Side(self.place.name(one.name), robot, own, place)
+        misread = [
+            each._replace(place=self._moved(each.place))
+            for document in documents
+            for each in malformed_values(document)
+        ]
+        return Side(self.place.name(one.name), robot, own, place, misread)
 
     def only(self) -> Side:
         """Return the robot of the only file. Raises `SourceError` if it describes none."""
@@ -144,7 +151,10 @@ class RobotReader:
         )
 
     def _renamed(self, location: Location | None) -> Location | None:
-        if location is None or self.place.is_given:
+        return None if location is None else self._moved(location)
+
+    def _moved(self, location: Location) -> Location:
+        if self.place.is_given:
             return location
         name = self.place.name(location.source.name)
         return replace(location, source=replace(location.source, name=name))

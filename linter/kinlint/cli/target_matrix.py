@@ -21,6 +21,7 @@ from kinlint.engine.store import token
 from kinlint.errors import UsageError
 from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.companions import pair
+from kinlint.formats.unread_text import refuse_unread
 from kinlint.light_dataclasses import replace
 from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.feature_matrix import FeatureMatrix
@@ -65,6 +66,7 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     examined = lint.examine(pair(sources, settings), (), settings, book)
     for error in examined.report.errors:
         raise error
+    refuse_unread(examined.documents)
     reported = ((each.feature, each.location) for each in examined.builder.brief())
     formats = {
         source.name: each.format

@@ -15,6 +15,7 @@ from kinlint.document import Document
 from kinlint.engine.provenance import Provenance
 from kinlint.errors import UsageError
 from kinlint.formats.records import ELEMENTS
+from kinlint.formats.unread_text import refuse_unread
 from kinlint.light_dataclasses import dataclass
 from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Inputs
@@ -70,6 +71,7 @@ def compose(
     for document in documents:
         if not document.format.is_tree:
             raise UsageError(f"{document.source.name}: composable already, nothing to convert")
+    refuse_unread(documents)
     store = run_stages("lifting", Run(()), Inputs(documents))
     lifted = list(store.lifted())
     left_out = conversion_losses(documents, lifted, Provenance(store))

@@ -14,6 +14,7 @@ from kinlint.facts.comparison.reach import reach
 from kinlint.facts.comparison.tolerances import Tolerances
 from kinlint.facts.metamodel_terms import inertia, kin
 from kinlint.file_format import Format
+from kinlint.formats.unread_text import MalformedValue
 from kinlint.robot_difference import Change, Part, RobotDifference, Unstated
 from kinlint.terms import Term
 from kinlint.text import Location
@@ -32,6 +33,8 @@ class Side(NamedTuple):
     """Format of the file."""
     place: Callable[[Term], Location | None]
     """Function that returns where a node is described."""
+    misread: Sequence[MalformedValue] = ()
+    """Values that could not be read, and so count as not given."""
 
 
 def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDifference:
@@ -50,11 +53,27 @@ def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDiffe
         new.name,
         "names" if found.by_name else "structure",
         (len(found.joints), len(old.robot.joints), len(new.robot.joints)),
-        [*whole, *changes],
+        [*whole, *_misread(old, new), *(c for c in changes if not _follows(c, old, new))],
         [*gone, *_groups(old, frozenset(known[0]))],
         [*come, *_groups(new, frozenset(known[1]))],
         list(_unstated(comparison, old, new)),
     )
+
+
+def _misread(old: Side, new: Side) -> Iterator[Change]:
+    """Yield the values that could not be read in one description and are not in the other."""
+    before, now = ({each[:2]: each for each in side.misread} for side in (old, new))
+    for name, text in (each for each in before if each not in now):
+        place = before[name, text].place
+        yield Change("value", "", "", name, "", text, "", place)
+    for name, text in (each for each in now if each not in before):
+        place = now[name, text].place
+        yield Change("value", "", "", name, "", "", text, None, place)
+
+
+def _follows(each: Change, old: Side, new: Side) -> bool:
+    """Tell whether a bound is missing where some value could not be read."""
+    return bool((each.old is None and old.misread) or (each.new is None and new.misread))
 
 
 def _is_weighed(group: Group) -> bool:
@@ -139,7 +158,8 @@ def _unstated(comparison: Comparison, old: Side, new: Side) -> Iterator[Unstated
                 continue
             if names:
                 can = not side.form.is_tree or term in lifts([side.form])
-                yield Unstated(quantity, old_states, names, can, side.form.title)
+                same = can and old.form == new.form and not side.misread
+                yield Unstated(quantity, old_states, names, can, side.form.title, counts=same)
 
 
 def _weighs(group: Group) -> bool:
