@@ -7,7 +7,7 @@ from string import Template
 from typing import NamedTuple
 
 from kinlint.formats.records import BY_NAME
-from kinlint.vocabulary import METAMODELS, SDF, SRDF, URDF
+from kinlint.vocabulary import COLLADA, METAMODELS, MJCF, SDF, SRDF, URDF, USD, YAML
 
 MARK = "TODO:"
 """The mark of what is to be filled in; no rule is done that has it."""
@@ -66,6 +66,12 @@ class _Example(NamedTuple):
     """Marked name in the bad example."""
     good: str = "elbow"
     """Name in the good example."""
+
+    @property
+    def where(self) -> str:
+        """What the marks stand round."""
+        bare = f"[|{_FAULT}" in self.bad
+        return ": of an element its name, without the quotes" if bare else ", with its quotes"
 
 
 _JOINT = (("kc", f"{METAMODELS}kinematic-chain/structural-entities#"), "sh:targetClass kc:Joint")
@@ -147,6 +153,58 @@ EXAMPLES = {
               </model>
             </sdf>""",
     ),
+    "mjcf": _Example(
+        "mjcf",
+        ("mjcf", MJCF),
+        "sh:targetObjectsOf mjcf:joint",
+        "joint",
+        """\
+            <mujoco model="arm">
+              <worldbody>
+                <body name="forearm">
+                  <joint name="$id"/>
+                  <geom size="0.1"/>
+                </body>
+              </worldbody>
+            </mujoco>""",
+    ),
+    "collada": _Example(
+        "collada",
+        ("collada", COLLADA),
+        "sh:targetObjectsOf collada:joint",
+        "joint",
+        """\
+            <COLLADA xmlns="http://www.collada.org/2008/03/COLLADASchema" version="1.5.0">
+              <asset/>
+              <library_joints>
+                <joint name="$id"><revolute sid="axis"><axis>0 0 1</axis></revolute></joint>
+              </library_joints>
+            </COLLADA>""",
+    ),
+    "usd": _Example(
+        "usd",
+        ("usd", USD),
+        "sh:targetObjectsOf usd:prim",
+        "prim",
+        """\
+            #usda 1.0
+            def Xform $id
+            {
+            }""",
+        f'[|"elbow"|]  # {_FAULT}',
+        '"elbow"',
+    ),
+    "yaml": _Example(
+        "yaml",
+        ("yaml", YAML),
+        "sh:targetObjectsOf yaml:joint_limit",
+        "joint",
+        """\
+            joint_limits:
+              $id:
+                has_velocity_limits: true""",
+        f'"[|{_FAULT}|]"',
+    ),
 }
 """The examples for each format."""
 
@@ -165,7 +223,7 @@ def scaffold(name: str, code: str, form: str) -> str:
         target=example.target,
         thing=example.thing,
         pattern="\n                $this at:name [] ." if tree else "",
-        where=": of an element its name, without the quotes" if tree else ", with its quotes",
+        where=example.where,
         formats=example.formats,
         format=form,
         bad=text.substitute(id=example.bad),

@@ -1,4 +1,4 @@
-"""What of a file could not be read, from what its document states about that."""
+"""Parts of a file that could not be read, from what its document states about them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ REASON, WRITTEN, TAG, ATTRIBUTE = (src(x) for x in ("reason", "written", "tag", 
 
 
 class MalformedValue(NamedTuple):
-    """A value that is written in another way than its element or attribute demands."""
+    """Value that is written in another way than its element or attribute demands."""
 
     name: str
     """The element, with the attribute if it is that of one: `<limit upper>`."""
