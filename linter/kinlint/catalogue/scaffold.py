@@ -69,7 +69,7 @@ class _Example(NamedTuple):
 
     @property
     def where(self) -> str:
-        """What the marks stand round."""
+        """End of the sentence about what the marks stand round."""
         bare = f"[|{_FAULT}" in self.bad
         return ": of an element its name, without the quotes" if bare else ", with its quotes"
 
