@@ -23,7 +23,7 @@ class MalformedValue(NamedTuple):
     text: str
     """The value in quotes, and what is wrong with it."""
     place: Location
-    """Where it is written."""
+    """Place where it is written."""
 
 
 def refuse_unread(documents: Iterable[Document]) -> None:
