@@ -3,6 +3,7 @@
 import json
 
 import pytest
+from facts.arm_in_formats import Arm, urdf
 from gitting import git, needs_git
 
 ARM = """\
@@ -81,6 +82,41 @@ def test_what_cannot_be_read_is_told_as_it_is_written(kinlint, write):
     assert kinlint("diff", "comma.urdf", "comma.urdf")[0] == 0
     told = json.loads(kinlint("diff", "comma.urdf", "old.urdf", "--output-format", "json")[1])
     assert told[0]["changes"][0]["quantity"] == "<limit upper>"
+
+
+def test_dependencies_of_joints_are_compared(kinlint, write):
+    """By the joint that is followed, the factor and the offset; one that came is told, too."""
+    gripper = """<robot name="gripper"><link name="palm"/><link name="left"/><link name="right"/>
+<joint name="a" type="prismatic"><parent link="palm"/><child link="left"/><axis xyz="0 1 0"/>
+<limit lower="0" upper="0.1" effort="1" velocity="1"/></joint>
+<joint name="b" type="prismatic"><parent link="palm"/><child link="right"/><axis xyz="0 1 0"/>
+<limit lower="0" upper="0.1" effort="1" velocity="1"/></joint></robot>"""
+    follow = '<mimic joint="a" multiplier="-1"/></joint></robot>'
+    write("free.urdf", gripper)
+    write("tied.urdf", gripper.replace("</joint></robot>", follow))
+    write("slow.urdf", gripper.replace("</joint></robot>", follow.replace("-1", "-0.5")))
+    told = kinlint("diff", "tied.urdf", "slow.urdf")[1].splitlines()
+    assert told[1:3] == ["  joint 'b'", "    multiplier -1 to -0.5  tied.urdf:5, slow.urdf:5"]
+    code, out, _ = kinlint("diff", "free.urdf", "tied.urdf")
+    assert (code, "mimic only in the new one, in the old one not given: 'b'" in out) == (1, True)
+
+
+def test_other_names_of_the_same_parts_are_differences(kinlint, write):
+    """Controllers and plans name joints and links."""
+    arm = Arm()
+    write("one.urdf", urdf(arm))
+    write(
+        "other.urdf", urdf(arm.with_change("elbow", name="bend").with_change("hand", name="tool"))
+    )
+    code, out, _ = kinlint("diff", "one.urdf", "other.urdf")
+    assert code == 1
+    told = [line.strip().partition("  ")[0] for line in out.splitlines()[1:5]]
+    assert told == [
+        "joint 'elbow' (now 'bend')",
+        "name elbow to bend",
+        "link 'hand' (now 'tool')",
+        "name hand to tool",
+    ]
 
 
 def test_what_a_revision_leaves_out_is_a_difference(kinlint, write):

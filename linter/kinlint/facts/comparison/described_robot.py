@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kinlint.facts.comparison.pose import HERE, Pose
+from kinlint.facts.joint_numbers import Gearing
 from kinlint.facts.linear_algebra import Matrix, Vector, scale
 from kinlint.light_dataclasses import dataclass, field, replace
 from kinlint.terms import Term
@@ -114,6 +115,8 @@ class MovingJoint:
     """Bodies of the parent and of the child that it joins."""
     closes: bool = False
     """True if its child is carried by another joint, so that it closes a loop."""
+    gearing: Gearing | None = None
+    """Dependency on another joint; None if none is stated."""
     is_point: bool = False
     """True if the format closes loops at points only, and knows no axis for that."""
 

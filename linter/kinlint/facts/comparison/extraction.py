@@ -244,6 +244,7 @@ class RobotExtraction:
                 numbers.ranges.get(joint),
                 (each.parent, each.child),
                 each.closes,
+                next(iter(numbers.gearings.get(joint, ())), None),
                 kind == "spherical" and self._origin.get(joint) in self._constraints,
             )
 

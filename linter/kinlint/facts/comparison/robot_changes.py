@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from kinlint.addresses import local_name
 from kinlint.engine.lifting import lifts
 from kinlint.facts.comparison.comparison import COMPOSED, Comparison
 from kinlint.facts.comparison.described_robot import HINGE, DescribedRobot, Group, MovingJoint
 from kinlint.facts.comparison.frame_alignment import total_mass
+from kinlint.facts.comparison.joint_differences import LINEAR
 from kinlint.facts.comparison.measured import Measured
 from kinlint.facts.comparison.reach import reach
 from kinlint.facts.comparison.tolerances import Tolerances
@@ -19,7 +21,9 @@ from kinlint.robot_difference import Change, Part, RobotDifference, Unstated
 from kinlint.terms import Term
 from kinlint.text import Location
 
-OF_JOINTS = frozenset({"position limit", "effort limit", "speed limit", "axis of the loop"})
+OF_JOINTS = frozenset(
+    {"position limit", "effort limit", "speed limit", "mimic", "axis of the loop"}
+)
 
 
 class Side(NamedTuple):
@@ -42,7 +46,11 @@ def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDiffe
     comparison = Comparison(old.robot, new.robot, tolerances)
     found = comparison.correspondence
     alone = comparison.alone()
-    changes = [_change(each, old, new) for each in comparison.differences]
+    changes = [
+        *(_change(each, old, new) for each in comparison.differences),
+        *_gearings(comparison, old, new),
+        *(_names(comparison, old, new) if found.by_name and old.form == new.form else ()),
+    ]
     whole = list(_whole(old, new, tolerances, found.groups))
     gone, come = ([*_parts(each, side)] for each, side in zip(alone, (old, new), strict=True))
     known = [[*found.groups], [*found.groups.values()]]
@@ -162,6 +170,62 @@ def _unstated(comparison: Comparison, old: Side, new: Side) -> Iterator[Unstated
                 yield Unstated(quantity, old_states, names, can, side.form.title, counts=same)
 
 
+def _gearings(comparison: Comparison, old: Side, new: Side) -> Iterator[Change]:
+    """Yield how the dependencies of joints on others differ, where both state one."""
+    one, other, found = comparison.one, comparison.other, comparison.correspondence
+    numbers = [{each.node: at for at, each in enumerate(robot.joints)} for robot in (one, other)]
+    for mine, yours in sorted(found.joints.items()):
+        here, there = one.joints[mine], other.joints[yours]
+        a, b = here.gearing, there.gearing
+        if a is None or b is None:
+            continue
+        places = old.place(a.node) or old.place(here.node), new.place(b.node)
+        leader = numbers[0].get(a.leader, -1)
+        if found.joints.get(leader, -1) != numbers[1].get(b.leader, -1):
+            names = local_name(a.leader), local_name(b.leader)
+            yield Change("joint", here.name, there.name, "leader", "", *names, *places)
+        unit = "m" if here.kind == LINEAR else "rad"
+        for quantity, symbol, before, after in (
+            ("multiplier", "", a.multiplier, b.multiplier),
+            ("offset", unit, a.offset, b.offset),
+        ):
+            if (
+                before is not None
+                and after is not None
+                and comparison.tolerances.apart(before, after)
+            ):
+                yield Change(
+                    "joint", here.name, there.name, quantity, symbol, before, after, *places
+                )
+
+
+def _names(comparison: Comparison, old: Side, new: Side) -> Iterator[Change]:
+    """Yield the joints and links that have another name; a link only if it is one of its group."""
+    one, other, found = comparison.one, comparison.other, comparison.correspondence
+    for mine, yours in sorted(found.joints.items()):
+        here, there = one.joints[mine], other.joints[yours]
+        if here.name != there.name:
+            yield _renamed(
+                "joint", here.name, there.name, old.place(here.node), new.place(there.node)
+            )
+    for mine, yours in sorted(found.groups.items()):
+        bodies = [
+            {each.name: each for each in group.bodies}
+            for group in (one.groups[mine], other.groups[yours])
+        ]
+        gone, come = ([name for name in a if name not in b] for a, b in (bodies, bodies[::-1]))
+        if len(gone) == len(come) == 1:
+            before, after = bodies[0][gone[0]], bodies[1][come[0]]
+            places = old.place(before.node), new.place(after.node)
+            yield _renamed("link", before.name, after.name, *places)
+
+
+def _renamed(
+    kind: str, name: str, other: str, place: Location | None, there: Location | None
+) -> Change:
+    return Change(kind, name, other, "name", "", name, other, place, there)
+
+
 def _weighs(group: Group) -> bool:
     return any(body.mass is not None for body in group.bodies)
 
@@ -178,6 +242,7 @@ _STATED: tuple[tuple[str, Term, Callable[[Any], bool | None]], ...] = (
     ("position limit", kin("JointPositionLimit"), lambda each: each.lower is not None),
     ("effort limit", kin("ActuatorForceLimit"), lambda each: each.effort is not None),
     ("speed limit", kin("ActuatorVelocityLimit"), lambda each: each.speed is not None),
+    ("mimic", kin("JointCoupling"), lambda each: each.gearing is not None),
     ("axis of the loop", kin("RevoluteJoint"), _hinged),
     ("mass", inertia("mass"), _weighs),
     ("inertia", inertia("ixx"), _has_tensor),
