@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ from benchmarks.table import Row
 from benchmarks.timing import interleaved, processor_time, timed
 from benchmarks.urdf_robot import urdf_chain
 from benchmarks.xml_robots import sdf_chain, xacro_chain
+from kinlint import garbage
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -115,6 +115,5 @@ def typing(stroke: Stroke, book: Rulebook) -> Callable[[], Examination]:
     incremental = Analyzer(Settings(), book, repeated=True)
     for each in (text, next(texts), next(texts)):
         incremental.examine([SourceText(stroke.name, each)])
-    gc.collect()
-    gc.freeze()
+    garbage.freeze()
     return lambda: incremental.examine([SourceText(stroke.name, next(texts))])

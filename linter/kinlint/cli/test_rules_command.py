@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from kinlint import garbage
 from kinlint.catalogue import rulebook
 from kinlint.cli.argument_parser import Parser
 from kinlint.cli.project_rules import project_rules
@@ -44,8 +45,7 @@ def run(arguments: Sequence[str]) -> int:
     rules = [rule for rule in book.rules if not given or _below(Path(rule.path), given)]
     if not rules:
         raise UsageError(f"no rules found in {', '.join(options.paths)}")
-    gc.collect()
-    gc.freeze()
+    garbage.freeze()
     failed = remarks = 0
     for rule in rules:
         problems = list(rule_conformance.failures(rule, book))
@@ -58,7 +58,7 @@ def run(arguments: Sequence[str]) -> int:
             mark = "remark: " if problem in noted else ""
             if not (mark and options.quiet):
                 sys.stdout.write(f"{rule.code} {rule.name}: {mark}{problem}\n")
-    gc.unfreeze()
+    garbage.unfreeze()
     if not options.quiet:
         examples = sum(len(rule.examples) for rule in rules)
         verdict = f"{failed} of them fail" if failed else "all keep their promises"

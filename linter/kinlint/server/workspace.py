@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from traceback import format_exc
 from typing import TypeVar
 
+from kinlint import garbage
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -129,9 +129,7 @@ class Workspace:
         for session in fresh:
             session.fresh_cache = False
         if fresh:
-            gc.unfreeze()
-            gc.collect()
-            gc.freeze()
+            garbage.freeze()
 
     def _step(
         self,

@@ -12,7 +12,6 @@ from kinlint.addresses import document_iri
 from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.garbage import uncollected
 from kinlint.formats.json_text.json_outline import NotOutlined, outline
 from kinlint.formats.json_text.json_parser import parse
 from kinlint.formats.json_text.json_values import Object, ParsedJson
@@ -39,6 +38,7 @@ from kinlint.formats.jsonld.release_comparison import ReleaseComparison
 from kinlint.formats.jsonld.triples import Triples
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, namespaces
+from kinlint.garbage import uncollected
 from kinlint.text import SourceText, Span
 
 _RECURSION = 20_000

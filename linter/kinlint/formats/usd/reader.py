@@ -6,7 +6,6 @@ from kinlint.addresses import document_iri, root_of
 from kinlint.document import Document, NodeSpans, SourceMap
 from kinlint.files.pathglob import absolute
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.garbage import uncollected
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.format import USD
@@ -26,6 +25,7 @@ from kinlint.formats.usd.usda_parser import parse
 from kinlint.formats.usd.usda_scanner import MalformedLayer
 from kinlint.formats.xml.added_statements import with_statements
 from kinlint.formats.xml.included_statements import with_includes
+from kinlint.garbage import uncollected
 from kinlint.terms import XSD, Triple, iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import USD as NAMESPACE

@@ -9,7 +9,6 @@ from kinlint.document import Document, SourceMap
 from kinlint.errors import SourceError
 from kinlint.file_format import Format
 from kinlint.formats.blank_nodes import BlankNodes
-from kinlint.formats.garbage import uncollected
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.source_layer import SourceLayer
 from kinlint.formats.urdf.format import URDF
@@ -25,6 +24,7 @@ from kinlint.formats.xml.expat_parsing import parse
 from kinlint.formats.xml.references import names, resolve_references
 from kinlint.formats.xml.schema import schema
 from kinlint.formats.xml.span_lookup import ElementPlaces, ElementSpans, TripleSpans
+from kinlint.garbage import uncollected
 from kinlint.text import SourceText, Span
 
 
