@@ -10,6 +10,7 @@ from kinlint.cli.main import main
 from kinlint.format_profile import lines, profile
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
+from kinlint.formats.usd.prim_schemas import prim_schemas
 from kinlint.vocabulary import ATTRIBUTE, FMT
 
 ARM = """
@@ -26,7 +27,7 @@ ARM = """
   <transmission name="drive"><joint name="elbow"/></transmission>
 </robot>
 """
-FORMATS = ("sdf", "srdf", "urdf")
+FORMATS = ("collada", "sdf", "srdf", "urdf")
 
 
 def told(text, name="arm.urdf"):
@@ -101,7 +102,21 @@ def test_a_profile_counts_what_the_format_has(form):
     assert {term.strip("<>") for term in counted | known.passed_over} <= tags | attributes
 
 
-@pytest.mark.parametrize("form", FORMATS)
+def test_a_profile_of_usd_counts_properties_of_schemas():
+    """No slip of the pen, either; those of multiple schemas stand for angular and linear ones."""
+    known = {
+        f"<{ATTRIBUTE}{name.replace('*', instance)}"
+        for schema in prim_schemas().values()
+        for name in schema.properties
+        for instance in ("angular", "linear")
+    }
+    counted = {term for symptom in profile("usd").symptoms for term in symptom.shown_by}
+
+    assert counted
+    assert {re.sub("(-1)?>$", "", each) for each in counted if ATTRIBUTE in each} <= known
+
+
+@pytest.mark.parametrize("form", [*FORMATS, "usd"])
 def test_a_symptom_is_told_once(form):
     """One line each."""
     numbers = [symptom.number for symptom in profile(form).symptoms]

@@ -54,12 +54,16 @@ class Comparison:
         ranged = COMPOSED not in {self.one.form, self.other.form}
         for mine in sorted(found.joints):
             here, there = self.one.joints[mine], self.other.joints[found.joints[mine]]
-            if found.groups.get(here.parent) == there.child:
+            is_turned = found.groups.get(here.parent) == there.child
+            if is_turned:
                 there = there.reversed
             here, there = here.completed_by(there), there.completed_by(here)
             ends = ((here.parent, there.parent), (here.child, there.child))
+            # Composable models state no order of the bodies that a positive direction counts from.
+            either = [there] if ranged or not is_turned else [there, there.mirrored]
             tries = [
-                list(joint_differences(here, there, near, beyond, self.tolerances, ranged=ranged))
+                list(joint_differences(here, each, near, beyond, self.tolerances, ranged=ranged))
+                for each in either
                 for near in self._aligned(*ends[0], here.bodies[0], there.bodies[0])
                 for beyond in self._aligned(*ends[1], here.bodies[1], there.bodies[1])
             ]

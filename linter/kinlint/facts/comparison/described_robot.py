@@ -132,6 +132,11 @@ class MovingJoint:
         return replace(self, kind=other.kind, lower=other.lower, upper=other.upper)
 
     @property
+    def mirrored(self) -> MovingJoint:
+        """The same joint with its positions counted the other way."""
+        return replace(self, axis=None if self.axis is None else scale(-1.0, self.axis))
+
+    @property
     def reversed(self) -> MovingJoint:
         """The same joint, seen from its child: its position counts as before."""
         back = self.transform.inverse
