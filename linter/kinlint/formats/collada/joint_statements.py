@@ -119,6 +119,8 @@ class JointStatements:
 
     def _limits(self, joint: Joint, limits: ColladaElement, unit: float) -> None:
         self.said.state(joint.node, "limits", limits.node)
+        if limits.first("min") is None and limits.first("max") is None:
+            self.said.state(joint.node, "emptyLimits", limits.node)
         self._bounds(joint, limits, unit)
 
     def _bounds(self, joint: Joint, limits: ColladaElement, unit: float, stem: str = "") -> None:
