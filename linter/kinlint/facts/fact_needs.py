@@ -69,7 +69,9 @@ SIBLINGS = dict.fromkeys(
     ("placed-unlike", "turns-against", "shaped-unlike"), (*inputs.DRAWN, *inputs.SHAPES)
 )
 ODD = ("own-step", "usual-step", "own-size", "usual-size")
-MISPLACED = dict.fromkeys(("inertia-of", "other-axes-of"), (*inputs.SIZES, *inputs.RELATIONS))
+MISPLACED = dict.fromkeys(
+    ("inertia-of", "other-axes-of", "swapped-sizes-of"), (*inputs.SIZES, *inputs.RELATIONS)
+)
 SOLID = tuple(f"{each}-{axis}" for each in ("moment", "solid") for axis in "xyz")
 NODES = ("member", "derived-from", "size")
 ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")

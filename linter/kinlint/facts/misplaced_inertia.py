@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from kinlint.facts.assembly import Assemblies
-from kinlint.facts.body_shapes import BodyShapes
+from kinlint.facts.body_shapes import CYLINDER, BodyShapes
 from kinlint.facts.fact_statements import derived, fact, numbers
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.inertia_repair import solid_moments
@@ -14,6 +14,7 @@ from kinlint.facts.laterality import without_side
 from kinlint.facts.linear_algebra import Matrix, Vector, product, transpose
 from kinlint.facts.mirror_symmetry import split_name
 from kinlint.facts.orientation_graph import OrientationGraph
+from kinlint.light_dataclasses import replace
 from kinlint.terms import Term, Triple
 
 ALIKE = 0.05
@@ -29,7 +30,8 @@ def misplaced_inertias(
 ) -> Iterator[Triple]:
     """Yield the bodies whose moments are those of their solid shape, in another order of its axes.
 
-    And those whose moments are, to the last digit, those of another body of another mass.
+    And those whose moments are, to the last digit, those of another body of another mass, or those
+    of their cylinder with its radius and its length swapped.
     """
     first: dict[tuple[str, Matrix], tuple[Term, Term, float]] = {}
     for node, tensor in sorted(inertias.central.items()):
@@ -60,6 +62,11 @@ def misplaced_inertias(
                 yield from numbers(
                     node, [(f"moment-{axis}", _short(moment)), (f"solid-{axis}", _short(meant))]
                 )
+        elif moments is not None and shape.kind == CYLINDER:
+            radius, long = shape.sizes
+            swapped = solid_moments(replace(shape, sizes=(long, radius)), mass)
+            if _alike(moments, swapped) and not _alike(moments, solid):
+                yield node, fact("swapped-sizes-of"), shape.node
 
 
 def _short(moment: float) -> float:
@@ -73,6 +80,13 @@ def _along(tensor: Matrix, turn: Matrix) -> Vector | None:
     across = max(abs(turned[0][1]), abs(turned[0][2]), abs(turned[1][2]))
     moments = (turned[0][0], turned[1][1], turned[2][2])
     return moments if across <= ALIKE * max(moments) else None
+
+
+def _alike(moments: Vector, solid: Vector) -> bool:
+    """Tell whether *moments* are those of the *solid*."""
+    return all(
+        abs(one - own) <= ALIKE * max(solid) for one, own in zip(moments, solid, strict=True)
+    )
 
 
 def _reordered(moments: Vector, solid: Vector) -> bool:
