@@ -88,12 +88,22 @@ def test_targets_lead_to_prims():
         ("float physics:mass = 1e39", "1e39 is too large for a float"),
         ('float physics:mass = "4"', "4 is not a number"),
         ("float3 physics:diagonalInertia = (1, 2)", "2 values"),
+        ("bool physics:rigidBodyEnabled = on", "on is neither true nor false"),
     ],
 )
 def test_values_that_are_none_of_their_type_are_stated(written, reason):
     layer = read(f'def "arm" {{ {written}; }}')
 
     assert set(values(layer, "reason").values()) == {reason}
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"), [("yes", "true"), ("TRUE", "true"), ("2", "true"), ("No", "false")]
+)
+def test_words_of_truth_are_those_of_openusd(written, meant):
+    layer = read(f'def "arm" {{ bool physics:rigidBodyEnabled = {written}; }}')
+
+    assert set(values(layer, "physics:rigidBodyEnabled").values()) == {meant}
 
 
 @pytest.mark.parametrize(
@@ -105,6 +115,7 @@ def test_values_that_are_none_of_their_type_are_stated(written, reason):
         ('def "a" { float x = "1 }', "a string is not closed"),
         ("float x = 1", "expected 'def', 'over' or 'class'"),
         ('def "a" { float x = (1, 2 }', "expected ',' or ')'"),
+        ('def "a" { rel x = "/b" }', "expected the path of a target"),
     ],
 )
 def test_a_text_that_is_no_layer_states_only_that(content, reason):

@@ -113,7 +113,7 @@ class StagePrim:
         text = self.word(name)
         if not text:
             return default
-        return text.lower() == "true" or (text[:1].isdigit() and float(text) != 0)
+        return text.lower() in ("true", "yes") or (text[:1].isdigit() and float(text) != 0)
 
     def targets(self, name: str) -> list[str]:
         """Return the paths that the relationship *name* leads to, in the stage."""

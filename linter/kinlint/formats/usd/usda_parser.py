@@ -161,6 +161,8 @@ class _Parser(Scanner):
         self.advance()
         if self.word == "=":
             self.advance()
+            if found.type_name == "rel" and self.kind != "path" and self.word not in ("[", "None"):
+                self.fail("expected the path of a target, such as </robot/link>")
             found.value = self._value()
             names = found.type_name == "rel" or found.name == "xformOpOrder"
             if names:

@@ -17,7 +17,8 @@ LARGEST_FLOAT = 3.4028235677973366e38
 """Numbers from here on are infinite in single precision."""
 LARGEST_HALF = 65520.0
 """Numbers from here on are infinite in half precision."""
-TRUTHS = {"true": "true", "True": "true", "false": "false", "False": "false"}
+TRUTHS = {"true": "true", "yes": "true", "false": "false", "no": "false"}
+"""Words that OpenUSD reads as truth values, in upper or lower case."""
 
 _LIMITS = {"float": LARGEST_FLOAT, "half": LARGEST_HALF}
 _WIDE = frozenset(
@@ -112,7 +113,10 @@ def _term(value: Value, kind: ValueType | None) -> tuple[Term, Flaw | None]:
     """Return the term of a scalar, and what is wrong with it as one of *kind*, if anything."""
     text = value.text
     if kind is not None and kind.scalar == "bool":
-        return _truth(value), None
+        truth = _truth(value)
+        known = value.kind == "number" or value.text.lower() in TRUTHS
+        reason = f"{text} is neither true nor false"
+        return truth, None if known else Flaw(value.span, text, "true or false", reason)
     if value.kind != "number":
         reason = f"{text or 'an empty text'} is not a number"
         flaw = Flaw(value.span, text, "a number", reason) if kind is not None else None
@@ -134,5 +138,5 @@ def _truth(value: Value) -> Term:
     """Return the term of a value of an attribute that is true or false."""
     if value.kind == "number":
         return literal("true" if float(value.text) else "false", f"{XSD}boolean")
-    truth = TRUTHS.get(value.text)
+    truth = TRUTHS.get(value.text.lower())
     return literal(truth, f"{XSD}boolean") if truth is not None else literal(value.text)
