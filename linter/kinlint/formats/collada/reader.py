@@ -14,7 +14,7 @@ from kinlint.formats.collada.joint_statements import JointStatements
 from kinlint.formats.collada.kinematics import models
 from kinlint.formats.collada.mesh_statements import state_meshes
 from kinlint.formats.collada.physics import PhysicsStatements
-from kinlint.formats.collada.structure_statements import state_models, state_rings
+from kinlint.formats.collada.structure_statements import state_empty, state_models, state_rings
 from kinlint.formats.collada.transform_statements import state_transforms
 from kinlint.formats.derived_statements import DerivedStatements
 from kinlint.formats.options import ReadOptions
@@ -58,6 +58,7 @@ def _derived(document: Document, root: ColladaElement) -> Document:
     BindingStatements(root, joints.uses, addressing, said_).state()
     state_models(root, found, said_)
     state_rings(root, addressing, said_)
+    state_empty(root, said_)
     state_assets(root, said_)
     state_transforms(root, said_)
     state_meshes(root, said_)

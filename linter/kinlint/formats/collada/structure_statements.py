@@ -8,6 +8,7 @@ from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.collada_elements import ColladaElement
 from kinlint.formats.collada.kinematics import END, FULL, START, Model
 from kinlint.formats.derived_statements import DerivedStatements
+from kinlint.formats.xml.schema import TEXT
 
 ENVIRONMENT = ("instance_light", "instance_camera")
 """Parts of a visual scene that are not those of a robot."""
@@ -30,6 +31,20 @@ def state_models(root: ColladaElement, models: Sequence[Model], said: DerivedSta
                 name = each.text("name")
                 if name and first.setdefault(name, each) is not each:
                     said.state(each.node, "sameNameAs", first[name].node)
+
+
+def state_empty(root: ColladaElement, said: DerivedStatements) -> None:
+    """State the elements below *root* that have no text where their type has a value.
+
+    What leads elsewhere by its text is told as an address.
+    """
+    for each in root.below():
+        slot = each.type.content
+        has_value = each.said.get("") is not None or each.components or each.words is not None
+        if slot is None or has_value or TEXT in each.type.addresses:
+            continue
+        if slot.reading[""] is None or "" in each.type.choices:
+            said.word(each.node, "empty", each.tag)
 
 
 def _state_left_out(root: ColladaElement, models: Sequence[Model], said: DerivedStatements) -> None:
