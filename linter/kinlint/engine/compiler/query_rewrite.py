@@ -6,6 +6,7 @@ square of the model (oxigraph#885). Whatever they do not fully understand stays 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import count
 
 from kinlint.engine.compiler.lateral_joins import with_lateral_joins
@@ -70,12 +71,18 @@ def _expression(expression: Expression, bound: frozenset[str], names: count[int]
 
 
 def _exists(body: Group, bound: frozenset[str], names: count[int]) -> Group:
+    """Return *body* with its patterns, or those of each branch of its UNION, in the best order."""
     inner = _group(body, bound, names)
     match inner.elements:
-        case (Union(branches),) if len(branches) > 1:
-            return Group((Union(tuple(_chained(each, bound, names) for each in branches)),))
+        case (Union(branches), *filters) if len(branches) > 1 and _are_filters(filters):
+            alternatives = (Group((*each.elements, *filters)) for each in branches)
+            return Group((Union(tuple(_chained(each, bound, names) for each in alternatives)),))
         case _:
             return _chained(inner, bound, names)
+
+
+def _are_filters(elements: Iterable[Element]) -> bool:
+    return all(isinstance(each, Filter) for each in elements)
 
 
 def _chained(body: Group, bound: frozenset[str], names: count[int]) -> Group:
