@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from argparse import Namespace
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import ExitStack
 from difflib import unified_diff
 from importlib.util import find_spec
@@ -18,6 +18,7 @@ from kinlint.cli.report_outputs import replacing
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError
+from kinlint.finding import Finding
 from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 from kinlint.reporters.reporter_registry import write, write_summary
@@ -120,22 +121,25 @@ def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | No
     from kinlint.facts.part_names import PartNames  # noqa: PLC0415
     from kinlint.findings.locator import Locator  # noqa: PLC0415
     from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
-    from kinlint.generation.program import generate  # noqa: PLC0415
+    from kinlint.generation.program import generate, required_codes  # noqa: PLC0415
     from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415
 
     found, settings = find_inputs(options)
     if not found.inputs and not found.errors:
         raise UsageError(f"no robot found in '{found.barren[0]}'")
-    settings = _strict(settings, options.library)
+    settings = _extended(settings, options.library)
     with ProgressBar(len(found.inputs), wanted=not options.quiet, color=options.color) as bar:
         sources, book = read_inputs(found, settings, options, bar)
         bar.advance(0)  # the rules may have taken long
+        required = required_codes(book.rules)
+        settings = _strict(settings, required)
         Policies(settings, book.rules).check_selectors()
         examined = Analyzer(settings, book, repeated=True).examine(pair(sources, settings))
         bar.advance(len(found.inputs))
         for error in examined.report.errors:
             raise error
-        if (refused := _refused(examined.report, Severity[options.fail_on.upper()])) is None:
+        least = Severity[options.fail_on.upper()]
+        if (refused := _refused(examined.report, least, required)) is None:
             names = PartNames(Locator(examined.documents, examined.store)).names
             return generate(examined.store, names, options.library, templates)
     style = detect_style(sys.stdout, options.color)
@@ -145,39 +149,42 @@ def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | No
     return None
 
 
-def _strict(settings: Settings, library: str) -> Settings:
-    """Return *settings* with the rules of programs for *library*, which nothing turns off."""
+def _extended(settings: Settings, library: str) -> Settings:
+    """Return *settings* with the rules of programs for *library*."""
     from kinlint.generation.program import abilities, rule_files  # noqa: PLC0415  slow
 
-    always = Choice(extend_select=(PROGRAMS,), severity=((PROGRAMS, Severity.ERROR),))
+    rules, shapes = (*settings.rules, rule_files()), (*settings.shapes, abilities(library))
+    return replace(settings, rules=rules, shapes=shapes, drawn=False)
+
+
+def _strict(settings: Settings, required: Collection[str]) -> Settings:
+    """Return *settings* with the rules whose codes are *required*, which no selection turns off."""
+    codes = (PROGRAMS, *sorted(required))
+    always = Choice(extend_select=codes, severity=((PROGRAMS, Severity.ERROR),))
 
     def strict(each: FileSettings) -> FileSettings:
         return replace(each, choices=(*each.choices, always))
 
-    return replace(
-        settings,
-        rules=(*settings.rules, rule_files()),
-        shapes=(*settings.shapes, abilities(library)),
-        default=strict(settings.default),
-        files={name: strict(each) for name, each in settings.files.items()},
-        drawn=False,
-    )
+    files = {name: strict(each) for name, each in settings.files.items()}
+    return replace(settings, default=strict(settings.default), files=files)
 
 
-def _refused(report: Report, least: Severity) -> Report | None:
+def _refused(report: Report, least: Severity, required: Collection[str]) -> Report | None:
     """Return what *report* shows if a finding forbids a program; None if none does.
 
-    Nobody can suppress what a library cannot do, since the program would do something else.
+    Nobody can suppress errors of the *required* rules, since the program would do something else.
     """
-    findings = (*report.findings, *report.suppressed)
-    needed = [each for each in findings if each.rule.family == PROGRAMS]
-    found = [replace(each, suppressed=None) for each in needed]
-    found += [each for each in report.unsuppressed if each.rule.family != PROGRAMS]
+
+    def holds(each: Finding) -> bool:
+        return each.rule.code in required and each.severity >= Severity.ERROR
+
+    kept = [replace(each, suppressed=None) for each in report.suppressed if holds(each)]
+    found = sorted((*report.unsuppressed, *kept), key=lambda each: each.sort_key)
     if not any(each.severity >= least for each in found):
         return None
-    found.sort(key=lambda each: each.sort_key)
-    rest = tuple(each for each in report.suppressed if each.rule.family != PROGRAMS)
-    return replace(report, findings=tuple(found), suppressed=rest).shown_from(Severity.WARNING)
+    rest = tuple(each for each in report.suppressed if not holds(each))
+    shown = replace(report, findings=tuple(found), suppressed=rest)
+    return shown.shown_from(Severity.WARNING)
 
 
 def _cause(report: Report) -> str:

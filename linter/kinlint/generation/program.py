@@ -19,9 +19,12 @@ from kinlint.generation.library_rewriting import rewritten
 from kinlint.generation.program_statements import FILE, FIXED, NAMED, ModelStatements
 from kinlint.generation.rendering import render
 from kinlint.resources import data
+from kinlint.rule import PROGRAMS, Rule, Severity
 from kinlint.terms import Term, Triple, is_iri, literal
 
 Node: TypeAlias = dict[str, Any]
+REQUIRED = frozenset((PROGRAMS, "ALG", "FRM", "ID", "INE", "LD", "SRC", "TOP", "UNI"))
+"""The families of rules about what the numbers of a program depend on."""
 SLOTS = ("first", "second", "out")
 """The poses of operators."""
 
@@ -29,6 +32,17 @@ SLOTS = ("first", "second", "out")
 def rule_files() -> Path:
     """Return the directory of the rules of what programs need."""
     return data("shapes") / "generation" / "rules"
+
+
+def required_codes(rules: Iterable[Rule]) -> frozenset[str]:
+    """Return the codes of those of *rules* whose errors forbid a program, whatever is selected."""
+    return frozenset(
+        each.code
+        for each in rules
+        if each.family in REQUIRED
+        and each.severity >= Severity.ERROR
+        and not (each.optional or each.preview or each.targets)
+    )
 
 
 def abilities(library: str) -> Path:
@@ -52,8 +66,8 @@ def generate(
     quads = _portable(rewritten(model, numbers, library), numbers.files)
     frame = (data("shapes") / "generation" / "frame.json").read_text(encoding="utf-8")
     found = arranged(tree(quads, json.loads(frame)))
-    if not found["joint"]:
-        raise UsageError("no joints, so there is nothing to generate")
+    if not (found["joint"] or found["schedule"]):
+        raise UsageError("no joints and no schedule, so there is nothing to generate")
     return render(found, library, templates)
 
 

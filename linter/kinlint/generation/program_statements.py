@@ -7,8 +7,10 @@ centres of mass, come from the facts of the linter.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import count
 
 from kinlint.addresses import is_address, lifted, split
 from kinlint.facts.body_frames import Transform
@@ -74,7 +76,7 @@ class ModelStatements:
             yield PROGRAM, FILE, literal(name)
 
     def _tree(self, motions: Sequence[JointMotion]) -> Iterator[Triple]:
-        bodies = [*self.context.motions.roots[:1], *(each.edge.child or "" for each in motions)]
+        bodies = [*self.context.motions.roots, *(each.edge.child or "" for each in motions)]
         names = self._distinct([*bodies, *(each.edge.joint for each in motions)])
         for number, body in enumerate(bodies):
             yield from self._part(body, "body", number, names)
@@ -106,20 +108,23 @@ class ModelStatements:
         yield node, NAMED, literal(named(node))
 
     def _distinct(self, parts: Sequence[Term]) -> Mapping[Term, str]:
-        """Return the names of *parts*; the path where two bodies, or two joints, share one."""
+        """Return a name of each of *parts*, which no other body, or no other joint, has.
+
+        Where several share one, these have their paths, numbered where others have such a name.
+        """
         found: dict[Term, str] = {}
-        taken: dict[str, int] = {}
-        for group in (
-            set(parts) - set(self.context.mechanism.joints),
-            set(self.context.mechanism.joints),
-        ):
-            taken.clear()
+        joints = set(self.context.mechanism.joints)
+        for group in (set(parts) - joints, joints):
             own = self.names([each for each in parts if each in group])
-            for name in own.values():
-                taken[name] = taken.get(name, 0) + 1
-            found.update(
-                {each: name if taken[name] == 1 else _path(each) for each, name in own.items()}
-            )
+            shares = Counter(own.values())
+            taken = {name for name, share in shares.items() if share == 1}
+            for part, name in own.items():
+                found[part] = name
+                if shares[name] > 1:
+                    path = _path(part)
+                    spellings = (path if each == 1 else f"{path} {each}" for each in count(1))
+                    found[part] = next(each for each in spellings if each not in taken)
+                    taken.add(found[part])
         return found
 
     def _transform(self, subject: Term, name: str, pose: Transform) -> Iterator[Triple]:
