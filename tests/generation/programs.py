@@ -56,4 +56,4 @@ def texts(paths: Iterable[Path]) -> dict[str, bytes]:
 
 
 def lines(output: str) -> list[Any]:
-    return [json.loads(line) for line in output.splitlines()]
+    return [json.loads(line) for line in output.rstrip("\n").split("\n")]

@@ -142,6 +142,23 @@ def test_nothing_turns_off_what_a_library_cannot_do(here, capsys, options):
     assert (code, "error[GEN001]" in out, Path("out").exists()) == (1, True, False)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("options", [("--select", "UNI"), ("--ignore", "FRM008"), ()])
+def test_nothing_turns_off_what_numbers_depend_on(here, capsys, options):
+    text = robot(axis="0 0 0").replace("<joint", "<!-- kinlint: ignore -->\n<joint")
+    Path("r.urdf").write_text(text)
+    code, out, _ = generate(capsys, "--for", "kdl", "r.urdf", "-o", "out", *options)
+    assert (code, "error[FRM008]" in out, Path("out").exists()) == (1, True, False)
+
+
+@pytest.mark.slow
+def test_rules_about_something_else_may_be_turned_off(here, capsys):
+    Path("r.urdf").write_text(robot().replace('lower="-1"', 'lower="2"'))
+    arguments = ("--for", "kdl", "r.urdf", "-o", "out", "-q")
+    assert generate(capsys, *arguments)[0] == 1
+    assert generate(capsys, *arguments, "--ignore", "LIM001")[0] == 0
+
+
 def test_a_warning_stops_it_unless_accepted(here, capsys):
     Path("r.urdf").write_text(robot().replace('upper="1"', 'upper="90"'))
     arguments = ("--for", "numpy", "r.urdf", "-o", "out")
@@ -222,6 +239,89 @@ def test_no_joint_and_no_law_is_lost(tmp_path_factory, name, text, code):
     errors, files = program({name: text}, "numpy", kept, general=False)
     assert code in {each.rule.code for each in errors}
     assert files == {}
+
+
+def test_a_joint_has_one_motion(tmp_path_factory):
+    kept = tmp_path_factory.getbasetemp() / "rules"
+    models = {each.name: each.read_text() for each in (SAMPLES / "one-dof").glob("*.jsonld")}
+    for other in ("PlanarJoint", "CylindricalJoint", "PrismaticJoint"):
+        chain = models["chain.jsonld"].replace('"RevoluteJoint"', f'"RevoluteJoint", "{other}"')
+        errors, _ = program({**models, "chain.jsonld": chain}, "numpy", kept, general=False)
+        assert "GEN001" in {each.rule.code for each in errors}
+
+
+def test_names_are_all_different(tmp_path_factory):
+    """Bodies and joints without a name have their paths, and others may have these for names."""
+    body = '<body {}><joint {}/><geom size="1"/>{}</body>'
+    named = body.format('name="worldbody/body"', 'name="worldbody/body/joint"', "")
+    text = (
+        f"<mujoco><worldbody>{body.format('', '', body.format('', '', named))}</worldbody></mujoco>"
+    )
+    kept = tmp_path_factory.getbasetemp() / "rules"
+    made = module(program({"r.xml": text}, "numpy", kept, general=False)[1]["robot.py"])
+    assert len({each.name for each in made.JOINTS}) == 3
+    assert len({made.ROOT, *(each.child for each in made.JOINTS)}) == 4
+
+
+ORIGINS = [{"@id": f"ex:{each}o", "@type": ["3D", "Euclidean", "Point"]} for each in "abc"]
+FRAMES = [
+    {
+        "@id": f"ex:{each}",
+        "@type": ["3D", "Euclidean", "RightHanded", "Frame"],
+        "origin": f"ex:{each}o",
+    }
+    for each in "abc"
+]
+POSES = [
+    {
+        "@id": f"ex:{of}{base}",
+        "@type": "Pose",
+        "of": f"ex:{of}",
+        "with-respect-to": f"ex:{base}",
+        "quantity-kind": ["Angle", "Length"],
+    }
+    for of, base in ("ba", "cb", "ca")
+]
+COORDINATES = [
+    {
+        "@id": f"ex:{of}{base}-coord",
+        "@type": ["PoseReference", "PoseCoordinate", "DirectionCosineXYZ", "VectorXYZ"],
+        "of-pose": f"ex:{of}{base}",
+        "as-seen-by": f"ex:{base}",
+        "unit": ["UNITLESS", "M"],
+        "direction-cosine-x": [1.0, 0.0, 0.0],
+        "direction-cosine-y": [0.0, 1.0, 0.0],
+        "direction-cosine-z": [0.0, 0.0, 1.0],
+        **dict(zip("xyz", place, strict=True)),
+    }
+    for (of, base), place in (("ba", (1.0, 2.0, 3.0)), ("cb", (0.5, 0.0, 0.25)))
+]
+RESULT = {
+    "@id": "ex:ca-coord",
+    "@type": ["PoseReference", "PoseCoordinate"],
+    "of-pose": "ex:ca",
+    "as-seen-by": "ex:a",
+}
+COMPOSED = {
+    "@id": "ex:compose",
+    "@type": "ComposePose",
+    "in1": "ex:ba-coord",
+    "in2": "ex:cb-coord",
+    "composite": "ex:ca-coord",
+}
+SCHEDULE = {"@id": "ex:schedule", "@type": "Schedule", "trigger-chain": ["ex:compose"]}
+
+
+@pytest.mark.parametrize("library", ["numpy", "kdl"])
+def test_a_schedule_needs_no_joint(here, capsys, library):
+    context = ["https://w3id.org/kinlint/composable.json", {"ex": "https://example.org/arm#"}]
+    nodes = [*ORIGINS, *FRAMES, *POSES, *COORDINATES, RESULT, COMPOSED, SCHEDULE]
+    Path("r.jsonld").write_text(json.dumps({"@context": context, "@graph": nodes}))
+    assert generate(capsys, "--for", library, "r.jsonld", "-o", "out", "-q") == (0, "", "")
+    if library == "numpy":
+        made = module(Path("out/robot.py").read_text())
+        pose = made.schedule_()["https://example.org/arm#ca"]
+        assert pose[:3, 3].tolist() == [1.5, 2.0, 3.25]
 
 
 @pytest.mark.slow
@@ -333,6 +433,24 @@ def test_follows_the_schedule(here, capsys):
     (poses,) = json.loads(run.stdout).values()
     assert len(poses) == 3
     assert "expected name=value, with one of" in refusal("q1=0.5")
+
+
+ALONE = """import json, runpy, sys
+before = {*sys.modules}
+runpy.run_path("out/robot.py", run_name="__main__")
+found = {each.partition(".")[0] for each in {*sys.modules} - before}
+assert found - sys.stdlib_module_names == {"numpy"}, found
+"""
+"""Runs the program in `out`, which may import what Python has, and numpy."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("model", ["urdf/six-axis.urdf", "one-dof/*.jsonld"])
+def test_needs_numpy_alone(here, capsys, model):
+    models = map(str, sorted(SAMPLES.glob(model)))
+    assert generate(capsys, "--for", "numpy", *models, "-o", "out", "-q")[0] == 0
+    run = subprocess.run([sys.executable, "-c", ALONE], capture_output=True, check=False)
+    assert (run.returncode, run.stderr) == (0, b"")
 
 
 def refusal(*words: str) -> str:

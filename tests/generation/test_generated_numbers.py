@@ -8,6 +8,7 @@ import shutil
 import subprocess
 from functools import partial
 from pathlib import Path
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 import pytest
@@ -37,6 +38,10 @@ CHOICE = """int main(int, char** words) {
 }"""
 INCLUDED = ("cstdio", "cstdlib", "iostream", "sstream", "string", "vector")
 """What is compiled ahead of the programs, besides what all of them have in common."""
+LIBRARIES = ("numpy", "pinocchio")
+"""The libraries whose programs are modules of Python."""
+INERTIAL = """<inertial><mass value="2"/>
+<inertia ixx="0.02" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial>"""
 SAME = (
     *(("urdf", "six-axis.urdf"), ("six-axis", "*.jsonld")),
     *(("sdf", "six-axis.sdf"), ("mjcf", "six-axis.xml")),
@@ -247,7 +252,7 @@ def compare_kdl(reference, command) -> float:
     return found
 
 
-@pytest.mark.parametrize("library", ["numpy", "pinocchio"])
+@pytest.mark.parametrize("library", LIBRARIES)
 def test_one_robot_in_four_formats(pin, make, library):
     """The samples describe one arm."""
     found = []
@@ -292,3 +297,38 @@ def test_the_kinova_arm(pin, make, library, tmp_path):
         return
     compile_programs([make(models, library, general=False)[1]], tmp_path)
     assert compare_kdl(reference, [tmp_path / "programs", "0"]) <= TOLERANCE
+
+
+NAMES = (
+    *("class", "int", "np", "main", "a b", "a-b", "a_b", "a_b_2", "__init__", "0", "KDL::Frame"),
+    *('"; std::abort(); //', "*/ #error", "\\", "??/", "ü关节\U0001f916", "\n#error\n", "\t"),
+    *("'''", '"""', "{{ 7 }}", "{% raw %}", "%s", 'R"(', "\u2028", "//\\", "NoName"),
+)
+"""Names of links and of joints that would break a program that wrote them down as they are."""
+
+
+def test_any_name(pin, make, tmp_path):
+    attribute = partial(quoteattr, entities={"\n": "&#10;", "\t": "&#9;"})
+    parts = [f"<robot name={attribute(NAMES[-10])}>"]
+    for number, name in enumerate(NAMES):
+        parts.append(f"<link name={attribute(name)}>{INERTIAL}</link>")
+        ends = f"<parent link={attribute(NAMES[number - 1])}/><child link={attribute(name)}/>"
+        joint = f"<joint name={attribute(name)} type='continuous'>{ends}<axis xyz='0 1 0'/></joint>"
+        parts += [joint] * (number > 0)
+    text = {'r"*/\\.urdf': "".join([*parts, "</robot>"]).encode()}
+    modules = [module(make(text, each, general=False)[1]["robot.py"]) for each in LIBRARIES]
+    assert all(each.POSITIONS == NAMES[1:] for each in modules)
+    compile_programs([make(text, "kdl", general=False)[1]], tmp_path)
+    run = subprocess.run(
+        [tmp_path / "programs", "0", "-"],
+        input=" ".join(["0.1"] * 3 * (len(NAMES) - 1)),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    (found,) = lines(run.stdout)
+    q = np.full(len(NAMES) - 1, 0.1)
+    for each in modules:
+        assert worst(found["poses"], flat(each.forward_position(q))) <= TOLERANCE
+        assert worst(found["twists"], each.forward_velocity(q, q)) <= TOLERANCE
+        assert apart(found["forces"], each.inverse_dynamics(q, q, q)) <= TOLERANCE

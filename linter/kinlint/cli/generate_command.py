@@ -61,9 +61,19 @@ def parser() -> Parser:
     add("--templates", type=non_empty, metavar="DIR", help="use the templates in DIR before others")
     add("--check", **linting.FLAG, help="list the files that would change; write nothing")
     add("--diff", **linting.FLAG, help="show what would change; write nothing")
-    add("--select", metavar="R", **linting.LISTS, help="lint by these rules only")
+    add(
+        "--select",
+        metavar="R",
+        **linting.LISTS,
+        help="lint by these rules, and those that programs depend on",
+    )
     add("--extend-select", metavar="R", **linting.LISTS, help="lint by these rules too")
-    add("--ignore", metavar="R", **linting.LISTS, help="lint without these rules")
+    add(
+        "--ignore",
+        metavar="R",
+        **linting.LISTS,
+        help="lint without these rules, unless programs depend on them",
+    )
     add(
         "--fail-on",
         type=one_of(("warning", "error")),
