@@ -100,14 +100,16 @@ class Reference:
 
 
 def apart(ours, theirs) -> float:
-    """The largest difference, relative to the largest number where that is above one."""
-    one, other = np.asarray(ours), np.asarray(theirs)
-    return np.abs(one - other).max(initial=0.0) / max(1.0, np.abs(other).max(initial=0.0))
+    """The largest difference of forces, relative to the largest one where that is above one."""
+    largest = np.abs(np.asarray(theirs)).max(initial=1.0)
+    return np.abs(np.asarray(ours) - theirs).max(initial=0.0) / largest
 
 
 def worst(ours, theirs) -> float:
+    """The largest difference of poses or twists."""
     assert ours.keys() == theirs.keys()
-    return max((apart(ours[name], theirs[name]) for name in theirs), default=0.0)
+    pairs = ((np.asarray(ours[name]), theirs[name]) for name in theirs)
+    return max((np.abs(one - other).max() for one, other in pairs), default=0.0)
 
 
 def compare(reference, robot, configurations=CONFIGURATIONS) -> float:
@@ -179,7 +181,7 @@ def test_pinocchio_agrees(pin, robots, make):
         robot = module(make(files, "pinocchio", general=False)[1]["robot.py"])
         model, reference = robots[path]
         assert robot.POSITIONS == reference.POSITIONS
-        assert compare(Reference(pin, model, reference), robot, 5) <= TOLERANCE, path
+        assert compare(Reference(pin, model, reference), robot, 25) <= TOLERANCE, path
 
 
 def flat(poses):
