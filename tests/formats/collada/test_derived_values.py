@@ -7,6 +7,8 @@ from math import radians
 import pytest
 from reading_collada import derived, model, read
 
+from kinlint.errors import SourceError
+
 ELBOW = (
     '<joint id="elbow" name="elbow"><revolute sid="a"><axis>0 1 0</axis>'
     "<limits><min>-90</min><max>90</max></limits></revolute></joint>"
@@ -103,3 +105,16 @@ def test_the_halves_of_a_loop_are_one_joint() -> None:
     assert derived(found, "parent-x")[name] == pytest.approx(0.1)
     assert derived(found, "child-z")[name] == pytest.approx(0.2)
     assert str(derived(found, "childBody")[name]).count("link") == 3
+
+
+@pytest.mark.parametrize(
+    ("content", "cause"),
+    [
+        ('<link sid="a"/>' * 5_001, "more than 5000 links"),
+        (f'<link sid="a">{"<translate/>" * 2_001}</link>', "<link> has more than 2000 transforms"),
+    ],
+    ids=["links", "transforms"],
+)
+def test_more_than_any_robot_has_is_refused(content: str, cause: str) -> None:
+    with pytest.raises(SourceError, match=cause):
+        read(model(content))

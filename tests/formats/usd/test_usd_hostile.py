@@ -120,6 +120,8 @@ REFUSED = {
     "targets": ("'r' has more than", assigned("rel r", "</a>", 6_000)),
     "properties": ("more than 2000 properties", "\n".join(f"int i{n}" for n in range(2_001))),
     "words": ("more than 100000 members", assigned("token[] t", '""', 100_001)),
+    "samples": ("samples", f"float f.timeSamples = {{{'1: 1, ' * 50_001}}}"),
+    "joints": ("joints", "\n".join(f'def PhysicsJoint "j{n}" {{}}' for n in range(5_001))),
     "depth": ("nested more than", "int[] i = " + "[" * 300),
     "a number": ("over 1000 characters", f"double d = {'9' * 1_001}"),
     "a path": ("over 4000 characters", f"rel r = </{'a/' * 2_001}a>"),

@@ -12,6 +12,11 @@ from kinlint.terms import Term, Triple, is_iri, literal_value
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 from kinlint.vocabulary import COLLADA as NAMESPACE
 
+MOST_LINKS = 5_000
+MOST_TRANSFORMS = 2_000
+"""Most links of a document, and most transforms of a link, a node or a frame."""
+
+_TRANSFORMS = frozenset({"translate", "rotate", "scale", "matrix", "skew", "lookat"})
 _AT, _TEXT, _WORDS = f"<{ATTRIBUTE}", f"<{SRC}text", f"<{SRC}words>"
 
 
@@ -95,6 +100,21 @@ def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
             child = known[value] = ColladaElement(value, tag.rpartition(":")[2], element, type_)
             element.children.append(child)
     return top.first("COLLADA")
+
+
+def excess(root: ColladaElement) -> tuple[ColladaElement, str] | None:
+    """Return the first element that no robot has as many of, and what is too much."""
+    links = 0
+    for element in root.below():
+        links += element.tag == "link"
+        if links > MOST_LINKS:
+            return element, f"more than {MOST_LINKS} links"
+        if len(element.children) > MOST_TRANSFORMS:
+            moves = [each for each in element.children if each.tag in _TRANSFORMS]
+            if len(moves) > MOST_TRANSFORMS:
+                cause = f"<{element.tag}> has more than {MOST_TRANSFORMS} transforms"
+                return moves[MOST_TRANSFORMS], cause
+    return None
 
 
 def _roots() -> dict[str, ElementType]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from kinlint.document import Document, NodeSpans
+from kinlint.errors import SourceError
 from kinlint.formats.blank_nodes import BlankNodes
 from kinlint.formats.collada.address_statements import address_statements
 from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.asset_statements import state_assets
 from kinlint.formats.collada.binding_statements import BindingStatements
-from kinlint.formats.collada.collada_elements import ColladaElement, tree
+from kinlint.formats.collada.collada_elements import ColladaElement, excess, tree
 from kinlint.formats.collada.coupling_statements import CouplingStatements
 from kinlint.formats.collada.joint_statements import JointStatements
 from kinlint.formats.collada.kinematics import models
@@ -32,7 +33,13 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     document = xml.read(source, options)
     root = tree(document.graph, document.statements)
-    return document if root is None else _derived(document, root)
+    if root is None:
+        return document
+    if excessive := excess(root):
+        element, cause = excessive
+        line, column = source.position(document.map.nodes[element.node].best.start)
+        raise SourceError(source.name, cause, line, column)
+    return _derived(document, root)
 
 
 def _derived(document: Document, root: ColladaElement) -> Document:

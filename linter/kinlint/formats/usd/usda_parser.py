@@ -18,6 +18,7 @@ LATEST = (1, 4)
 """Version of the text format that is read."""
 
 BODY = "PhysicsRigidBodyAPI"
+JOINT = "Joint"
 SPECIFIERS = frozenset({"def", "over", "class"})
 OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
 VARIABILITIES = frozenset({"uniform", "config", "varying"})
@@ -71,6 +72,9 @@ class _Parser(Scanner):
         type_name, type_span = "", None
         if self.kind == "name":
             type_name, type_span = self.word, Span(self.at, self.stop)
+            if type_name.endswith(JOINT):
+                self.joints += 1
+                self.bound(self.joints, "the layer", "joints")
             self.advance()
         name, span = self.name("the name of a prim")
         if not name.isidentifier():
@@ -271,6 +275,8 @@ class _Parser(Scanner):
             else:
                 name, span = self._entry()
             found.fields.append(Field(name, span, self._value()))
+            if found.kind == "samples":
+                self.bound(len(found.fields), "an attribute", "samples")
             if self.kind == "mark" and self.word in ",;":
                 self.advance()
         self.advance()

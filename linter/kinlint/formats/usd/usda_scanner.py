@@ -15,9 +15,11 @@ LONGEST_NUMBER = 1_000
 MOST = {
     "prims": 50_000,
     "rigid bodies": 5_000,
+    "joints": 5_000,
     "properties": 2_000,
     "metadata": 2_000,
     "entries": 2_000,
+    "samples": 50_000,
     "targets or operations": 5_000,
     "members other than numbers": 100_000,
 }
@@ -70,7 +72,7 @@ class Scanner:
         self.fresh = True
         """True if a line break stands before the current token."""
         self.stop = 0
-        self.depth = self.count = self.prims = self.bodies = 0
+        self.depth = self.count = self.prims = self.bodies = self.joints = 0
 
     def advance(self) -> None:
         """Go to the next token."""
