@@ -83,11 +83,7 @@ def _turn(assembly: Assembly) -> None:
     """Turn the joints of *assembly* away from its root, and from the world."""
     for joint in assembly.joints:
         joint.turned = joint.sides[1].body is None
-    beside: dict[StagePrim, list[PhysicsJoint]] = {}
-    for joint in assembly.joints:
-        for side in joint.sides:
-            if side.body is not None and not joint.closes_loop:
-                beside.setdefault(side.body, []).append(joint)
+    beside = _beside(assembly)
     reached = {assembly.root} if assembly.root is not None else set()
     pending = list(reached)
     while pending:
@@ -99,3 +95,33 @@ def _turn(assembly: Assembly) -> None:
                 joint.turned = one is not at
                 reached.add(end)
                 pending.append(end)
+
+
+def _beside(assembly: Assembly) -> dict[StagePrim, list[PhysicsJoint]]:
+    """Return the joints of the tree at each body of *assembly*."""
+    beside: dict[StagePrim, list[PhysicsJoint]] = {}
+    for joint in assembly.joints:
+        for side in joint.sides:
+            if side.body is not None and not joint.closes_loop:
+                beside.setdefault(side.body, []).append(joint)
+    return beside
+
+
+def cut_off(assembly: Assembly) -> dict[PhysicsJoint, StagePrim]:
+    """Return the joints left out of the tree that alone lead on to a body, with that body."""
+    excluded = [each for each in assembly.joints if each.closes_loop]
+    if not excluded:
+        return {}
+    beside, reached, pending = _beside(assembly), {assembly.base}, [assembly.base]
+    while pending:
+        for joint in beside.get(pending.pop(), ()):
+            for side in joint.sides:
+                if side.body is not None and side.body not in reached:
+                    reached.add(side.body)
+                    pending.append(side.body)
+    found = {}
+    for joint in excluded:
+        one, other = (side.body for side in joint.sides)
+        if one is not None and other is not None and (one in reached) != (other in reached):
+            found[joint] = other if one in reached else one
+    return found

@@ -6,7 +6,7 @@ from math import isfinite, radians
 
 from kinlint.errors import SourceError
 from kinlint.formats.rigid_transform import Transform, between, composed
-from kinlint.formats.usd.articulations import assemblies
+from kinlint.formats.usd.articulations import assemblies, cut_off
 from kinlint.formats.usd.colliders import shapes
 from kinlint.formats.usd.joint_couplings import couplings
 from kinlint.formats.usd.mass_properties import mass_properties
@@ -68,6 +68,8 @@ class PhysicsStatements:
                 if None in (side.body for side in joint.sides):
                     world = world or self.about.world()
                 self._joint(joint, base, world or base)
+            for joint, body in cut_off(each).items():
+                self.said.state(self.about.node(joint.prim), "cutsOff", self.about.node(body))
         for coupling in couplings(there, self.stage):
             node = self.about.node(coupling.follower)
             self.said.state(node, "leader", self.about.node(coupling.leader))
