@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from kinlint.document import Document
 from kinlint.edits import Edit, NotExpressible
 from kinlint.formats.usd.layer_opinions import specs
-from kinlint.formats.usd.usda_parser import HEADER, parse
+from kinlint.formats.usd.usda_parser import parse
+from kinlint.formats.usd.usda_scanner import HEADER
 from kinlint.formats.usd.usda_syntax import Field, Prim
 from kinlint.formats.usd.value_spelling import assigned
 from kinlint.terms import Term, Triple, is_blank, is_literal, literal_value

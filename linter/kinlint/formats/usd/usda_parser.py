@@ -6,16 +6,11 @@ keep their spelling.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection
 
-from kinlint.formats.usd.usda_scanner import MalformedLayer, Scanner, unquoted
+from kinlint.formats.usd.usda_scanner import MalformedLayer, Scanner, header, unquoted
 from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
 from kinlint.text import SourceText, Span
-
-HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
-LATEST = (1, 4)
-"""Version of the text format that is read."""
 
 BODY = "PhysicsRigidBodyAPI"
 JOINT = "Joint"
@@ -37,19 +32,8 @@ def parse(source: SourceText) -> Prim:
 class _Parser(Scanner):
     def layer(self) -> Prim:
         """Return the whole layer."""
-        text = self.text
-        if self.source.bom:
-            raise MalformedLayer(Span(0, 0), "a byte order mark stands before '#usda'")
-        header = HEADER.match(text)
-        if header is None or (int(header[1]), int(header[2])) > LATEST:
-            reason = (
-                f"the file is of a version after {LATEST[0]}.{LATEST[1]}"
-                if header is not None
-                else "a text layer begins with '#usda 1.0'"
-            )
-            raise MalformedLayer(Span(0, len(text.partition("\n")[0])), reason)
-        root = Prim("", "", Span(0, header.end()), Span(0, len(text)))
-        self.stop = header.end()
+        self.stop = header(self.source).end()
+        root = Prim("", "", Span(0, self.stop), Span(0, len(self.text)))
         self.advance()
         if self.word == "(":
             self._metadata(root.metadata)

@@ -25,6 +25,9 @@ MOST = {
 }
 """Most of what a layer, or a stage, a prim, a property, or a list has."""
 
+HEADER = re.compile(r"#usda[ \t]+(\d+)\.(\d+)[^\n]*")
+LATEST = (1, 4)
+"""Version of the text format that is read."""
 
 _SPACE = re.compile(r"(?:[ \t\r\n]++|#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/)*+")
 _GAP = r"\s*+(?:\#[^\n]*+\s*+)*+"
@@ -58,6 +61,21 @@ class MalformedLayer(Exception):
         super().__init__(reason)
         self.span = span
         self.reason = reason
+
+
+def header(source: SourceText) -> re.Match[str]:
+    """Return the first line of *source*, which names the version; raise MalformedLayer without."""
+    if source.bom:
+        raise MalformedLayer(Span(0, 0), "a byte order mark stands before '#usda'")
+    found = HEADER.match(source.text)
+    if found is not None and (int(found[1]), int(found[2])) <= LATEST:
+        return found
+    reason = (
+        f"the file is of a version after {LATEST[0]}.{LATEST[1]}"
+        if found is not None
+        else "a text layer begins with '#usda 1.0'"
+    )
+    raise MalformedLayer(Span(0, len(source.text.partition("\n")[0])), reason)
 
 
 class Scanner:
