@@ -9,7 +9,7 @@ from kinlint.errors import RuleInvalid
 
 RULE = """\
 @prefix at:   <https://w3id.org/kinlint/attribute#> .
-@prefix ext:  <https://w3id.org/kinlint/extension#> .
+@prefix ext:  <https://w3id.org/kinlint/extension#> . @prefix dash: <http://datashapes.org/dash#> .
 @prefix kl:   <https://w3id.org/kinlint/ns#> .
 @prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
 @prefix rule: <https://w3id.org/kinlint/rules/> .
@@ -90,6 +90,21 @@ def test_a_rule_whose_terms_exist_passes():
             "[] ref:parnt [] ; urdf",
             "20: ref:parnt: no format has a reference 'parnt', di",
         ),
+        (
+            "[] urdf",
+            "[] src:txet 1 ; urdf",
+            "20: src:txet: no reader states 'txet', did you mean 'src:text'?",
+        ),
+        (
+            "[] urdf",
+            "[] at:upper unit:MiliM ; urdf",
+            "20: unit:MiliM: the table of units has no 'MiliM', did you mean 'unit:MilliM'?",
+        ),
+        (
+            "    kl:example",
+            "    dash:sugestionGenerator [] ;\n    kl:example",
+            "24: dash:sugestionGenerator: DASH has no term 'sugestionGenerator', did you mean 'da",
+        ),
         ("; at:name", "; urdf:name", "19: urdf:name: URDF has no element 'name'; the attribute is"),
         (
             '"urdf" ;',
@@ -148,6 +163,7 @@ def test_what_does_not_exist_is_said_with_its_line(right, wrong, said):
         ("at:type", "<https://w3id.org/kinlint/attribute#tpye>"),
         ("[] urdf", "[] ext:plugin [ at:acme 1 ] ; urdf"),
         ("[] urdf", "[] at:xyz-1 0 ; urdf"),
+        ("    kl:example", "    dash:suggestion [] ;\n    kl:example"),
         ("[] urdf", "[] urdf:lower|at:lower 0 ; urdf"),
         ("[] urdf", "[] <https://acme.example/terms#weight> 1 ; urdf"),
         ("FILTER", "FILTER NOT EXISTS { $this urdf:axis ?axis } FILTER"),

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
 from kinlint import resources
@@ -10,8 +11,19 @@ from kinlint.facts.computation import computed
 from kinlint.formats.records import FORMATS, LIFTED
 from kinlint.formats.xml.schema import schema
 from kinlint.light_dataclasses import dataclass
-from kinlint.suggestion import did_you_mean
-from kinlint.vocabulary import ATTRIBUTE, FACT, KIN, KL, METAMODELS, REFERENCE, SH
+from kinlint.suggestion import did_you_mean, slips
+from kinlint.vocabulary import (
+    ATTRIBUTE,
+    DASH,
+    FACT,
+    KIN,
+    KL,
+    METAMODELS,
+    REFERENCE,
+    SH,
+    SRC,
+    UNIT,
+)
 
 _RULE_TERMS = """
     AP1 AP2 AP3 AP4 AP5 AP6 Rule allConsumers antiPattern applicability bad because beside
@@ -48,6 +60,13 @@ _SHACL_TERMS = """
 SHACL_TERMS = frozenset(_SHACL_TERMS.split())
 """Names of SHACL and its Advanced Features, but for components: https://www.w3.org/ns/shacl.ttl."""
 
+_DASH_TERMS = """
+    SPARQLUpdateSuggestionGenerator ScriptSuggestionGenerator SuggestionGenerator
+    propertySuggestionGenerator suggestionGenerator
+"""
+DASH_TERMS = frozenset(_DASH_TERMS.split())
+"""Names of DASH about repairs; the others are not listed: https://datashapes.org/dash."""
+
 COMPONENT = "ConstraintComponent"
 """The end of the names of SHACL's constraint components."""
 
@@ -60,6 +79,8 @@ class Names:
     """Beginning of the message about a name that it lacks: "no format has an attribute"."""
     names: frozenset[str]
     """The names."""
+    all: bool = True
+    """False if the namespace has more names, so that only a slip for one of these is a fault."""
 
     def fault(self, prefix: str, name: str) -> str | None:
         """Return what is wrong with *name*, written with *prefix*; None if it is one of the names.
@@ -69,6 +90,8 @@ class Names:
         stem, dash, number = name.rpartition("-")
         numbered = dash and number.isdecimal() and stem in self.names
         if name in self.names or numbered or name.endswith(COMPONENT):
+            return None
+        if not self.all and not any(slips(name, each) for each in self.names):
             return None
         hint = did_you_mean(name, self.names).replace("'", f"'{prefix}:", 1)
         return f"{prefix}:{name}: {self.what} '{name}'{hint}"
@@ -80,21 +103,34 @@ def names_in(namespace: str) -> Names | None:
     if namespace.startswith((KIN, METAMODELS)):
         found = frozenset(_ontology(namespace))
         return Names("the metamodels have no term", found) if found else None
-    own = {
-        KL: ("no term of rules is called", RULE_TERMS | {each.name for each in FORMATS}),
-        SH: ("SHACL has no term", SHACL_TERMS),
-        FACT: ("no fact is called", computed(for_repairs=True)),
+    own: dict[str, Callable[[], tuple[str, Iterable[str]]]] = {
+        KL: lambda: (
+            "no term of rules is called",
+            RULE_TERMS | {each.name for each in FORMATS},
+        ),
+        SH: lambda: ("SHACL has no term", SHACL_TERMS),
+        DASH: lambda: ("DASH has no term", DASH_TERMS),
+        FACT: lambda: ("no fact is called", computed(for_repairs=True)),
+        SRC: lambda: ("no reader states", _in_use(r"\bsrc:([\w-]+)", "")),
+        UNIT: lambda: ("the table of units has no", _in_use(r"^unit:(\S+)", "units")),
+        ATTRIBUTE: lambda: ("no format has an attribute", _attributes()),
+        REFERENCE: lambda: ("no format has a reference", _references()),
     }
     if namespace in own:
-        return Names(*own[namespace])
-    if namespace == ATTRIBUTE:
-        return Names("no format has an attribute", frozenset(_attributes()))
-    if namespace == REFERENCE:
-        return Names("no format has a reference", frozenset(_references()))
+        what, names = own[namespace]()
+        return Names(what, frozenset(names), all=namespace != DASH)
     for form in LIFTED:
         if form.namespace == namespace:
             return Names(f"{form.title} has no element", frozenset(schema(form.name).types))
     return None
+
+
+def _in_use(pattern: str, folder: str) -> frozenset[str]:
+    """Return what *pattern* finds in *folder* of the shapes; without one, in all, and in the rules."""
+    name, shapes = re.compile(pattern, re.MULTILINE), resources.data("shapes")
+    folders = (shapes / folder,) if folder else (shapes, resources.data("rules"))
+    paths = [path for each in folders for path in each.rglob("*.[rt][qt]*")]
+    return frozenset(found for path in paths for found in name.findall(path.read_text("utf-8")))
 
 
 def attributes_of(namespace: str) -> frozenset[str]:
