@@ -67,6 +67,13 @@ _DASH_TERMS = """
 DASH_TERMS = frozenset(_DASH_TERMS.split())
 """Names of DASH about repairs; the others are not listed: https://datashapes.org/dash."""
 
+_SOURCE_TERMS = """
+    Comment MissingPart drawn-qw end filesIn inertiaUnknown member momentsFrom momentsIn ordinal
+    release strippedPath
+"""
+SOURCE_TERMS = frozenset(_SOURCE_TERMS.split())
+"""Names of what readers state and neither rules nor shapes ask for."""
+
 COMPONENT = "ConstraintComponent"
 """The end of the names of SHACL's constraint components."""
 
@@ -111,14 +118,14 @@ def names_in(namespace: str) -> Names | None:
         SH: lambda: ("SHACL has no term", SHACL_TERMS),
         DASH: lambda: ("DASH has no term", DASH_TERMS),
         FACT: lambda: ("no fact is called", computed(for_repairs=True)),
-        SRC: lambda: ("no reader states", _in_use(r"\bsrc:([\w-]+)", "")),
+        SRC: lambda: ("no reader states", SOURCE_TERMS | _in_use(r"\bsrc:([\w-]+)", "")),
         UNIT: lambda: ("the table of units has no", _in_use(r"^unit:(\S+)", "units")),
         ATTRIBUTE: lambda: ("no format has an attribute", _attributes()),
         REFERENCE: lambda: ("no format has a reference", _references()),
     }
     if namespace in own:
         what, names = own[namespace]()
-        return Names(what, frozenset(names), all=namespace != DASH)
+        return Names(what, frozenset(names), all=namespace not in (DASH, SRC))
     for form in LIFTED:
         if form.namespace == namespace:
             return Names(f"{form.title} has no element", frozenset(schema(form.name).types))
@@ -126,7 +133,7 @@ def names_in(namespace: str) -> Names | None:
 
 
 def _in_use(pattern: str, folder: str) -> frozenset[str]:
-    """Return what *pattern* finds in *folder* of the shapes; without one, in all, and in the rules."""
+    """Return what *pattern* finds in *folder* of the shapes; without one, in shapes and rules."""
     name, shapes = re.compile(pattern, re.MULTILINE), resources.data("shapes")
     folders = (shapes / folder,) if folder else (shapes, resources.data("rules"))
     paths = [path for each in folders for path in each.rglob("*.[rt][qt]*")]
