@@ -155,7 +155,7 @@ def test_arguments_as_xacro_takes_them(cell, capfd):
 
 
 def test_an_argument_that_no_file_takes(cell, capfd):
-    """It is told, with the one that may be meant; those of included files are known."""
+    """It is told; a slip ends with 2, also of commands that draw; included files are known."""
     (cell / "kinlint.toml").write_text('packages = { hand_description = "lib/hands/one/two" }')
     hand = cell / "lib" / "hands" / "one" / "two" / "hand.xacro"
     hand.write_text(f'<robot {XMLNS}><xacro:arg name="gripper" default=""/></robot>')
@@ -165,8 +165,11 @@ def test_an_argument_that_no_file_takes(cell, capfd):
         return capfd.readouterr().err
 
     assert told("prefix:=a", "gripper:=b") == ""
-    unknown = "kinlint: warning: no xacro file of this run has an argument"
-    assert told("prefx:=a") == f"{unknown} 'prefx', did you mean 'prefix'?\n"
-    assert told("prefix:=a", "size:=2") == f"{unknown} 'size'\n"
+    unknown = "no xacro file of this run has an argument"
+    slip = f"kinlint: error: {unknown} 'prefx', did you mean 'prefix'?\n"
+    for command in (("check", "-q"), ("graph",), ("convert",)):
+        assert main([*command, "arm.xacro", "prefx:=a"]) == 2
+        assert capfd.readouterr().err.endswith(slip)
+    assert told("prefix:=a", "size:=2") == f"kinlint: warning: {unknown} 'size'\n"
     hand.unlink()
     assert told("prefix:=a", "size:=2") == ""

@@ -125,7 +125,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(found, report.passed_over, _unknown(options, run.read, settings))
+        _warn(found, report.passed_over, _not_found(options, run.read, settings))
     report = _with_suppressed(report) if options.show_suppressed else report
     report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
     told = report.with_consequences() if options.show_consequences else report
@@ -135,6 +135,10 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         left.emit(told, out, early.written if early is not None else ())
     if options.statistics and options.verbose:
         _tell_times(phases, book)
+    if options.xacro_arg:
+        from kinlint.cli.xacro_arguments import check_arguments  # noqa: PLC0415
+
+        check_arguments(options, run.read, settings, quiet=options.quiet or options.silent)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
     return exit_code(replace(report, findings=()) if outputs.only_fixes else report)
@@ -207,20 +211,17 @@ def _warn(found: Found, passed_over: Iterable[SourceError] = (), more: Iterable[
     sys.stderr.writelines(f"kinlint: warning: {line}\n" for line in more)
 
 
-def _unknown(
+def _not_found(
     options: Namespace, sources: Sequence[SourceText], settings: Settings
 ) -> Iterator[str]:
-    """Yield lines about packages that are not found and arguments that no file takes."""
+    """Yield lines about packages that are not found."""
     naming = [each for each in sources if any(word in each.text for word in PACKAGED)]
-    if options.quiet or not (naming or options.xacro_arg):
+    if options.quiet or not naming:
         return
     from kinlint.cli.installed_findings import missing_packages  # noqa: PLC0415  most name none
-    from kinlint.cli.xacro_arguments import unknown_arguments  # noqa: PLC0415
     from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
 
-    packages_of = ReadOptions.from_settings(settings).packages_of
-    yield from missing_packages(naming, packages_of)
-    yield from unknown_arguments(options.xacro_arg or (), sources, packages_of)
+    yield from missing_packages(naming, ReadOptions.from_settings(settings).packages_of)
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:

@@ -13,7 +13,7 @@ from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.report_outputs import replacing
-from kinlint.cli.xacro_arguments import take_arguments
+from kinlint.cli.xacro_arguments import check_arguments, take_arguments
 from kinlint.configuration.settings import Settings
 from kinlint.conversion.rotations import ROTATIONS
 from kinlint.errors import UsageError
@@ -94,6 +94,7 @@ def run(arguments: Sequence[str]) -> int:
     sources, errors = read_models(found.inputs, settings)
     for error in (*found.errors, *errors):
         raise error
+    check_arguments(options, sources, settings)
     reading = ReadOptions.from_settings(settings)
     documents = join_companions([read(source, reading) for source in sources], settings.partner)
     model = compose(documents, options.namespace, options.rotation)

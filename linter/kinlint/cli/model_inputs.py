@@ -13,6 +13,7 @@ from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import non_empty
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.overrides import configs, overrides
+from kinlint.cli.xacro_arguments import check_arguments
 from kinlint.configuration.settings import Settings
 from kinlint.files.pathglob import absolute
 from kinlint.files.pathname import shown
@@ -78,5 +79,6 @@ def read_inputs(
     sources, errors = read_models(inputs, settings)
     for error in (*found.errors, *errors):
         raise error
+    check_arguments(options, sources, settings)
     cache = cache_directory(os.environ, options.cache_dir)
     return sources, rulebook.load(settings.rules, settings.shapes, cache)
