@@ -15,6 +15,20 @@ STDIN_NAMES = frozenset({"", "-", "<stdin>"})
 """Names of a source that came from standard input without a name."""
 
 
+@dataclass(frozen=True, slots=True)
+class Invocation:
+    """Call of kinlint, for reports that tell of it."""
+
+    arguments: tuple[str, ...]
+    """Words of the command line."""
+    began: float
+    """Time when the run began, in seconds since 1970-01-01 in UTC."""
+    ended: float
+    """Time when it ended, likewise."""
+    exit_code: int
+    """Exit code that the report amounts to."""
+
+
 @dataclass(frozen=True)
 class Report:
     """Result of a run."""
@@ -63,10 +77,19 @@ class Report:
     """Digest of the rules; empty if unknown."""
     recalled: int | None = None
     """Number of files whose results come from the cache; None without a cache."""
+    invocation: Invocation | None = None
+    """The call of kinlint, where output may depend on it."""
+    embedded: bool = False
+    """True if SARIF holds the texts of the files with findings."""
     version: str = __version__
     """Version of kinlint."""
     root: str = field(default_factory=os.getcwd)
     """Directory that relative file names start at."""
+
+    def with_suppressed(self) -> Report:
+        """Return this report with suppressed findings among the others."""
+        both = sorted((*self.findings, *self.suppressed), key=lambda one: one.sort_key)
+        return replace(self, findings=tuple(both), suppressed=())
 
     def with_consequences(self) -> Report:
         """Return this report with the consequences of its findings among them."""

@@ -8,6 +8,8 @@ import pytest
 from kinlint.configuration.settings import Choice
 from kinlint.rule import Severity
 
+XACRO = "http://www.ros.org/wiki/xacro"
+
 
 @pytest.mark.parametrize(
     ("found", "options", "code"),
@@ -241,3 +243,22 @@ def test_standard_input_is_read_as_bytes(kinlint, monkeypatch):
 
     assert code == 2
     assert "arm.jsonld" in out + err
+
+
+def test_only_files_of_some_formats(kinlint, write):
+    """Content tells the format; what is no model is passed over, a macro is of what it makes."""
+    write("cell.xml", "<mujoco/>")
+    write("package.xml", "<package/>")
+    write("arm.xacro", f'<robot name="arm" xmlns:xacro="{XACRO}"/>')
+    write("arm.srdf", '<robot name="arm"/>')
+
+    def left(formats):
+        files = ("cell.xml", "package.xml", "arm.xacro", "arm.srdf")
+        return kinlint("--show-files", "--only-format", formats, *files)[:2]
+
+    assert left("mjcf") == (0, "cell.xml\n")
+    assert left("urdf,srdf") == (0, "arm.xacro\narm.srdf\n")
+    assert left("sdf") == (0, "")
+    code, _, err = kinlint("--only-format", "mjfc", "cell.xml")
+    assert code == 2
+    assert "--only-format: 'mjfc' is not one of jsonld," in err

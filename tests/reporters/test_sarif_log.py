@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from uuid import UUID
 
 import pytest
 from reported import (
@@ -23,7 +24,7 @@ from sarif_reader import results, rules
 
 from kinlint.errors import SourceError
 from kinlint.finding import Premise, Related
-from kinlint.report import Report
+from kinlint.report import Invocation, Report
 from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.sarif.rule_descriptors import friendly_name
 from kinlint.reporters.sarif.sarif_log import log
@@ -257,3 +258,24 @@ def test_a_linked_file_is_named_where_it_is(tmp_path: Path) -> None:
     made = replace(report(unit_finding(here("{}", 0, 1, name="link.jsonld"))), root=str(tmp_path))
     place = run(made)["results"][0]["locations"][0]["physicalLocation"]
     assert place["artifactLocation"]["uri"] == "real.jsonld"
+
+
+def test_the_call_and_the_texts_are_told_on_request() -> None:
+    """They have times, a path and an identifier; without the request there are none of these."""
+    call = Invocation(("--select", "a b"), 0.0, 1.5, 1)
+    told = run(replace(BOTH, invocation=call, embedded=True, root="/cell 1"))
+    assert told["invocations"] == [
+        {
+            "executionSuccessful": True,
+            "commandLine": "kinlint --select 'a b'",
+            "arguments": ["--select", "a b"],
+            "startTimeUtc": "1970-01-01T00:00:00.000000Z",
+            "endTimeUtc": "1970-01-01T00:00:01.500000Z",
+            "exitCode": 1,
+            "workingDirectory": {"uri": "file:///cell%201/"},
+        }
+    ]
+    assert UUID(told["automationDetails"]["guid"])
+    texts = {one["location"]["uri"]: one["contents"]["text"] for one in told["artifacts"]}
+    assert texts["models/dynamics.jsonld"] == DYNAMICS.text
+    assert {"artifacts", "automationDetails"}.isdisjoint(run(BOTH))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -38,7 +39,7 @@ from kinlint.light_dataclasses import replace
 from kinlint.phases import Phases
 from kinlint.project.discovery import Found, Search
 from kinlint.project.layers import Layers, cache_directory
-from kinlint.report import Report
+from kinlint.report import Invocation, Report
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def run(arguments: Sequence[str]) -> int:
 
 def check_once(options: Namespace, settled: Callable[[Settings], None] | None = None) -> int:
     """Lint what *options* name, once; the exit code. *settled* is told by which settings."""
-    layers = Layers(configs(options), overrides(options))
+    began, layers = time.time(), Layers(configs(options), overrides(options))
     found = _find(options, layers)
     if options.show_files or options.profile:
         _warn(found)
@@ -125,20 +126,16 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_of_files(run.read, run.paired, settings))
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
-        _warn(found, report.passed_over, _not_found(options, run.read, settings))
-    report = _with_suppressed(report) if options.show_suppressed else report
+        _warn(found, report.passed_over)
     report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
-    told = report.with_consequences() if options.show_consequences else report
+    report, told = _told(options, report, began)
     with phases.phase("reporting"):
         left = outputs if early is None else early.conclude(told)
         out = sys.stderr if _prints_text(options, found) else sys.stdout
         left.emit(told, out, early.written if early is not None else ())
     if options.statistics and options.verbose:
         _tell_times(phases, book)
-    if options.xacro_arg:
-        from kinlint.cli.xacro_arguments import check_arguments  # noqa: PLC0415
-
-        check_arguments(options, run.read, settings, quiet=options.quiet or options.silent)
+    _tell_unknown(options, run.read, settings)
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
     return exit_code(replace(report, findings=()) if outputs.only_fixes else report)
@@ -168,10 +165,17 @@ def _prints_text(options: Namespace, found: Found) -> bool:
     return options.diff or (_fixing(options) and streamed)
 
 
-def _with_suppressed(report: Report) -> Report:
-    """Return *report* with suppressed findings among the others."""
-    both = sorted((*report.findings, *report.suppressed), key=lambda one: one.sort_key)
-    return replace(report, findings=tuple(both), suppressed=())
+def _told(options: Namespace, report: Report, began: float) -> tuple[Report, Report]:
+    """Return *report* as it is counted and as it is told; the run began at *began*."""
+    report = report.with_suppressed() if options.show_suppressed else report
+    if options.sarif_invocation or options.sarif_embed:
+        call = Invocation(tuple(sys.argv[1:]), began, time.time(), exit_code(report))
+        report = replace(
+            report,
+            invocation=call if options.sarif_invocation else None,
+            embedded=options.sarif_embed,
+        )
+    return report, report.with_consequences() if options.show_consequences else report
 
 
 def _find(options: Namespace, layers: Layers) -> Found:
@@ -185,6 +189,10 @@ def _find(options: Namespace, layers: Layers) -> Found:
     paths = options.paths or (["-"] if stdin else ["."])
     _no_command(paths[0])
     found = search.find(paths)
+    if options.only_format:
+        from kinlint.project.format_filter import of_formats  # noqa: PLC0415  few runs ask for it
+
+        found = of_formats(found, options.only_format)
     check_urls(options, found)
     if not options.in_project or options.show_files or options.profile:
         return found
@@ -203,25 +211,18 @@ def _paths(found: Found) -> Iterator[Path]:
     return (one.path for one in found.inputs if one.path is not None)
 
 
-def _warn(found: Found, passed_over: Iterable[SourceError] = (), more: Iterable[str] = ()) -> None:
+def _warn(found: Found, passed_over: Iterable[SourceError] = ()) -> None:
     for given in found.barren:
         sys.stderr.write(f"kinlint: warning: no robot models found in '{given}'\n")
     for each in passed_over:
         sys.stderr.write(f"kinlint: warning: {each.name} was not checked: {each.cause}\n")
-    sys.stderr.writelines(f"kinlint: warning: {line}\n" for line in more)
 
 
-def _not_found(
-    options: Namespace, sources: Sequence[SourceText], settings: Settings
-) -> Iterator[str]:
-    """Yield lines about packages that are not found."""
-    naming = [each for each in sources if any(word in each.text for word in PACKAGED)]
-    if options.quiet or not naming:
-        return
-    from kinlint.cli.installed_findings import missing_packages  # noqa: PLC0415  most name none
-    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
+def _tell_unknown(options: Namespace, sources: Sequence[SourceText], settings: Settings) -> None:
+    if options.xacro_arg or any(word in each.text for each in sources for word in PACKAGED):
+        from kinlint.cli.names_not_found import tell_unknown  # noqa: PLC0415  few runs name any
 
-    yield from missing_packages(naming, ReadOptions.from_settings(settings).packages_of)
+        tell_unknown(options, sources, settings)
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from argparse import SUPPRESS, BooleanOptionalAction
+from argparse import BooleanOptionalAction
 from collections.abc import Callable
 from typing import Any
 
 from kinlint.cli.argument_parser import (
     Parser,
-    add_color,
     add_store,
     comma_list,
     count,
@@ -17,15 +16,14 @@ from kinlint.cli.argument_parser import (
     one_of,
     seconds,
 )
+from kinlint.cli.report_destinations import add_output_options
 from kinlint.configuration.keys import (
     ENGINES,
-    OUTPUT_FORMATS,
     SEVERITIES,
     TARGETS,
-    THRESHOLDS,
 )
-from kinlint.configuration.value_kinds import ALIASES
 from kinlint.contexts.context_library import RELEASES
+from kinlint.formats.records import BY_NAME
 
 LISTS: dict[str, Any] = {"type": comma_list, "action": "extend"}
 TEXTS: dict[str, Any] = {"action": "append", "type": non_empty}
@@ -63,7 +61,7 @@ def parser() -> Parser:
     _files(made)
     _reading(made)
     _store(made)
-    _output(made)
+    add_output_options(made)
     return made
 
 
@@ -186,6 +184,12 @@ def _files(made: Parser) -> None:
         metavar="S",
         help="report files that take more than S seconds; 0: no limit",
     )
+    add(
+        "--only-format",
+        **LISTS,
+        metavar="FORMAT",
+        help=f"lint only files of these formats: {', '.join(BY_NAME)}; urdf includes xacro",
+    )
     add("--show-files", **FLAG, help="list the files that would be linted and exit")
 
 
@@ -221,64 +225,6 @@ def _store(made: Parser) -> None:
         metavar="REVISION|TIME",
         help="check only graphs that changed since this revision (kinlint load prints it) or time",
     )
-
-
-def _output(made: Parser) -> None:
-    add = made.add_argument_group("Output").add_argument
-    add(
-        "--output",
-        metavar="FORMAT[=FILE]",
-        **TEXTS,
-        help=f"print this format, or write it to FILE (repeatable): {', '.join(OUTPUT_FORMATS)}",
-    )
-    add(
-        "--output-format",
-        type=one_of(OUTPUT_FORMATS),
-        metavar="FORMAT",
-        help="format of the main report (default: full)",
-    )
-    add(
-        "-o",
-        "--output-file",
-        type=non_empty,
-        metavar="FILE",
-        help="write to FILE instead of standard output",
-    )
-    for name in OUTPUT_FORMATS:
-        add(f"--{name}-output", type=non_empty, metavar="FILE", help=SUPPRESS)
-    add(
-        "--statistics",
-        **FLAG,
-        help="count findings by rule instead of listing them; with -v also print times",
-    )
-    add(
-        "--profile",
-        **FLAG,
-        help="list the anti-patterns that the format of each file implies and exit",
-    )
-    add(
-        "--show",
-        type=one_of(SEVERITIES, ALIASES),
-        metavar="|".join(SEVERITIES),
-        help="least severity that full, concise and grouped show (default: warning)",
-    )
-    add(
-        "--fail-on",
-        type=one_of(THRESHOLDS, ALIASES),
-        metavar="|".join(THRESHOLDS),
-        help="least severity that makes the exit code 1 (default: warning)",
-    )
-    add("-e", "--exit-zero", **FLAG, help="exit with 0 even if there are findings")
-    add("-q", "--quiet", **FLAG, help="print no summary")
-    add("-s", "--silent", **FLAG, help="print nothing but errors")
-    add(
-        "-v",
-        "--verbose",
-        action="count",
-        default=0,
-        help="print what was read and how, and derivations; -vv with --statistics: time by rule",
-    )
-    add_color(add)
 
 
 def add_reading_options(add: Callable[..., object]) -> None:

@@ -1,20 +1,91 @@
-"""Destinations of reports as the options name them, refused before any work if unusable."""
+"""Options for the formats and destinations of reports, refused before any work if unusable."""
 
 from __future__ import annotations
 
 import os
-from argparse import Namespace
+from argparse import SUPPRESS, Namespace
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from kinlint.cli.argument_parser import Parser, add_color, non_empty, one_of
 from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.config_file import Config
-from kinlint.configuration.keys import OUTPUT_FORMATS
-from kinlint.configuration.value_kinds import unknown_message
+from kinlint.configuration.keys import OUTPUT_FORMATS, SEVERITIES, THRESHOLDS
+from kinlint.configuration.value_kinds import ALIASES, unknown_message
 from kinlint.errors import UsageError
 from kinlint.rule import Severity
 
 STDOUT = "-"
+
+
+def add_output_options(made: Parser) -> None:
+    """Add to *made* the options for what is printed and written."""
+    add = made.add_argument_group("Output").add_argument
+    add(
+        "--output",
+        metavar="FORMAT[=FILE]",
+        action="append",
+        type=non_empty,
+        help=f"print this format, or write it to FILE (repeatable): {', '.join(OUTPUT_FORMATS)}",
+    )
+    add(
+        "--output-format",
+        type=one_of(OUTPUT_FORMATS),
+        metavar="FORMAT",
+        help="format of the main report (default: full)",
+    )
+    add(
+        "-o",
+        "--output-file",
+        type=non_empty,
+        metavar="FILE",
+        help="write to FILE instead of standard output",
+    )
+    add(
+        "--sarif-invocation",
+        action="store_true",
+        help="SARIF says when and how kinlint was called, by which paths, and how it ended",
+    )
+    add(
+        "--sarif-embed",
+        action="store_true",
+        help="SARIF holds the texts of the files with findings",
+    )
+    for name in OUTPUT_FORMATS:
+        add(f"--{name}-output", type=non_empty, metavar="FILE", help=SUPPRESS)
+    add(
+        "--statistics",
+        action="store_true",
+        help="count findings by rule instead of listing them; with -v also print times",
+    )
+    add(
+        "--profile",
+        action="store_true",
+        help="list the anti-patterns that the format of each file implies and exit",
+    )
+    add(
+        "--show",
+        type=one_of(SEVERITIES, ALIASES),
+        metavar="|".join(SEVERITIES),
+        help="least severity that full, concise and grouped show (default: warning)",
+    )
+    add(
+        "--fail-on",
+        type=one_of(THRESHOLDS, ALIASES),
+        metavar="|".join(THRESHOLDS),
+        help="least severity that makes the exit code 1 (default: warning)",
+    )
+    add("-e", "--exit-zero", action="store_true", help="exit with 0 even if there are findings")
+    add("-q", "--quiet", action="store_true", help="print no summary")
+    add("-s", "--silent", action="store_true", help="print nothing but errors")
+    add(
+        "-v",
+        "--verbose",
+        action="count",
+        default=0,
+        help="print what was read and how, and derivations; -vv with --statistics: time by rule",
+    )
+    add_color(add)
 
 
 def destinations(options: Namespace, project: Config, fail_on: str) -> Outputs:

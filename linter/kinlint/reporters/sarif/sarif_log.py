@@ -1,7 +1,7 @@
 """The SARIF log of a run: one run, one tool, deterministic.
 
-It holds no times, no identifiers made up on the spot and no absolute paths, so that equal
-findings make equal logs on every machine.
+It holds no times, no identifiers made up on the spot and no absolute paths unless the report has
+its call (`--sarif-invocation`), so that equal findings make equal logs on every machine.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from kinlint.report import Report
 from kinlint.reporters.json_escape import json_text
 from kinlint.reporters.sarif.artifact_location import Artifacts
 from kinlint.reporters.sarif.rule_descriptors import TAXONOMY, Catalogue, taxonomy
+from kinlint.reporters.sarif.run_details import called, embedded, identity
 from kinlint.reporters.sarif.sarif_result import Results
 from kinlint.reporters.sarif.version_control import provenance, repository_top
 from kinlint.reporters.terminal_style import Style
@@ -42,6 +43,9 @@ def log(report: Report) -> dict[str, Any]:
     if report.errors:
         notifications = [results.notification(error) for error in report.errors]
         invocation["toolExecutionNotifications"] = notifications
+    if report.invocation is not None:
+        invocation |= called(report.invocation, report.root)
+    texts = list(embedded(report, artifacts)) if report.embedded else ()
     run: dict[str, Any] = {
         "tool": {
             "driver": {
@@ -60,6 +64,10 @@ def log(report: Report) -> dict[str, Any]:
         "results": found,
         "taxonomies": [taxonomy()],
     }
+    if texts:
+        run["artifacts"] = texts
+    if report.invocation is not None:
+        run["automationDetails"] = identity()
     origin = None if top is None or artifacts.outside else provenance(top)
     if origin is not None:
         run["versionControlProvenance"] = [origin]
