@@ -108,20 +108,53 @@ def _beside(assembly: Assembly) -> dict[StagePrim, list[PhysicsJoint]]:
 
 
 def cut_off(assembly: Assembly) -> dict[PhysicsJoint, StagePrim]:
-    """Return the joints left out of the tree that alone lead on to a body, with that body."""
-    excluded = [each for each in assembly.joints if each.closes_loop]
-    if not excluded:
-        return {}
-    beside, reached, pending = _beside(assembly), {assembly.base}, [assembly.base]
-    while pending:
-        for joint in beside.get(pending.pop(), ()):
-            for side in joint.sides:
-                if side.body is not None and side.body not in reached:
-                    reached.add(side.body)
-                    pending.append(side.body)
+    """Return the joints left out of the tree that alone lead on to a body, with that body.
+
+    A body with an articulation root of its own is another robot, and not cut off.
+    """
+    trees = _trees(assembly)
+    base, known = trees.find(assembly.base), set(_roots_around(assembly.base))
+    rooted = {trees.find(each) for each in assembly.bodies if each.has(ROOT)}
     found = {}
-    for joint in excluded:
+    for joint in assembly.joints:
         one, other = (side.body for side in joint.sides)
-        if one is not None and other is not None and (one in reached) != (other in reached):
-            found[joint] = other if one in reached else one
+        if one is None or other is None:
+            continue
+        far = other if trees.find(one) is base else one
+        tree = trees.find(far)
+        apart = base in (trees.find(one), trees.find(other)) and tree not in (base, *rooted)
+        if apart and known.issuperset(_roots_around(far)):
+            found[joint] = far
     return found
+
+
+def further_roots(assembly: Assembly) -> dict[StagePrim, StagePrim]:
+    """Return the bodies and joints with the root schema whose tree has another root, with that."""
+    trees = _trees(assembly)
+    marked = [(each, each) for each in assembly.bodies if each.has(ROOT)]
+    for joint in assembly.joints:
+        body = joint.sides[1].body or joint.sides[0].body
+        if body is not None and joint.prim.has(ROOT) and not joint.closes_loop:
+            marked.append((joint.prim, body))
+    first: dict[StagePrim, StagePrim] = {}
+    found = {}
+    for prim, body in sorted(marked, key=lambda each: each[0] is not assembly.root):
+        root = first.setdefault(trees.find(body), prim)
+        if root is not prim:
+            found[prim] = root
+    return found
+
+
+def _trees(assembly: Assembly) -> _Groups:
+    """Return the bodies of *assembly* in groups by the joints of its trees."""
+    trees = _Groups()
+    for joint in assembly.joints:
+        one, other = (side.body for side in joint.sides)
+        if one is not None and other is not None and not joint.closes_loop:
+            trees.above[trees.find(other)] = trees.find(one)
+    return trees
+
+
+def _roots_around(body: StagePrim) -> list[StagePrim]:
+    """Return the prims around *body* with the root schema."""
+    return [each for each in body.around() if each.has(ROOT)]

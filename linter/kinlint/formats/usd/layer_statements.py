@@ -10,7 +10,8 @@ from kinlint.errors import SourceError
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.prim_paths import absolute_path, prim_address
 from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
-from kinlint.formats.usd.value_terms import Flaw, terms
+from kinlint.formats.usd.value_forms import Flaw, flaws, metadata_flaws, relationship_flaws
+from kinlint.formats.usd.value_terms import terms
 from kinlint.terms import XSD, Term, Triple, iri, literal
 from kinlint.text import SourceText, Span
 from kinlint.vocabulary import ATTRIBUTE, REFERENCE
@@ -117,6 +118,7 @@ class LayerStatements:
     def _metadata(self, node: Term, fields: Iterable[Field], path: str) -> None:
         self._repeated(node, fields)
         for each in fields:
+            self._flaws(node, each.name, metadata_flaws(each.name, each.value))
             if each.name in ARCS:
                 self._arcs(node, each, ARCS[each.name], path)
             elif each.name in PATHS:
@@ -223,6 +225,7 @@ class LayerStatements:
             self.triples[element, iri(f"{_AT}sampled"), said] = given.name_span
         if given.value is None:
             return
+        self._flaws(node, given.name, relationship_flaws(given))
         if tag != "attribute":
             self._targets(element, given.value, given.operation, "target", path)
         elif counts and not given.suffix:
@@ -230,25 +233,25 @@ class LayerStatements:
 
     def _values(self, node: Term, name: str, value: Value, type_name: str) -> None:
         """State the value of an attribute or of metadata *name* of *node*."""
-        said, flaws = terms(value, type_name)
+        said, misread = terms(value, type_name)
         flat = value.kind not in ("list", "tuple")
         for number, (term, span) in enumerate(said, 1):
             way = iri(f"{_AT}{name}" if flat else f"{_AT}{name}-{number}")
             self.triples[node, way, term] = span
-        for each in flaws:
-            self._flaw(node, name, each)
+        self._flaws(node, name, misread or flaws(value, type_name))
 
-    def _flaw(self, node: Term, name: str, flaw: Flaw) -> None:
-        self.layer.add_node(
-            "MalformedValue",
-            flaw.span,
-            ("node", node),
-            ("attribute", literal(name)),
-            ("tag", literal("prim")),
-            ("written", literal(flaw.written)),
-            ("expected", literal(flaw.expected)),
-            ("reason", literal(flaw.reason)),
-        )
+    def _flaws(self, node: Term, name: str, found: Iterable[Flaw]) -> None:
+        for each in found:
+            self.layer.add_node(
+                "MalformedValue",
+                each.span,
+                ("node", node),
+                ("attribute", literal(name)),
+                ("tag", literal("prim")),
+                ("written", literal(each.written)),
+                ("expected", literal(each.expected)),
+                ("reason", literal(each.reason)),
+            )
 
 
 def _last_step(span: Span, path: str) -> Span:

@@ -6,7 +6,7 @@ from math import isfinite, radians
 
 from kinlint.errors import SourceError
 from kinlint.formats.rigid_transform import Transform, between, composed
-from kinlint.formats.usd.articulations import assemblies, cut_off
+from kinlint.formats.usd.articulations import assemblies, cut_off, further_roots
 from kinlint.formats.usd.colliders import shapes
 from kinlint.formats.usd.joint_couplings import couplings
 from kinlint.formats.usd.mass_properties import mass_properties
@@ -56,8 +56,7 @@ class PhysicsStatements:
             outer = body_at(body.parent) if body.parent is not None else None
             if outer is not None:
                 self.said.state(self.about.node(body), "aroundBody", self.about.node(outer))
-            if self.transforms.pose(body).sheared:
-                self.said.state(self.about.node(body), "sheared", TRUE)
+            self._flags(body)
             self._body(body)
         found = list(joints(self.stage, self.transforms))
         there = [each for each in found if each.enabled and each.between_bodies()]
@@ -70,6 +69,8 @@ class PhysicsStatements:
                 self._joint(joint, base, world or base)
             for joint, body in cut_off(each).items():
                 self.said.state(self.about.node(joint.prim), "cutsOff", self.about.node(body))
+            for second, root in further_roots(each).items():
+                self.said.state(self.about.node(second), "sharesRoot", self.about.node(root))
         for coupling in couplings(there, self.stage):
             node = self.about.node(coupling.follower)
             self.said.state(node, "leader", self.about.node(coupling.leader))
@@ -145,6 +146,14 @@ class PhysicsStatements:
         speed = next((each for each in speeds if each is not None and isfinite(each)), None)
         if speed is not None:
             self.said.number(node, "velocity", speed * (self.metres if slides else radians(1)))
+
+    def _flags(self, body: StagePrim) -> None:
+        """State whether the transform of *body* is no pose."""
+        node, pose = self.about.node(body), self.transforms.pose(body)
+        if pose.sheared:
+            self.said.state(node, "sheared", TRUE)
+        if pose.scale[0] < 0:
+            self.said.state(node, "mirrored", TRUE)
 
     def _body(self, body: StagePrim) -> None:
         """State masses and shapes of *body*."""

@@ -27,7 +27,7 @@ from kinlint.formats.usd.schema_resemblance import (
     resembling_schema,
 )
 from kinlint.formats.usd.usda_syntax import Prim, Property
-from kinlint.formats.usd.value_terms import value_type
+from kinlint.formats.usd.value_types import value_type
 from kinlint.light_dataclasses import dataclass
 from kinlint.suggestion import nearest
 from kinlint.terms import XSD, Term, iri, literal

@@ -253,12 +253,12 @@ class _Parser(Scanner):
         while self.word != "}" or self.kind != "mark":
             if self.kind in ("number", "path") or (self.kind == "string" and self.follows(":")):
                 found.kind = "samples"
-                name, span = self.word, Span(self.at, self.stop)
+                type_name, name, span = "", self.word, Span(self.at, self.stop)
                 self.advance()
                 self.expect(":")
             else:
-                name, span = self._entry()
-            found.fields.append(Field(name, span, self._value()))
+                type_name, name, span = self._entry()
+            found.fields.append(Field(name, span, self._value(), type_name=type_name))
             if found.kind == "samples":
                 self.bound(len(found.fields), "an attribute", "samples")
             if self.kind == "mark" and self.word in ",;":
@@ -266,21 +266,23 @@ class _Parser(Scanner):
         self.advance()
         return found
 
-    def _entry(self) -> tuple[str, Span]:
-        """Read type and name of an entry of a dictionary and return the name with its place."""
+    def _entry(self) -> tuple[str, str, Span]:
+        """Read an entry of a dictionary; return its type, and its name with the place."""
         if self.kind != "name":
             self.fail("expected an entry of a dictionary")
+        type_name = self.word
         self.advance()
         if self.word == "[":
             self.advance()
             self.expect("]")
+            type_name += "[]"
         if self.kind not in ("name", "string"):
             self.fail("expected the name of an entry")
         name = unquoted(self.word) if self.kind == "string" else self.word
         span = Span(self.at, self.stop)
         self.advance()
         self.expect("=")
-        return name, span
+        return type_name, name, span
 
 
 _BRACKETS: dict[str, Callable[[_Parser], Value]] = {

@@ -58,6 +58,8 @@ class Field:
     """Value."""
     operation: str = ""
     """Operation on a list: "prepend", "append", "delete", "add" or "reorder"; empty if explicit."""
+    type_name: str = ""
+    """Type of an entry of a dictionary; empty for others."""
 
 
 @dataclass(eq=False, slots=True)
