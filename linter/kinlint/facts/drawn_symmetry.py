@@ -7,17 +7,15 @@ of the root, so that what hangs below a misplaced joint is not misplaced, too.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from math import isfinite
 from typing import NamedTuple
 
 from kinlint.facts.fact_statements import fact, numbers
 from kinlint.facts.frame_placement import OWN, PARENT_ATTACHMENT, Placements
 from kinlint.facts.joint_numbers import JointNumbers
 from kinlint.facts.joint_trees import Edge
-from kinlint.facts.laterality import counterpart, is_left, without_side
+from kinlint.facts.laterality import counterpart, is_left
 from kinlint.facts.linear_algebra import (
     IDENTITY,
     Matrix,
@@ -40,7 +38,6 @@ TURNING = frozenset(("revolute", "continuous"))
 MOVING = TURNING | {"prismatic"}
 OF_MUJOCO = {"hinge": "revolute", "slide": "prismatic"}
 STEPS = ("step-x", "step-y", "step-z")
-DIGITS = re.compile(r"[0-9]+")
 ALIKE = 0.9
 """The least cosine of the angle between two axes of one sense."""
 NEAR = 1e-3
@@ -75,10 +72,9 @@ class DrawnSymmetry:
         self.placements = placements
 
     def facts(self) -> Iterator[Triple]:
-        """Yield the joints that are not mirrored, that share a place, or that cross sides."""
+        """Yield the joints that are not mirrored, or that cross sides."""
         for robot, edges in self.trees.robots.items():
             drawn = self.robots[robot]
-            yield from _sharing(drawn, self.kind, self.numbers.gearings)
             yield from self._unmirrored(drawn)
             yield from self._crossing(edges)
 
@@ -245,30 +241,6 @@ def _across(node: Term) -> Term:
     """Return what *node* would be called on the other side."""
     space, name = split_name(node)
     return f"{space}{counterpart(name)}>"
-
-
-def _sharing(
-    drawn: Mapping[Term, Drawn], kind: Callable[[Term], str], coupled: Container[Term]
-) -> Iterator[Triple]:
-    """Yield each turning joint in the place of an earlier one whose name differs by side or number.
-
-    Both have one parent and parallel axes of one sense; joints in its origin do not count.
-    """
-    found: dict[tuple[object, ...], Drawn] = {}
-    for joint, each in drawn.items():
-        if (
-            joint in coupled
-            or kind(joint) not in TURNING
-            or each.axis is None
-            or length(each.step) < NEAR
-            or not isfinite(length(each.step) / NEAR)
-        ):
-            continue
-        bare = DIGITS.sub("", without_side(joint))
-        place = tuple(round(at / NEAR) for at in each.step)
-        first = found.setdefault((each.edge.parent, bare, place), each)
-        if first is not each and first.axis and dot(first.axis, each.axis) > ALIKE:
-            yield joint, fact("in-place-of"), first.edge.joint
 
 
 def plane_of(pairs: Sequence[tuple[Drawn, Drawn]]) -> int:

@@ -59,14 +59,15 @@ STEPS = {
     **dict.fromkeys(("index", "operator"), ()),
 }
 DRAWN = dict.fromkeys(
-    ("unmirrored", "axis-unmirrored", "moves-unlike", "in-place-of", "hangs-across"), inputs.DRAWN
+    ("unmirrored", "axis-unmirrored", "moves-unlike", "hangs-across"), inputs.DRAWN
 )
 WHEELS = dict.fromkeys(
     ("disc-cosine", "drive-cosine", "track", "leftward", "rolling-radius"),
     (*inputs.DRAWN, *inputs.SHAPES),
 )
 SIBLINGS = dict.fromkeys(
-    ("placed-unlike", "turns-against", "shaped-unlike"), (*inputs.DRAWN, *inputs.SHAPES)
+    ("in-place-of", "placed-unlike", "turns-against", "shaped-unlike"),
+    (*inputs.DRAWN, *inputs.SHAPES),
 )
 ODD = ("own-step", "usual-step", "own-size", "usual-size")
 MISPLACED = dict.fromkeys(

@@ -7,17 +7,20 @@ left and right is taken as mirrored across the axis that `plane_of` tells.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from urllib.parse import unquote
 
 from kinlint.facts.body_shapes import BodyShapes
-from kinlint.facts.drawn_symmetry import ALIKE, NEAR, Drawn, DrawnSymmetry, plane_of
+from kinlint.facts.drawn_symmetry import ALIKE, NEAR, TURNING, Drawn, DrawnSymmetry, plane_of
 from kinlint.facts.fact_statements import fact, numbers
+from kinlint.facts.joint_numbers import Gearing
 from kinlint.facts.laterality import is_left, without_side
 from kinlint.facts.linear_algebra import dot, length
 from kinlint.facts.mirror_symmetry import split_name
-from kinlint.terms import Triple
+from kinlint.terms import Term, Triple
 
+DIGITS = re.compile(r"[0-9]+")
 MOST = 3
 """Fewest siblings that agree while another differs."""
 UP = 2
@@ -27,8 +30,12 @@ APART = 0.01
 
 
 def odd_siblings(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
-    """Yield each joint whose place, sense or wheel is unlike those of at least three siblings."""
+    """Yield each joint in the place of a sibling, or unlike at least three siblings.
+
+    In its place, its sense or its wheel.
+    """
     for joints in drawn.robots.values():
+        yield from _sharing(joints, drawn.kind, drawn.numbers.gearings)
         plane = plane_of([*drawn.pairs(joints)])
         siblings: dict[tuple[str, str], list[Drawn]] = {}
         for joint, each in joints.items():
@@ -42,6 +49,43 @@ def odd_siblings(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
                 yield from _placed(group, plane)
                 yield from _turned(group, drawn)
                 yield from _shaped(group, shapes)
+
+
+def _sharing(
+    drawn: Mapping[Term, Drawn],
+    kind: Callable[[Term], str],
+    gearings: Mapping[Term, Sequence[Gearing]],
+) -> Iterator[Triple]:
+    """Yield each joint in the place of an earlier one whose name differs by side or number.
+
+    Both have one parent and parallel axes of one sense. A follower counts if its leader moves it
+    into its own place; of other joints those that turn, and not in the origin.
+    """
+    found: dict[tuple[object, ...], Drawn] = {}
+    for joint, each in drawn.items():
+        key = _place(each)
+        if each.axis is None or key is None:
+            continue
+        if joint in gearings:
+            gearing = gearings[joint][0]
+            first = drawn.get(gearing.leader, each)
+            same = gearing.multiplier == 1.0 and not gearing.offset and _place(first) == key
+            if not same or kind(joint) != kind(gearing.leader):
+                continue
+        elif kind(joint) not in TURNING or length(each.step) < NEAR:
+            continue
+        else:
+            first = found.setdefault(key, each)
+        if first is not each and first.axis and dot(first.axis, each.axis) > ALIKE:
+            yield joint, fact("in-place-of"), first.edge.joint
+
+
+def _place(each: Drawn) -> tuple[object, ...] | None:
+    """Return the parent, the name without side and number, and the place on a grid of `NEAR`."""
+    if not math.isfinite(length(each.step) / NEAR):
+        return None
+    bare = DIGITS.sub("", without_side(each.edge.joint))
+    return each.edge.parent, bare, *(round(at / NEAR) for at in each.step)
 
 
 def _placed(group: Sequence[Drawn], plane: int) -> Iterator[Triple]:
