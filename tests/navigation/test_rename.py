@@ -88,7 +88,7 @@ class Renamed(Model):
         renamer = self.navigator.renamer(lambda path: path.is_relative_to(self.ours))
         renaming, span = renamer.prepare(*self._asked(where))
         name, _ = self._asked(where)
-        assert self.files[self.own(name)][slice(*span)] == renaming.name
+        assert self.files[self.own(name)][slice(*span)] in renaming.name
         texts = [SourceText(str(self.folder / name), self.files[name]) for name in self.given]
         edits = renamer.edits(renaming, new, self.examination, Texts(texts), Settings())
         changed: dict[str, list[Edit]] = {}
@@ -218,9 +218,34 @@ def test_a_literal_name_in_xacro(cart):
     assert found["parts.xacro"] == PARTS.replace('link="base"', 'link="frame"')
 
 
+def test_names_of_which_a_prefix_is_computed(tmp_path):
+    """What a macro makes at its other calls is renamed alike, wherever it is named."""
+    srdf = '<robot name="cart"><group name="{0}">{1}</group></robot>'
+    group = srdf.format("all", '<link name="left_wheel"/><link name="right_wheel"/>')
+    files = {"cart.urdf.xacro": CART, "parts.xacro": PARTS, "cart.srdf": group}
+    cart = Renamed(tmp_path, files, ["cart.urdf.xacro", "cart.srdf"])
+    made = {
+        "parts.xacro": PARTS.replace("}_wheel", "}_roller"),
+        "cart.srdf": group.replace("_wheel", "_roller"),
+    }
+    assert cart.rename('parts.xacro: <link name="${prefix}_wh|eel">', "left_roller") == made
+    assert cart.rename('cart.srdf: "right_wh|eel"', "right_roller") == made
+    assert "begins with 'right'" in cart.refused('cart.srdf: "right_wh|eel"', "roller")
+    assert "exists already" not in cart.refused('cart.srdf: "right_wh|eel"', "right")
+
+
+def test_a_name_of_nothing_but_what_is_computed(tmp_path):
+    """It is refused, with the place where it is put together."""
+    text = """<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:property name="p" value="base"/><link name="${p}"/><link name="tip"/>
+      <joint name="j" type="fixed"><parent link="base"/><child link="tip"/></joint></robot>"""
+    robot = Renamed(tmp_path, {"a.xacro": text})
+    assert "is put together by '${p}' at" in robot.refused('a.xacro: <parent link="ba|se"/>')
+
+
 def test_what_is_not_safe_in_xacro(cart):
     reason = cart.refused('parts.xacro: <link name="${prefix}_wh|eel">')
-    assert "is put together by '${prefix}_wheel'" in reason
+    assert "begins with 'left', which is computed at" in reason
     assert "parts.xacro:4" in reason
     assert "launch files" in cart.refused('cart.urdf.xacro: <xacro:arg name="si|de"')
     assert "exists already" in cart.refused('parts.xacro: params="pre|fix', "width")

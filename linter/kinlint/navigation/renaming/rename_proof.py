@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from kinlint.addresses import last_tag, local_name, sibling
+from kinlint.addresses import is_address, last_tag, local_name, sibling
 from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.edits import Edit
@@ -99,19 +99,24 @@ def _expected(
     for each in edits:
         changed.setdefault(each.location.source.name, []).append(each)
     names = {each.location.source[each.location.span] for each in edits}
-    renamed = {**renamed, **dict(_users(document, names, changed))}
+    computed = {local_name(a): local_name(b) for a, b in renamed.items() if is_address(a)}
+
+    def value_of(triple: Triple) -> Term:
+        return _literal(document, triple, changed, computed)
+
+    renamed = {**renamed, **dict(_users(document, names.union(computed), value_of))}
     for subject, predicate, value in _statements(document):
         if is_literal(value):
             new = value
             if any(name in value for name in names):
-                new = _literal(document, (subject, predicate, value), changed)
+                new = value_of((subject, predicate, value))
         else:
             new = _renamed(value, renamed)
         yield _renamed(subject, renamed), predicate, new
 
 
 def _users(
-    document: Document, names: Collection[str], edits: Mapping[str, Sequence[TextEdit]]
+    document: Document, names: Collection[str], value_of: Callable[[Triple], Term]
 ) -> Iterator[tuple[Term, Term]]:
     """Yield the elements that are called after what they refer to, with their new names."""
     if not document.format.is_tree:
@@ -127,7 +132,7 @@ def _users(
         if predicate != naming and subject in named:
             continue
         if literal_value(value) in names and last_tag(subject):
-            new = _literal(document, triple, edits)
+            new = value_of(triple)
             if new != value and local_name(subject) == literal_value(value):
                 yield subject, sibling(subject, last_tag(subject), literal_value(new))
 
@@ -142,8 +147,16 @@ def _renamed(term: Term, renamed: Mapping[Term, Term]) -> Term:
     return term
 
 
-def _literal(document: Document, triple: Triple, edits: Mapping[str, Sequence[TextEdit]]) -> Term:
-    """Return the value of *triple* as it is once *edits* are made where it is written."""
+def _literal(
+    document: Document,
+    triple: Triple,
+    edits: Mapping[str, Sequence[TextEdit]],
+    computed: Mapping[str, str],
+) -> Term:
+    """Return the value of *triple* as it is once *edits* are made where it is written.
+
+    One that xacro computes there becomes another by *computed*.
+    """
     span = document.map.triples.get(triple)
     if span is None:
         return triple[2]
@@ -158,5 +171,7 @@ def _literal(document: Document, triple: Triple, edits: Mapping[str, Sequence[Te
     before = place.source[place.span]
     if before == text:
         return triple[2]
-    same = before == literal_value(triple[2])
-    return literal(text) if same else literal(literal_value(triple[2]).replace(before, text))
+    value = literal_value(triple[2])
+    if before not in value:
+        return literal(computed.get(value, value))
+    return literal(text) if before == value else literal(value.replace(before, text))
