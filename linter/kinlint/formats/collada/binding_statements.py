@@ -16,6 +16,7 @@ from kinlint.formats.collada.parameter_values import meant_by, number_of
 from kinlint.formats.derived_statements import DerivedStatements
 
 SCENE = "instance_kinematics_scene"
+MODELS = ("instance_kinematics_model", "kinematics_model")
 SHOWN_BY = {"revolute": ("rotate", "matrix"), "prismatic": ("translate", "matrix")}
 """Transforms that can show a motion, by its tag; the first is the usual one."""
 
@@ -44,6 +45,8 @@ class BindingStatements:
             bound = dict.fromkeys(map(self._bound, scene.all("bind_joint_axis")))
             if not self.shown:
                 continue
+            for binding in scene.all("bind_kinematics_model"):
+                self._meant(binding, MODELS)
             if not any(scene.all("bind_kinematics_model")):
                 self.said.word(scene.node, "unbound", "model")
             if None in bound:  # A binding that leads nowhere may be meant for any axis.
@@ -56,9 +59,7 @@ class BindingStatements:
 
     def _bound(self, binding: ColladaElement) -> ColladaElement | None:
         """Return the motion that *binding* has a node show, and state what is to be said of it."""
-        holder = binding.first("axis")
-        named = holder and (holder.first("param") or holder.first("SIDREF"))
-        axis = meant_by(named, self.addressing) if named is not None else None
+        axis = self._meant(binding.first("axis"), PRIMITIVES)
         if axis is None or axis.tag not in PRIMITIVES:
             return axis
         self._start(binding, axis)
@@ -70,6 +71,17 @@ class BindingStatements:
             self.said.word(binding.node, "shownBy", target.tag)
             self.said.word(binding.node, "usually", fitting[0])
         return axis
+
+    def _meant(
+        self, holder: ColladaElement | None, expected: tuple[str, ...]
+    ) -> ColladaElement | None:
+        """Return what the parameter or path in *holder* leads to; state what else it is."""
+        named = holder and (holder.first("param") or holder.first("SIDREF"))
+        meant = meant_by(named, self.addressing) if named is not None else None
+        if named is not None and meant is not None and meant.tag not in expected:
+            self.said.word(named.node, "leadsTo", meant.tag)
+            self.said.word(named.node, "bound", " or ".join(f"<{each}>" for each in expected))
+        return meant
 
     def _start(self, binding: ColladaElement, axis: ColladaElement) -> None:
         """State the position at which *binding* has the joints of *axis* begin, in SI."""
