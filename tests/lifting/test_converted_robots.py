@@ -178,3 +178,19 @@ def test_nothing_differs_from_the_model_that_was_converted(
     assert main(["convert", "-q", str(path), "-o", str(made)]) == 0
     assert main(["diff", str(path), str(made)]) == 0
     assert "only in" not in capsys.readouterr().out
+
+
+def test_placed_shapes_of_sdf_are_on_their_bodies(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Where a collision has a pose, its frame is one of the link."""
+    path, made = tmp_path / "robot.sdf", tmp_path / "robot.jsonld"
+    path.write_text(
+        """<sdf version="1.9"><model name="arm"><link name="a"/><link name="b"><collision name="c">
+        <pose>0 0 0.1 0 0 0</pose><geometry><sphere><radius>0.1</radius></sphere></geometry>
+        </collision></link><joint name="j" type="revolute"><parent>a</parent><child>b</child>
+        <axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+    )
+    assert main(["convert", "-q", str(path), "-o", str(made)]) == 0
+    assert main(["diff", str(path), str(made)]) == 0
+    assert "only in" not in capsys.readouterr().out
