@@ -396,11 +396,10 @@ def newton(path: str) -> Summary:
     builder = nt.ModelBuilder()
     readers = {".xml": builder.add_mjcf, ".usda": builder.add_usd}
     readers.get(Path(path).suffix, builder.add_urdf)(path)
-    kinds = {nt.JointType.FREE: 6, nt.JointType.FIXED: 0, nt.JointType.BALL: 3, nt.JointType.D6: 3}
     joints, links, floating = {}, {}, False
-    for number, kind in enumerate(builder.joint_type):
+    for number, freedoms in enumerate(builder.joint_dof_dim):
         at = builder.joint_qd_start[number]
-        free = kinds.get(kind, 1)
+        free = sum(freedoms)
         name = builder.joint_label[number].rpartition("/")[2]
         if builder.joint_parent[number] == -1:
             floating = floating or free == 6

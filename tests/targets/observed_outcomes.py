@@ -213,8 +213,10 @@ SIMULATED = {
 BY_SHAPE = (2 / 240, 2 / 240, 2 / 600)
 """Moments of inertia of the box of the arm in USD, of 2 kg."""
 STAGED = {
-    **{f"usd-{kind}-joint": moves(1) for kind in ("revolute", "prismatic", "distance")},
-    **{f"usd-{kind}-joint": moves(3) for kind in ("spherical", "generic")},
+    **{f"usd-{kind}-joint": moves(1) for kind in ("revolute", "prismatic")},
+    "usd-spherical-joint": moves(3),
+    "usd-distance-joint": moves(6),
+    "usd-generic-joint": moves(2),
     "usd-fixed-joint": moves(0),
     "usd-unlimited-joint": lambda made: "limited" if limits(made) else HONOURED,
     "usd-position-limits": lambda made: ends(made, (-0.5, 0.5)),
