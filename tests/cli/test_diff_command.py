@@ -119,6 +119,20 @@ def test_other_names_of_the_same_parts_are_differences(kinlint, write):
     ]
 
 
+def test_of_two_revisions_each_link_counts_by_itself(kinlint, write):
+    """What is fixed to a link does not make that heavier, and a joint that stops is no other."""
+    mount = '</joint><joint name="mount" type="fixed"><parent link="forearm"/>'
+    lamp = '<link name="lamp"><inertial><mass value="0.2"/></inertial></link>'
+    write("lit.urdf", ARM.replace("</joint>\n</r", f'{mount}<child link="lamp"/></joint>{lamp}</r'))
+    write("stiff.urdf", ARM.replace("revolute", "fixed"))
+    lit, stiff = (kinlint("diff", "old.urdf", each)[1] for each in ("lit.urdf", "stiff.urdf"))
+    assert "  + link 'lamp' (fixed, 0.2 kg)  lit.urdf:22" in lit
+    assert "forearm" not in lit
+    assert "    movement revolute to fixed  old.urdf:11, stiff.urdf:11" in stiff
+    assert "1 difference." in lit
+    assert "1 difference." in stiff
+
+
 def test_what_a_revision_leaves_out_is_a_difference(kinlint, write):
     """Of two files in one format, one lost what the other says."""
     write("light.urdf", ARM.replace('<mass value="2.1"/>', ""))

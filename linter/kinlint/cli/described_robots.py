@@ -16,7 +16,7 @@ from kinlint.engine.required_terms import behind
 from kinlint.errors import SourceError, UsageError
 from kinlint.facts.comparison.comparison import COMPOSED
 from kinlint.facts.comparison.extraction import RobotExtraction
-from kinlint.facts.comparison.robot_changes import Side
+from kinlint.facts.comparison.part_changes import Side
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.inputs import DESCRIPTIONS
 from kinlint.facts.predicate_index import PredicateIndex

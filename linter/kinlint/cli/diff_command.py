@@ -22,7 +22,7 @@ from kinlint.robot_difference import RobotDifference
 
 if TYPE_CHECKING:
     from kinlint.cli.described_robots import Place
-    from kinlint.facts.comparison.robot_changes import Side
+    from kinlint.facts.comparison.part_changes import Side
 
 TEXT, MARKDOWN, JSON, HTML = FORMATS = ("text", "markdown", "json", "html")
 EXACT, ROUNDED = TOLERANCES = ("exact", "rounded")

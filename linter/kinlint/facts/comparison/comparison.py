@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property
 
 from kinlint.addresses import local_name
-from kinlint.facts.comparison.described_robot import Body, DescribedRobot, MovingJoint
+from kinlint.facts.comparison.body_pairs import BodyPairs, body_pairs
+from kinlint.facts.comparison.described_robot import Body, DescribedRobot, Group, MovingJoint
 from kinlint.facts.comparison.frame_alignment import coincide
 from kinlint.facts.comparison.joint_differences import joint_differences
 from kinlint.facts.comparison.mass_differences import mass_differences
@@ -27,12 +28,23 @@ FEW = 4
 
 
 class Comparison:
-    """Two descriptions of one robot, compared with *tolerances*."""
+    """Two descriptions of one robot, compared with *tolerances*.
 
-    def __init__(self, one: DescribedRobot, other: DescribedRobot, tolerances: Tolerances) -> None:
+    Bodies that are welded to each other count as one, unless *each_body* counts by itself.
+    """
+
+    def __init__(
+        self,
+        one: DescribedRobot,
+        other: DescribedRobot,
+        tolerances: Tolerances,
+        *,
+        each_body: bool = False,
+    ) -> None:
         self.one = one
         self.other = other
         self.tolerances = tolerances
+        self.each_body = each_body
 
     @cached_property
     def correspondence(self) -> Correspondence:
@@ -101,13 +113,53 @@ class Comparison:
         return [whole] if coincide(whole, own) else [whole, own]
 
     def _groups(self) -> Iterator[Measured]:
-        found = self.correspondence
-        for mine in sorted(found.groups):
-            here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
-            pose = found.poses[mine]
-            yield from mass_differences(here, there, pose, self.tolerances)
+        for mine in sorted(self.correspondence.groups):
+            solids = list(self.solids(mine))
+            for here, there, poses in solids:
+                yield from self._least(mass_differences, here, there, poses)
             yield from self._fixed(mine)
-            yield from shape_differences(here, there, pose, self.tolerances)
+            for here, there, poses in solids:
+                yield from self._least(shape_differences, here, there, poses)
+
+    def _least(
+        self,
+        measure: Callable[[Group, Group, Pose, Tolerances], Iterator[Measured]],
+        here: Group,
+        there: Group,
+        poses: Sequence[Pose],
+    ) -> Sequence[Measured]:
+        """Return what is measured with the one of *poses* with which least differs."""
+        tries = [list(measure(here, there, pose, self.tolerances)) for pose in poses]
+        return min(tries, key=lambda each: sum(one.differs for one in each))
+
+    def solids(self, mine: int) -> Iterator[tuple[Group, Group, Sequence[Pose]]]:
+        """Yield what is compared of the group with this index, and where it may be seen.
+
+        Its bodies one by one if each counts, else the whole, but for the bodies that a joint moves
+        in one description and that are fixed in the other.
+        """
+        found = self.correspondence
+        here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
+        pose, same = found.poses[mine], self.body_pairs(mine)
+        if not same.pairs:
+            yield here, there, [pose]
+        elif not self.each_body:
+            yield (
+                _without(here, same.gone, self.other.body_names),
+                _without(there, same.come, self.one.body_names),
+                [pose],
+            )
+        else:
+            for body, other in same.pairs:
+                own = body.pose.of(other.pose.inverse)
+                poses = [pose] if coincide(pose, own) else [pose, own]
+                yield Group((body,)), Group((other,)), poses
+
+    def body_pairs(self, mine: int) -> BodyPairs:
+        """Return the bodies that are the same of the group with this index."""
+        found = self.correspondence
+        here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
+        return body_pairs(here, there, found.poses[mine])
 
     def _fixed(self, mine: int) -> Iterator[Measured]:
         """Yield where bodies of one name are that are welded to others."""
@@ -162,3 +214,9 @@ class Comparison:
         """Yield the bodies that lend their frames to groups that are the same."""
         for mine, yours in sorted(self.correspondence.groups.items()):
             yield self.one.groups[mine].bodies[0], self.other.groups[yours].bodies[0]
+
+
+def _without(group: Group, alone: Sequence[Body], known: Collection[str]) -> Group:
+    """Return *group* without those of the bodies *alone* whose names are *known*."""
+    left = [each for each in alone if each.name in known]
+    return Group(tuple(each for each in group.bodies if each not in left)) if left else group

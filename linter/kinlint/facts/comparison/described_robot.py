@@ -165,6 +165,13 @@ class DescribedRobot:
     """Joints that move, and those that close loops, whatever their kind."""
     fixed: Mapping[str, Term] = field(default_factory=dict)
     """Fixed joints by the name of the body that they hold."""
+    floating: Mapping[str, Term] = field(default_factory=dict)
+    """Joints that leave a body free in the world, by their names."""
+
+    @cached_property
+    def body_names(self) -> frozenset[str]:
+        """Names of all bodies."""
+        return frozenset(body.name for _, body in self.bodies())
 
     @cached_property
     def around(self) -> Sequence[Sequence[int]]:

@@ -125,6 +125,7 @@ class RobotExtraction:
             ],
             list(self._moving(moving, number, frames)),
             {_name(each.child): each.joint for each in fixed if each.child is not None},
+            {_name(each.joint): each.joint for each in edges if movement(each.joint) == FLOATING},
         )
 
     def _body_pose(self, body: Term) -> Pose:

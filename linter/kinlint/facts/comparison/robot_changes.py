@@ -3,56 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from kinlint.addresses import local_name
 from kinlint.engine.lifting import lifts
 from kinlint.facts.comparison.comparison import COMPOSED, Comparison
-from kinlint.facts.comparison.described_robot import HINGE, DescribedRobot, Group, MovingJoint
+from kinlint.facts.comparison.described_robot import HINGE, Group, MovingJoint
 from kinlint.facts.comparison.frame_alignment import total_mass
 from kinlint.facts.comparison.joint_differences import LINEAR
 from kinlint.facts.comparison.measured import Measured
+from kinlint.facts.comparison.part_changes import (
+    Side,
+    fixed_or_free,
+    name_changes,
+    parts_without_motion,
+)
 from kinlint.facts.comparison.reach import reach
-from kinlint.facts.comparison.tolerances import Tolerances
+from kinlint.facts.comparison.tolerances import EXACT, Tolerances
 from kinlint.facts.metamodel_terms import inertia, kin
-from kinlint.file_format import Format
-from kinlint.formats.unread_text import MalformedValue
 from kinlint.robot_difference import Change, Part, RobotDifference, Unstated
 from kinlint.terms import Term
-from kinlint.text import Location
 
 OF_JOINTS = frozenset(
     {"position limit", "effort limit", "speed limit", "mimic", "axis of the loop"}
 )
 
 
-class Side(NamedTuple):
-    """One of the descriptions."""
-
-    name: str
-    """Name of the file."""
-    robot: DescribedRobot
-    """The robot as numbers."""
-    form: Format
-    """Format of the file."""
-    place: Callable[[Term], Location | None]
-    """Function that returns where a node is described."""
-    misread: Sequence[MalformedValue] = ()
-    """Values that could not be read, and so count as not given."""
-
-
 def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDifference:
     """Return how the robot of *new* differs from that of *old*."""
-    comparison = Comparison(old.robot, new.robot, tolerances)
+    revisions = old.form == new.form and tolerances is EXACT
+    comparison = Comparison(old.robot, new.robot, tolerances, each_body=revisions)
     found = comparison.correspondence
     alone = comparison.alone()
+    names = found.by_name and old.form == new.form
     changes = [
         *(_change(each, old, new) for each in comparison.differences),
         *_gearings(comparison, old, new),
-        *(_names(comparison, old, new) if found.by_name and old.form == new.form else ()),
+        *(name_changes(comparison, old, new) if names or revisions else ()),
+        *fixed_or_free(alone, old, new),
     ]
     whole = list(_whole(old, new, tolerances, found.groups))
-    gone, come = ([*_parts(each, side)] for each, side in zip(alone, (old, new), strict=True))
+    moving = (
+        [each for each in alone[0] if each.name not in new.fixed],
+        [each for each in alone[1] if each.name not in old.fixed],
+    )
+    gone, come = ([*_parts(each, side)] for each, side in zip(moving, (old, new), strict=True))
+    if revisions:
+        without, with_them = parts_without_motion(comparison, old, new)
+        gone += without
+        come += with_them
     known = [[*found.groups], [*found.groups.values()]]
     for groups, joints in zip(known, alone, strict=True):
         groups += [joint.child for joint in joints]
@@ -148,9 +147,7 @@ def _unstated(comparison: Comparison, old: Side, new: Side) -> Iterator[Unstated
     joints = [
         (comparison.one.joints[a], comparison.other.joints[b]) for a, b in found.joints.items()
     ]
-    groups = [
-        (comparison.one.groups[a], comparison.other.groups[b]) for a, b in found.groups.items()
-    ]
+    groups = [solid[:2] for mine in found.groups for solid in comparison.solids(mine)]
     for quantity, term, stated in _STATED:
         pairs = [
             (stated(a), stated(b), a.name, b.name)
@@ -197,33 +194,6 @@ def _gearings(comparison: Comparison, old: Side, new: Side) -> Iterator[Change]:
                 yield Change(
                     "joint", here.name, there.name, quantity, symbol, before, after, *places
                 )
-
-
-def _names(comparison: Comparison, old: Side, new: Side) -> Iterator[Change]:
-    """Yield the joints and links that have another name; a link only if it is one of its group."""
-    one, other, found = comparison.one, comparison.other, comparison.correspondence
-    for mine, yours in sorted(found.joints.items()):
-        here, there = one.joints[mine], other.joints[yours]
-        if here.name != there.name:
-            yield _renamed(
-                "joint", here.name, there.name, old.place(here.node), new.place(there.node)
-            )
-    for mine, yours in sorted(found.groups.items()):
-        bodies = [
-            {each.name: each for each in group.bodies}
-            for group in (one.groups[mine], other.groups[yours])
-        ]
-        gone, come = ([name for name in a if name not in b] for a, b in (bodies, bodies[::-1]))
-        if len(gone) == len(come) == 1:
-            before, after = bodies[0][gone[0]], bodies[1][come[0]]
-            places = old.place(before.node), new.place(after.node)
-            yield _renamed("link", before.name, after.name, *places)
-
-
-def _renamed(
-    kind: str, name: str, other: str, place: Location | None, there: Location | None
-) -> Change:
-    return Change(kind, name, other, "name", "", name, other, place, there)
 
 
 def _weighs(group: Group) -> bool:

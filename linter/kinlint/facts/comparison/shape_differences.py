@@ -34,8 +34,16 @@ def shape_differences(
     yield parts.measured(
         "collision geometry", "", kinds[0], kinds[1], differs=kinds[0] != kinds[1], individual=False
     )
-    for one, other in _paired([*map(_ordered, here.shapes)], [*map(_ordered, yours)]):
-        yield from _compared(replace(parts, sides=(one.node, other.node)), one, other)
+    for one, other in _paired(here.shapes, yours):
+        sided = replace(parts, sides=(one.node, other.node))
+        if one.kind == "mesh":
+            yield sided.measured(
+                "mesh", "", one.file, other.file, differs=one.file != other.file, individual=False
+            )
+            if one.file != other.file:
+                continue
+        yield from _sizes(sided, one, other)
+        yield from _placed(sided, _ordered(one), _ordered(other))
 
 
 def _listed(shapes: Sequence[Shape]) -> str:
@@ -62,25 +70,30 @@ def _paired(mine: Sequence[Shape], yours: Sequence[Shape]) -> Iterator[tuple[Sha
 
 def _unlike(one: Shape, other: Shape) -> float:
     """Return how much the sizes of two shapes differ, in m; meshes of other files, 1 m."""
-    sizes = zip(one.sizes, other.sizes, strict=True)
+    sizes = zip(_edges(one), _edges(other), strict=True)
     return sum(abs(a - b) for a, b in sizes) + (one.file != other.file)
 
 
-def _compared(parts: Parts, one: Shape, other: Shape) -> Iterator[Measured]:
-    """Yield size and placement of two shapes of one kind."""
-    what, unit = (
-        (f"size of the {one.kind}", "m") if one.kind != "mesh" else ("scale of the mesh", "")
-    )
-    if one.kind == "mesh":
-        yield parts.measured(
-            "mesh", "", one.file, other.file, differs=one.file != other.file, individual=False
-        )
-        if one.file != other.file:
-            return
-    differs = any(parts.tolerances.apart(a, b) for a, b in zip(one.sizes, other.sizes, strict=True))
-    sizes = [each + (0.0,) * (3 - len(each)) for each in (one.sizes, other.sizes)]
-    here, there = ((each[0], each[1], each[2]) for each in sizes)
-    yield parts.measured(what, unit, here, there, differs=differs, individual=False)
+def _edges(shape: Shape) -> tuple[float, ...]:
+    """Return the sizes of a shape, of a box in ascending order."""
+    return tuple(sorted(shape.sizes)) if shape.kind == "box" else shape.sizes
+
+
+def _sizes(parts: Parts, one: Shape, other: Shape) -> Iterator[Measured]:
+    """Yield the sizes of two shapes of one kind."""
+    if one.kind in {"box", "mesh"}:
+        what, unit = ("size of the box", "m") if one.kind == "box" else ("scale of the mesh", "")
+        pairs = zip(_edges(one), _edges(other), strict=True)
+        differs = any(parts.tolerances.apart(a, b) for a, b in pairs)
+        here, there = ((x, y, z) for x, y, z in (one.sizes, other.sizes))
+        yield parts.measured(what, unit, here, there, differs=differs, individual=False)
+        return
+    for what, a, b in zip(("radius", "length"), one.sizes, other.sizes, strict=False):
+        yield parts.number(f"{what} of the {one.kind}", "m", a, b, individual=False)
+
+
+def _placed(parts: Parts, one: Shape, other: Shape) -> Iterator[Measured]:
+    """Yield the placement of two shapes of one kind."""
     place = f"place of the {one.kind}"
     away = parts.tolerances.away(one.pose.point, other.pose.point)
     yield parts.measured(
