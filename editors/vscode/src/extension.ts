@@ -8,7 +8,7 @@ import { RobotViews } from "./robotView";
 import { RULE_SCHEME, ruleOfAddress, rulePageAddress, rulePages } from "./rulePages";
 import { SECTION, serverCommand, serverSettings } from "./settings";
 
-const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml,rviz,usda,launch,launch.py,launch.xml}";
+const FILES = "**/*.{urdf,xacro,srdf,sdf,world,jsonld,json,ttl,nq,yaml,yml,rviz,dae,usda,launch,launch.py,launch.xml}";
 const CONFIGURATION = "**/{kinlint.toml,.kinlint.toml,pyproject.toml,package.xml}";
 
 let client: LanguageClient | undefined;
