@@ -19,7 +19,7 @@ from kinlint.catalogue import rulebook
 # How long an example takes says nothing on a machine with other work. CI draws the same examples
 # each time; `--hypothesis-profile thorough` draws many more, for a change that is risky.
 settings.register_profile(
-    "default", deadline=None, max_examples=40, suppress_health_check=[HealthCheck.too_slow]
+    "default", deadline=None, max_examples=20, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("ci", settings.get_profile("default"), derandomize=True)
 settings.register_profile("thorough", settings.get_profile("default"), max_examples=1_000)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Executor, Future
 from pathlib import Path
 
+import pytest
 from support.linting import book, source
 
 from kinlint.configuration.settings import Settings
@@ -68,6 +69,7 @@ def lint_with(workers: Workers, sources, monkeypatch):
     return runner.report(sources, ())
 
 
+@pytest.mark.slow
 def test_lost_workers_lose_nothing(monkeypatch):
     """Tasks that were given beside the poisonous one are judged; its file alone is an error."""
     texts = [source(ROBOT.format(f"r{n}"), f"r{n}.urdf") for n in range(7)]

@@ -86,6 +86,7 @@ def undocumented(module: Path):
                 yield f"{node.name}.{each.target.id}"
 
 
+@pytest.mark.slow
 def test_fields_are_documented_one_by_one():
     found = {module.relative_to(PACKAGE).as_posix(): [*undocumented(module)] for module in MODULES}
     assert {name: fields for name, fields in found.items() if fields} == {}

@@ -107,6 +107,7 @@ def test_plain_pyshacl_runs_what_is_printed(capsys, lower, upper, conforms) -> N
     assert conforms or "is above upper limit" in report
 
 
+@pytest.mark.slow
 def test_every_rule_can_be_printed() -> None:
     """As Turtle that rdflib reads, with the prefixes of its queries."""
     for file in sorted(data("rules").glob("*/*.ttl")):

@@ -89,6 +89,7 @@ def compiled(monkeypatch):
     return groups
 
 
+@pytest.mark.slow
 def test_only_what_changed_is_compiled(tmp_path, compiled):
     """Of the rules that a cache has, those of another set of rules are taken."""
     file = renamed(tmp_path, "ACME001", "unit-left-out")

@@ -127,6 +127,7 @@ def test_a_path_that_repeats_is_tried_with_other_numbers_of_steps(path, others):
     assert [" ".join(each.split()[1:-1]) for each in tried if each] == others
 
 
+@pytest.mark.slow
 def test_a_rule_of_a_user_that_is_right_passes(written):
     """What the next tests break is whole."""
     assert written(USERS) == []

@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from kinlint.cli.main import main
 from kinlint.resources import data
 
@@ -41,6 +43,7 @@ def test_every_rule_has_its_section():
         assert f"[{file.stem}]({file.parent.name}/README.md#" in index
 
 
+@pytest.mark.slow
 def test_every_link_leads_somewhere():
     """To a section, or to a file."""
     for page in pages():

@@ -139,6 +139,7 @@ def test_a_good_sample_computes_by_it(term):
     assert f"https://comp-rob2b.github.io/metamodels/{term}" in vocabulary_in_use()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", BROKEN, ids=lambda file: file.name)
 def test_a_broken_sample_is_found_broken_where_it_is(file):
     """Its findings are those listed beside it, and one is of the rule that it is named for."""

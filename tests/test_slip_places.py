@@ -196,6 +196,7 @@ def place(finding):
     return name.removeprefix("r:"), key
 
 
+@pytest.mark.slow
 def test_the_arm_is_right():
     assert list(findings(model({}))) == []
 

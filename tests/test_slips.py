@@ -68,6 +68,7 @@ def model(name, changes):
         yield decode(file, json.dumps(content, indent=2).encode())
 
 
+@pytest.mark.slow
 def test_the_model_is_clean_but_for_what_it_always_tells():
     """Units without their numbers, as in the sample itself."""
     assert codes(model("nothing", {})) == []

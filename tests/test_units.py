@@ -229,6 +229,7 @@ def test_direction_cosines(units: Store) -> None:
     assert {"UNITLESS", "NUM", "PERCENT", "PPM"} == {local(row[0]) for row in rows(units, query)}
 
 
+@pytest.mark.slow
 def test_pint(units: Store) -> None:
     """Each unit has the factor, offset and dimension that pint gives to what its name says."""
     pint = pytest.importorskip("pint", reason="pint is not installed")

@@ -41,6 +41,7 @@ def robot(version, name):
     </robot>"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("name", [*FEATURES, *LIMITS])
 def test_a_feature_is_found_below_the_version_that_brought_it(version, name):

@@ -39,6 +39,7 @@ def codes(folder, capsys, engine="oxigraph"):
     return set(re.findall(r"\[([A-Z]+\d+)\]$", capsys.readouterr().out, re.MULTILINE))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", ENGINES)
 def test_the_sample_is_clean(engine, capsys):
     """Its context, its shapes and its axioms are applied, and it keeps them."""

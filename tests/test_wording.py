@@ -21,6 +21,7 @@ def messages(name: str, text: str, code: str) -> list[str]:
     return [finding.message for finding in report.findings if finding.rule.code == code]
 
 
+@pytest.mark.slow
 def test_a_lifted_node_is_called_by_its_element() -> None:
     """Not by the address that only the graph has."""
     found = messages("arm.urdf", f'<robot name="arm">{JOINT.format(LIMIT)}</robot>', "LIM001")
@@ -28,6 +29,7 @@ def test_a_lifted_node_is_called_by_its_element() -> None:
     assert found == ["<limit> of joint 'elbow': lower limit 2 is above upper limit -2.5."]
 
 
+@pytest.mark.slow
 def test_an_entity_is_called_as_its_file_abbreviates_it() -> None:
     """In quotes."""
     text = """{
@@ -52,6 +54,7 @@ def test_a_shape_without_a_name_is_told_apart_by_its_order() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_a_nested_model_is_part_of_the_name() -> None:
     """As SDF writes it."""
     axis = "<axis><xyz>0 0 0</xyz></axis>"
@@ -66,6 +69,7 @@ def test_a_nested_model_is_part_of_the_name() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_places_are_counted_only_where_they_are_several() -> None:
     """And without quotes."""
     package = '<visual><geometry><mesh filename="package://gone/a.stl"/></geometry></visual>'

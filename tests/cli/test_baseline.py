@@ -212,6 +212,7 @@ def test_sarif_says_of_each_result_that_it_is_new(kinlint, known, write):
     assert not any("baselineState" in each for each in found["runs"][0]["results"])
 
 
+@pytest.mark.slow
 def test_standard_input_processes_and_fixes(kinlint, known, here, write, monkeypatch):
     """All go by it; `--fix` leaves what is known."""
     options = ("--baseline", "kinlint-baseline.json", *ONLY)
@@ -249,6 +250,7 @@ def test_what_is_no_baseline(kinlint, here, write, text, said):
     assert (code, said in err) == (2, True), err
 
 
+@pytest.mark.slow
 def test_nothing_is_written_of_files_that_cannot_be_read(kinlint, known, here, write):
     """The old baseline stays."""
     before = (here / "kinlint-baseline.json").read_bytes()

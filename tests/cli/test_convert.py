@@ -45,6 +45,7 @@ def test_to_standard_output(robot, capsys):
     assert convert(capsys, "robot.urdf", "-o", "-", "-q") == (0, out, "")
 
 
+@pytest.mark.slow
 def test_to_a_file_that_kinlint_finds_nothing_wrong_with(tmp_path, capsys):
     for name in ("six-axis", "gripper"):
         target = tmp_path / f"{name}.jsonld"

@@ -95,6 +95,7 @@ def test_the_whole_is_as_if_written_at_the_end(kinlint, write, monkeypatch, titl
     assert early == [late, late]
 
 
+@pytest.mark.slow
 def test_other_outputs_wait(kinlint, write, shares):
     for name, text in FLEETS["robots"].items():
         write(name, text)

@@ -157,6 +157,7 @@ def test_yaml_that_names_no_part_of_a_robot_is_told_if_it_was_named(kinlint, wri
     assert "applied" not in kinlint(".")[1]
 
 
+@pytest.mark.slow
 def test_rules_of_ones_own_are_rules(kinlint, write):
     """They are selected, explained and tested as the built-in ones."""
     write(
@@ -196,6 +197,7 @@ def test_a_user_rule_that_is_no_turtle(kinlint, write):
     assert "x.ttl" in err
 
 
+@pytest.mark.slow
 def test_a_compiled_run_imports_no_slow_library(kinlint, write, here):
     """Neither rdflib nor pyshacl nor owlrl nor rich."""
     write("arm.jsonld", DROPPED)

@@ -100,6 +100,7 @@ def test_a_slow_file_of_a_model_is_as_good_as_unreadable(here, capsys):
     assert [name for name, *_ in errors] == ["evil.jsonld"]
 
 
+@pytest.mark.slow
 def test_files_that_are_slow_only_together_are_all_reported(here, capsys):
     """None of them is to blame alone."""
     for number in range(3):
@@ -208,6 +209,7 @@ def test_fixing_is_limited_and_lints_once(here, capsys, monkeypatch):
     assert all("<lnk" not in text for text in texts.values())
 
 
+@pytest.mark.slow
 def test_recognising_a_file_is_limited(here, capsys, monkeypatch):
     """Before any process reads it."""
     from kinlint.project import reading  # noqa: PLC0415

@@ -200,6 +200,7 @@ rule:circle-{number} a kl:Rule, sh:NodeShape ;
 """
 
 
+@pytest.mark.slow
 def test_fixes_that_undo_each_other_are_not_made(kinlint, arm, here):
     """By two rules of the user; one line says which."""
     for number, value, other in ((1, "10.0", "20.0"), (2, "20.0", "10.0")):

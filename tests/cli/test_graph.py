@@ -146,6 +146,7 @@ def test_the_html_report_goes_to_standard_output_or_a_file(robot, capsys):
     assert Path("r.html").read_text("utf-8") == out
 
 
+@pytest.mark.slow
 def test_several_processes_draw_what_one_draws(robot, capsys):
     for number in range(4):
         text = ROBOT.replace("arm", f"arm{number}")

@@ -80,6 +80,7 @@ def test_a_run_without_findings_loads_no_more_than_it_needs(loaded):
     assert len(own(modules)) <= MOST
 
 
+@pytest.mark.slow
 def test_a_recalled_report_needs_no_engine(loaded, tmp_path, rules_cache):
     cache = tmp_path / "cache"
     cache.mkdir()

@@ -78,6 +78,7 @@ def test_what_a_link_leads_to_is_known(kinlint, tree, write):
     assert kinlint("link.urdf", "--new-from-rev", "HEAD", *ONLY)[0] == 1
 
 
+@pytest.mark.slow
 def test_from_elsewhere(kinlint, tree, write, monkeypatch):
     """From a directory below, from outside, and for one file alone."""
     write("sub/new.urdf", arm("new"))

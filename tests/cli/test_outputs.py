@@ -69,6 +69,7 @@ def test_a_directory_is_no_output(here):
         pass
 
 
+@pytest.mark.slow
 def test_all_formats_can_be_written_in_one_run(kinlint, write, here):
     """Each copy is what the format alone writes; standard output has the main one."""
     write("arm, 1.urdf", '<robot name="arm"><link name="a"/><link name="a"/></robot>')

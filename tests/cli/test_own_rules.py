@@ -52,6 +52,7 @@ def project(write, monkeypatch, tmp_path):
     write("rules/joint-without-suffix.ttl", RULE)
 
 
+@pytest.mark.slow
 def test_rules_of_the_project_are_tested(project, kinlint):
     """Without arguments: not those of kinlint, and nothing where it is not trusted."""
     assert kinlint("test-rules", "--trust")[:2] == (

@@ -331,6 +331,7 @@ def test_yaml_of_other_robots_is_not_judged(configured, kinlint):
     assert of_yaml(kinlint) == []
 
 
+@pytest.mark.slow
 def test_hostile_yaml(configured, kinlint):
     """Aliases that multiply are read once, endless nesting is an error."""
     bomb = "a: &a [x, x]\n" + "".join(

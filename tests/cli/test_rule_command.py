@@ -125,6 +125,7 @@ def test_mistakes(kinlint, arguments, message):
     assert message in err
 
 
+@pytest.mark.slow
 def test_rules_that_keep_their_promises(kinlint, monkeypatch):
     """Exit code 0, and how many there are."""
     monkeypatch.setattr(test_rules_command.rule_conformance, "failures", lambda *_: iter(()))

@@ -136,6 +136,7 @@ def test_it_stays_below_what_github_takes(write, summary, monkeypatch, workflow)
     assert summary() == text
 
 
+@pytest.mark.slow
 def test_a_robot_that_is_too_large_is_not_drawn(write, summary):
     """GitHub would show an error instead."""
     write("arm.urdf", robot("arm", faults=1, joints=260))

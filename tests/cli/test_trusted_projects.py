@@ -33,6 +33,7 @@ def test_shapes_and_variables_are_left_out(project, kinlint):
     assert code == 0
 
 
+@pytest.mark.slow
 def test_with_trust_they_count(project, kinlint):
     code, out, err = kinlint("arm.xacro", "--output-format", "json", "--trust")
     assert "left out" not in err
@@ -41,6 +42,7 @@ def test_with_trust_they_count(project, kinlint):
     assert code == 1
 
 
+@pytest.mark.slow
 def test_a_named_configuration_counts(project, kinlint):
     code, out, err = kinlint("arm.xacro", "--output-format", "json", "--config", "kinlint.toml")
     assert "left out" not in err

@@ -83,6 +83,7 @@ def watching():
         each.process.stdout.close()
 
 
+@pytest.mark.slow
 def test_what_changes_is_linted_again(watching, write, here):
     """Files that change, come and go, what they include, and what governs them."""
     write("a.urdf", ROBOT.format("a", ""))
@@ -105,6 +106,7 @@ def test_what_changes_is_linted_again(watching, write, here):
     assert session.end() == (0, "")
 
 
+@pytest.mark.slow
 def test_rules_of_ones_own_and_what_governs_from_elsewhere(watching, write, tmp_path):
     """They need not lie where the models are."""
     write("project/models/a.urdf", ROBOT.format("a", '<link name="a"/>'))
@@ -119,6 +121,7 @@ def test_rules_of_ones_own_and_what_governs_from_elsewhere(watching, write, tmp_
     assert session.end() == (0, "")
 
 
+@pytest.mark.slow
 def test_a_terminal_is_cleared_and_nothing_else(watching, write):
     """Who keeps the output wants all of it.
 

@@ -160,6 +160,7 @@ GEARED = '''\
 '''
 
 
+@pytest.mark.slow
 def test_a_value_computed_from_several_elements_shows_all_of_them(kinlint, write):
     """The finding is at the first of them, here the ratio; its sign follows from axes."""
     write("gears.sdf", GEARS)

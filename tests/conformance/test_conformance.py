@@ -237,6 +237,7 @@ def test_a_suppression_silences_what_it_is_written_for(form: Format, tmp_path, r
     assert after == [each for each in before if each != code]
 
 
+@pytest.mark.slow
 @written
 def test_a_fix_mends_and_is_made_once(form: Format, tmp_path, rules_cache) -> None:
     """The finding goes, and a second time there is nothing to change."""

@@ -120,6 +120,7 @@ def test_redefined_prefix(release: str) -> None:
         assert effect([iri, prefixes], ours) == effect([iri, prefixes], theirs), iri
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("release", RELEASES)
 def test_models(release: str) -> None:
     """Every model of the metamodels' authors is the same graph under both."""

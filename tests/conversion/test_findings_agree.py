@@ -108,6 +108,7 @@ BROKEN = """
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "code",
     [

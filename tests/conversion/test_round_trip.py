@@ -33,6 +33,7 @@ MOST = 20_000
 """The size in bytes of the largest file that is tried."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", WRITERS)
 @pytest.mark.parametrize("name", ["six-axis", "gripper"])
 def test_samples(name, form):

@@ -148,6 +148,7 @@ def test_the_user_may_give_names_to_stores(serving, tmp_path, monkeypatch, capsy
     assert main(["check", "--endpoint", "plant"]) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "query",
     [

@@ -181,6 +181,7 @@ def test_graphs_of_others_are_judged_by_what_they_state(store, capsys, tmp_path,
     assert all(each["iri"] for each in found)
 
 
+@pytest.mark.slow
 def test_only_what_changed_since_is_checked(store, capsys, tmp_path, monkeypatch):
     """By the revision that loading tells, or by time."""
     monkeypatch.chdir(tmp_path)
@@ -204,6 +205,7 @@ def test_only_named_graphs_are_checked(store, capsys, tmp_path, monkeypatch):
     assert {json.loads(each)["filename"] for each in found} == {"two.urdf"}
 
 
+@pytest.mark.slow
 def test_long_answers_come_in_pages(store, capsys, tmp_path, monkeypatch):
     """More graphs than fit on a page, and more statements."""
     monkeypatch.chdir(tmp_path)

@@ -181,6 +181,7 @@ EVERYTHING = """
 """
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(
     st.lists(st.tuples(NODES, TYPES), max_size=4),
@@ -301,6 +302,7 @@ ARM = """
 """
 
 
+@pytest.mark.slow
 def test_our_ontology_closes_as_owlrl_does():
     """The shipped axioms are all of a kind that is compiled."""
     inferred = closed(ARM, ONTOLOGY)

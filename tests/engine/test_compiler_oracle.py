@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from small_graphs import shapes, simple_groups, triples
@@ -46,6 +47,7 @@ def told(results: list[Result]) -> Counter[tuple[str | None, ...]]:
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=120)
 @given(triples, shapes)
 def test_core_shapes_have_the_same_results(graph: tuple[Triple, ...], shape: str) -> None:
@@ -59,6 +61,7 @@ def test_core_shapes_have_the_same_results(graph: tuple[Triple, ...], shape: str
     assert told([*check(store, constraints)]) == told(check_store(store, files))
 
 
+@pytest.mark.slow
 @settings(max_examples=80)
 @given(triples, simple_groups, simple_groups)
 def test_sparql_constraints_have_the_same_results(
@@ -82,6 +85,7 @@ def test_sparql_constraints_have_the_same_results(
     assert {*told([*check(store, constraints)])} == {*told(check_store(store, files))}
 
 
+@pytest.mark.slow
 @settings(max_examples=100)
 @given(triples, shapes, st.sampled_from(["<urn:a>", "<urn:b>", "_:d"]))
 def test_one_focus_node_has_its_share_of_all_results(

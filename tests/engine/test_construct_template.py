@@ -89,6 +89,7 @@ def test_what_binds_nothing_that_is_looked_at_is_left_out(where, left):
     assert trimmed(group(where), {"?a", "?used"}) == group(where if left is None else left)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMATS)
 def test_less_is_lifted_the_same(form):
     """What is left, is as it is where all is lifted."""

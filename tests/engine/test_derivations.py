@@ -184,6 +184,7 @@ def test_disjoint_types_are_those_that_are_written(types: str, told: str) -> Non
     assert f"is of type '{told}' and of type" in finding.message
 
 
+@pytest.mark.slow
 def test_what_nobody_describes_is_shown_where_it_is_mentioned(tmp_path):
     """An axiom may say what it is, and a rule complain about that."""
     axioms = tmp_path / "axioms.ttl"

@@ -123,6 +123,7 @@ def groups(draw: st.DrawFn) -> str:
     return " ".join(parts)
 
 
+@pytest.mark.slow
 @settings(max_examples=300)
 @given(groups())
 def test_no_rewriting_changes_a_solution(text: str) -> None:

@@ -166,6 +166,7 @@ PLACES += [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("form", "engine"), PLACES)
 @pytest.mark.parametrize("trick", ELSEWHERE.values(), ids=ELSEWHERE)
 def test_no_query_reaches_beyond_the_model(
@@ -194,6 +195,7 @@ def test_an_inference_rule_reaches_nothing(
     assert received == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("trick", UPDATES.values(), ids=UPDATES)
 def test_no_repair_reaches_beyond_the_model(
     trick: str, listening: tuple[str, list[str]], refused: Callable[..., str]

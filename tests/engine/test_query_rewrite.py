@@ -36,6 +36,7 @@ def solutions(graph: tuple[Triple, ...], query: str) -> list[str]:
     return sorted(str([str(term) for term in row]) for row in found)
 
 
+@pytest.mark.slow
 @settings(
     max_examples=300,
     suppress_health_check=[HealthCheck.filter_too_much],
@@ -50,6 +51,7 @@ def test_rewritten_exists_has_the_same_solutions(
     assert solutions(graph, rewritten(query)) == expected
 
 
+@pytest.mark.slow
 @settings(max_examples=200)
 @given(triples, st.sampled_from(PATHS), st.booleans())
 def test_reach_from_a_computed_anchor_has_the_same_solutions(
@@ -66,6 +68,7 @@ def test_reach_from_a_computed_anchor_has_the_same_solutions(
     assert solutions(graph, rewritten(query)) == solutions(graph, query)
 
 
+@pytest.mark.slow
 @settings(max_examples=200)
 @given(triples, st.sampled_from(PATHS), groups)
 def test_reach_from_the_focus_node_has_the_same_solutions(

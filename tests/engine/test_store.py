@@ -222,6 +222,7 @@ def test_unbound_variables_are_left_out_of_rows():
     assert list(store.rows("SELECT ?s ?x { ?s ?p ?o OPTIONAL { ?o ?p ?x } }")) == [{"s": ex("a")}]
 
 
+@pytest.mark.slow
 @given(st.text(st.characters(codec="utf-8")))
 def test_strings_return_as_they_were_stated(text: str):
     """Whatever a string holds, its token finds its span."""

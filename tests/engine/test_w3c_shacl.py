@@ -77,6 +77,7 @@ def test_record_names_every_test_of_the_suite(suite: dict[str, Case]) -> None:
         assert set(RECORD[engine]["fails"]) <= set(suite)
 
 
+@pytest.mark.slow
 def test_only_recorded_constraints_are_deferred(suite: dict[str, Case]) -> None:
     """Every other constraint of the suite runs as one SELECT on Oxigraph."""
     deferred = {}

@@ -71,6 +71,7 @@ def told(premises: tuple[Premise, ...]) -> list[tuple[int, str, str]]:
     return [(each.depth, each.statement, each.axiom) for each in premises]
 
 
+@pytest.mark.slow
 def test_a_number_is_shown_with_what_it_is_computed_from(faults: Rulebook) -> None:
     """The numbers, lists and units of the node itself, each at its place."""
     premises = because(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from support.linting import document
 
 from kinlint.engine.lifting import lift
@@ -38,6 +39,7 @@ def test_groups_that_are_parts_of_each_other() -> None:
     assert back(("r.srdf", f'<robot name="r">{text}</robot>')) == {"b": "b", "c": "b"}
 
 
+@pytest.mark.slow
 def test_a_long_circle_is_found_without_walking_it_for_each() -> None:
     count = 3_000
     joints = "".join(joint(f"j{i}", f"j{(i + 1) % count}") for i in range(count))

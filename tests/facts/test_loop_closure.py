@@ -191,6 +191,7 @@ def written(matrix: Matrix, vector: Vector) -> Node:
     return turn(*transpose(matrix)) | shift(*vector)
 
 
+@pytest.mark.slow
 @settings(max_examples=25)
 @given(st.lists(st.tuples(angles, vectors, st.booleans()), min_size=2, max_size=8))
 def test_any_loop_of_rigid_motions_closes(

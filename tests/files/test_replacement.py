@@ -27,6 +27,7 @@ for letter in "ab" * 100_000:
 """
 
 
+@pytest.mark.slow
 def test_a_killed_process_leaves_one_content_or_the_other(tmp_path):
     """At whatever moment it is killed."""
     target = tmp_path / "arm.urdf"

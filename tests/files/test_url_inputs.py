@@ -84,6 +84,7 @@ def archive(tree: Path) -> Path:
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["zip://robots::{0}", "zip://{0}/robots", "zip://{0}"])
 def test_members_of_an_archive(form, tree, expected, capsys):
     """Includes, packages and meshes are found in it; its configuration does not count."""

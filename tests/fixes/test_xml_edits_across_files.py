@@ -146,6 +146,7 @@ def test_xacro_that_cannot_be_changed(
         xacro(tmp_path, [(node, name)], [(node, name, value)])
 
 
+@pytest.mark.slow
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.randoms(use_true_random=False))
 def test_any_change_of_xacro(tmp_path: Path, random: Random) -> None:

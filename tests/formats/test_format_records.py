@@ -75,6 +75,7 @@ def named(module: str) -> Iterator[tuple[int, str]]:
                 yield from ((node.lineno, one.name) for one in node.names if one.name in NAMESPACES)
 
 
+@pytest.mark.slow
 def test_no_other_module_names_a_format():
     """A new format is a folder, its name in `FOLDERS`, and data."""
     assert {module: found for module in modules() if (found := list(named(module)))} == {}

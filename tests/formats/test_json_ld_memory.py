@@ -35,6 +35,7 @@ def test_samples() -> None:
     check({path.name: path.read_text("utf-8") for path in SAMPLES}, Contexts.bundled())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("release", RELEASES)
 def test_real_models(release: str) -> None:
     texts = {str(path): path.read_text("utf-8") for path in models()}

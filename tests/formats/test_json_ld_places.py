@@ -6,6 +6,7 @@ import json
 import re
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pyld import jsonld
@@ -137,12 +138,14 @@ def theirs(content: Any, contexts: Contexts | None = None) -> str:
     return canonical(jsonld.JsonLdProcessor.to_nquads({"@default": triples}))
 
 
+@pytest.mark.slow
 @settings(max_examples=150)
 @given(TEXTS)
 def test_every_place_says_what_is_there(text: str) -> None:
     check_places(document(text))
 
 
+@pytest.mark.slow
 @settings(max_examples=100)
 @given(TEXTS)
 def test_the_triples_are_those_of_pyld(text: str) -> None:

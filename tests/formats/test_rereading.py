@@ -247,6 +247,7 @@ def edited(text: str, chance: random.Random) -> str:
     return text[:at] + chance.choice("abc1-_#é") + text[at + (kind == 5) :]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(12))
 def test_random_edits(seed: int) -> None:
     chance = random.Random(seed)  # noqa: S311  no secret

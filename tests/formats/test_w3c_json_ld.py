@@ -27,6 +27,7 @@ def failures(suites: list[W3CTest], run: object) -> dict[str, str]:
     return {name: reason for name, reason in found.items() if reason}
 
 
+@pytest.mark.slow
 def test_the_record_is_exact(suites: list[W3CTest]) -> None:
     """The record holds the number of tests, and each failure with what happens instead."""
     record = json.loads(RECORD.read_text("utf-8"))
@@ -72,6 +73,7 @@ def _unnamed(match: re.Match[str]) -> str:
     return f"{match[1]} ." if len(rest.split()) == 3 else match[0]
 
 
+@pytest.mark.slow
 def test_no_test_makes_the_lenient_reader_crash(suites: list[W3CTest]) -> None:
     for test in suites:
         verdict = test.judge(lambda one: run_ours(one, strict=False))

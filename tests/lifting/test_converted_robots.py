@@ -36,6 +36,7 @@ MOST = 20_000
 """The size in bytes of the largest file that is tried."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize(
     "path",

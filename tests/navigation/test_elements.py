@@ -43,6 +43,7 @@ def complete(documents):
     return index
 
 
+@pytest.mark.slow
 def test_an_element_tells_what_the_whole_file_tells():
     text, documents = edited([PREFIXES, GEOMETRY], ELEMENTS)
     every = complete(documents)
@@ -61,6 +62,7 @@ def test_an_element_tells_what_the_whole_file_tells():
     assert inside > len(text) / 2
 
 
+@pytest.mark.slow
 def test_what_is_described_in_several_elements_is_found_in_all():
     text, documents = edited([PREFIXES, GEOMETRY], ELEMENTS)
     index = Index(documents)
@@ -73,6 +75,7 @@ def test_what_is_described_in_several_elements_is_found_in_all():
     assert places == sorted(places)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("context", "element"),
     [

@@ -2,6 +2,7 @@
 
 import json
 
+import pytest
 from navigating import NON_BMP, Model
 
 from kinlint.navigation.outline import DEEPEST
@@ -49,6 +50,7 @@ def test_the_name_of_a_symbol_lies_in_its_description(tmp_path):
         pending += each.below
 
 
+@pytest.mark.slow
 def test_what_hangs_too_deep_is_put_beside(tmp_path):
     """Clients recurse through symbols, and robots may be chains of thousands."""
     links = "".join(f'<link name="l{i}"/>' for i in range(300))

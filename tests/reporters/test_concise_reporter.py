@@ -3,6 +3,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import pytest
 from hypothesis import given
 from reported import BOTH, INERTIA_FINDING, SAFE, UNSAFE, here, report, reports, unit_finding
 
@@ -46,6 +47,7 @@ def test_a_file_that_cannot_be_read_is_a_gnu_line_too() -> None:
     )
 
 
+@pytest.mark.slow
 @given(reports())
 def test_every_line_parses_and_keeps_its_place(made: Report) -> None:
     text = "".join(render(made, Style()))

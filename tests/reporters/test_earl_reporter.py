@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pyoxigraph as ox
+import pytest
 from hypothesis import given
 from reported import BOTH, INERTIA, UNIT, report, reports
 
@@ -48,6 +49,7 @@ def test_of_a_file_that_cannot_be_read_nothing_can_be_told() -> None:
     assert rest == ["cantTell", "3", "4"]
 
 
+@pytest.mark.slow
 @given(reports())
 def test_any_report_is_turtle(made: Report) -> None:
     for style in (Style(), Style(unicode=False)):

@@ -189,6 +189,7 @@ def test_colours_change_nothing_but_colours() -> None:
     assert ESCAPES.sub("", colored) == full(INERTIA_FINDING)
 
 
+@pytest.mark.slow
 @given(reports())
 def test_no_text_of_a_file_reaches_the_terminal_raw(made: Report) -> None:
     text = "".join(render(made, Style()))
@@ -196,6 +197,7 @@ def test_no_text_of_a_file_reaches_the_terminal_raw(made: Report) -> None:
     assert "".join(render(made, Style(unicode=False))).isascii()
 
 
+@pytest.mark.slow
 @given(reports())
 def test_carets_have_the_width_of_what_they_mark(made: Report) -> None:
     for finding in made.findings:

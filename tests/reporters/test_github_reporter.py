@@ -116,6 +116,7 @@ def test_a_file_that_cannot_be_read_is_an_error() -> None:
     )
 
 
+@pytest.mark.slow
 @given(reports())
 def test_a_finding_never_takes_more_than_its_line(made: Report) -> None:
     text = "".join(render(made, Style()))

@@ -128,6 +128,7 @@ def test_lines_of_json_stay_that(name: str, made: Report) -> None:
     assert all(json.loads(line) for line in written(made, name).split("\n") if line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["junit", "checkstyle"])
 @settings(max_examples=25)
 @given(made=reports())

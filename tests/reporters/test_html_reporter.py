@@ -234,6 +234,7 @@ def test_fixed_findings_are_listed() -> None:
     assert "Fixed" in made.words
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unicode", [True, False])
 def test_names_are_text_wherever_they_stand(*, unicode: bool) -> None:
     for name in HOSTILE:

@@ -4,6 +4,7 @@ import json
 from dataclasses import replace
 from typing import Any
 
+import pytest
 from hypothesis import given
 from reported import (
     BOTH,
@@ -111,6 +112,7 @@ def test_a_suppressed_finding_says_why() -> None:
     assert array(report(finding))[0]["suppressed"] == "known"
 
 
+@pytest.mark.slow
 @given(reports())
 def test_columns_are_code_points_and_ends_exclude(made: Report) -> None:
     for finding, loaded in zip(made.findings, array(made), strict=True):
@@ -122,6 +124,7 @@ def test_columns_are_code_points_and_ends_exclude(made: Report) -> None:
         assert (start, end) == finding.location.span
 
 
+@pytest.mark.slow
 @given(reports())
 def test_lines_hold_the_objects_of_the_array(made: Report) -> None:
     for style in (Style(), Style(unicode=False)):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from hypothesis import given
 from markdown_it import MarkdownIt
 from reported import BOTH, PLAIN, UNIT_FINDING, here, messages, report, reports, unit_finding
@@ -83,6 +84,7 @@ def test_a_link_without_an_address_is_text() -> None:
     assert link("[a]", "") == "\\[a\\]"
 
 
+@pytest.mark.slow
 @given(reports())
 def test_each_finding_is_an_item(made: Report) -> None:
     assert html(made).count("<li>") == len(made.findings)

@@ -193,6 +193,7 @@ def test_a_suggestion_writes_what_the_edits_write(data: st.DataObject) -> None:
     assert written == applied(source.text, (Edit(one.location.span, one.text) for one in edits))
 
 
+@pytest.mark.slow
 @given(reports())
 def test_any_report_is_valid(made: Report) -> None:
     for style in (PLAIN, Style(unicode=False)):

@@ -376,6 +376,7 @@ def test_grouped_names_each_file_once() -> None:
     assert "\x1b]8;" in text(grouped, BOTH, Style(color=True, links=True))
 
 
+@pytest.mark.slow
 @given(reports())
 def test_any_report_can_be_told(made: Report) -> None:
     """In each format, and to streams without Unicode."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pyoxigraph as ox
+import pytest
 from hypothesis import given
 from reported import BOTH, DISPLAY, INERTIA_FINDING, PLAIN, UNSAFE, report, reports
 
@@ -104,6 +105,7 @@ def test_fixes_are_suggested_graph_updates() -> None:
     ]
 
 
+@pytest.mark.slow
 @given(reports())
 def test_any_report_is_turtle(made: Report) -> None:
     """Whatever stands in names, messages and terms; in ASCII, too."""

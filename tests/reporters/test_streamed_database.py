@@ -3,6 +3,8 @@
 import sqlite3
 from contextlib import closing
 
+import pytest
+
 from kinlint.cli.main import main
 
 ROBOT = '<robot name="{0}"><link name="a"/><joint name="j"/></robot>'
@@ -14,6 +16,7 @@ QUERIES = (
 )
 
 
+@pytest.mark.slow
 def test_findings_go_to_it_as_they_are_found_and_the_last_ones_as_well(
     tmp_path, monkeypatch, rules_cache
 ):

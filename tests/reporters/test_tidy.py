@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -44,6 +45,7 @@ def test_nothing_is_laid_out_nowhere() -> None:
     assert tidy([], [], GAP) == []
 
 
+@pytest.mark.slow
 def test_a_chain_is_a_line_and_needs_no_recursion() -> None:
     middles = tidy([index - 1 for index in range(20_000)], [10.0] * 20_000, GAP)
     assert set(middles) == {5.0}

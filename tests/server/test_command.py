@@ -43,6 +43,7 @@ def serve(tmp_path, rules_cache):
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("options", [(), ("--stdio",)])
 def test_a_polite_client(serve, options):
     """Standard output has messages only, and the exit code is 0."""
@@ -55,12 +56,14 @@ def test_a_polite_client(serve, options):
     assert done.returncode == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("said", [b"", framed(HELLO), framed(HELLO, LEAVE), b"what?\r\n\r\n"])
 def test_a_client_that_goes_without_a_word(serve, said):
     """The server goes, too."""
     assert serve(said).returncode == 1
 
 
+@pytest.mark.slow
 def test_messages_that_make_no_sense_are_answered(serve):
     """With an error, and the next one as ever."""
     strange = {"id": 7, "method": "textDocument/strange", "params": {}}

@@ -44,6 +44,7 @@ def never():
     return False
 
 
+@pytest.mark.slow
 def test_only_models_with_open_files_are_examined(here, library):
     """And when all is known there is nothing to do."""
     (here / "leg.srdf").unlink()
@@ -58,6 +59,7 @@ def test_only_models_with_open_files_are_examined(here, library):
     assert {here / "leg.urdf", here / "arm.urdf"} == {path for key in second.models for path in key}
 
 
+@pytest.mark.slow
 def test_open_files_of_a_large_model_come_first(here, library, monkeypatch):
     """They alone, as a part of a model; then all files."""
     monkeypatch.setattr(session, "LARGE", 0)
@@ -72,6 +74,7 @@ def test_open_files_of_a_large_model_come_first(here, library, monkeypatch):
     assert third.done
 
 
+@pytest.mark.slow
 def test_what_nobody_has_open_is_forgotten_until_it_is_asked_for(here, library):
     """What was told of it was told."""
     now = moment(here, 1, everything=True)

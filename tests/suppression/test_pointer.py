@@ -81,6 +81,7 @@ def _places(value, pointer=""):
             yield from _places(inner, f"{pointer}/{index}")
 
 
+@pytest.mark.slow
 @given(_VALUES, st.sampled_from([None, 1]))
 def test_every_value_is_found(value, indent):
     """The text at a pointer's place says the value that is there."""

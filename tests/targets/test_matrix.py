@@ -131,6 +131,7 @@ def test_a_document_of_collada_has_rows(tmp_path, capsys):
     assert rows == _known("collada-")
 
 
+@pytest.mark.slow
 def test_composable_models_have_rows(tmp_path, capsys):
     """Joints, couplings, limits and shapes, in JSON-LD as in Turtle."""
     (tmp_path / "left.ttl").write_text(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple, TypeVar, overload
 
 from kinlint.engine.constraint import Constraint
@@ -57,6 +57,9 @@ class Deferred(_Decoded[T]):
 
     def _value(self, index: int) -> T:
         return self._decoded()[index]
+
+    def __iter__(self) -> Iterator[T]:
+        return iter(self._decoded())
 
 
 class ConstraintHead(NamedTuple):

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import Literal, TypeAlias
 
 from kinlint import lint, resources
+from kinlint.catalogue.deferred import heads
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.catalogue.scaffold import unfilled
 from kinlint.configuration.settings import Choice, FileSettings, Settings
@@ -244,7 +245,8 @@ def _alone(
     rule: Rule, rulebook: Rulebook, engine: Literal["oxigraph", "pyshacl"]
 ) -> tuple[Rulebook, Settings]:
     """Return *rulebook* with the constraints of *rule* only, and settings under which it speaks."""
-    own = tuple(each for each in rulebook.constraints if each.owner == rule.iri)
+    owners = enumerate(heads(rulebook.constraints))
+    own = tuple(rulebook.constraints[index] for index, each in owners if each.owner == rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
     consumers = {*rule.targets, *(name for each in own for name in each.consumers)}

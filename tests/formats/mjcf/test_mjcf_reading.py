@@ -146,6 +146,7 @@ def test_nobody_makes_endless_copies(count: str) -> None:
     assert len(read.statements) < 1_000
 
 
+@pytest.mark.slow
 def test_copies_of_copies_are_bounded() -> None:
     inner = '<body><geom size="1"/></body>'
     for _ in range(6):
@@ -269,6 +270,7 @@ def test_the_order_of_statements_is_that_of_the_text() -> None:
     assert model(text).statements == model(text).statements
 
 
+@pytest.mark.slow
 def test_attaching_each_other_ends(tmp_path) -> None:
     main = tmp_path / "robot.xml"
     attach = '<attach body="{}" prefix="{}"/>'

@@ -134,6 +134,7 @@ def test_files_that_include_each_other_are_stated_and_end(folder):
     assert loss["file"].endswith("model.sdf")
 
 
+@pytest.mark.slow
 def test_files_that_include_others_many_times_over_end(folder):
     """Each of twenty includes the next one twice."""
     for i in range(20):

@@ -72,6 +72,7 @@ def content(element: Any) -> Any:
     return element.tagName, dict(element.attributes.items()), inside
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("finding")
 def test_expansions_are_those_of_xacro(home: Path, packages: Packages) -> None:
     files = sorted(home.rglob("*.xacro"))
@@ -92,6 +93,7 @@ def test_expansions_are_those_of_xacro(home: Path, packages: Packages) -> None:
     assert (len(files), expanded) == (FILES, EXPANDED)
 
 
+@pytest.mark.slow
 def test_every_character_is_accounted_for(home: Path, packages: Packages) -> None:
     """What is marked as copied stands in the texts as it stands in the expansion."""
     for path in sorted(home.rglob("*.xacro")):

@@ -55,6 +55,7 @@ def test_bombs_are_refused_where_they_stand(text: str) -> None:
     assert error.line == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [

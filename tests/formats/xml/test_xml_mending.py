@@ -148,6 +148,7 @@ def test_a_document_type_without_a_definition_is_read() -> None:
     assert ("#", "@name", "a") in graph(model("<!DOCTYPE robot><robot name='a'/>"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["urdf", "sdf"])
 def test_real_files_are_read_unless_a_tag_is_not_closed(kind: str) -> None:
     unread = []
