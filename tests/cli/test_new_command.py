@@ -94,6 +94,7 @@ def test_it_overwrites_nothing(kinlint, here):
     path = here / "my rules ü/glass/limit-of-glass.ttl"
     before = path.read_bytes()
     assert "is there already" in kinlint(*again)[2]
+    assert "is there already" in kinlint("new", "glass/limit-of-glass.ttl", *again[2:])[2]
     assert path.read_bytes() == before
     assert "called inverted-limit already" in kinlint("new", "limits/inverted-limit")[2]
     assert "LIM001 is that of" in kinlint("new", "limits/x", "--code", "LIM001")[2]

@@ -106,7 +106,7 @@ def _chosen(family: str, codes: Mapping[str, Path], top: Path, *, own: bool) -> 
 
 
 def _parts(given: str) -> tuple[str, str]:
-    family, mark, name = given.partition("/")
+    family, mark, name = given.removesuffix(".ttl").partition("/")
     if not mark:
         raise UsageError(f"expected FAMILY/NAME, such as limits/inverted-limit, got '{given}'")
     for part, what in ((family, "family"), (name, "name")):
