@@ -21,11 +21,15 @@ TITLES = ", ".join(each.title for each in HOOKED_FORMATS)
 KNOWN_TO_EDITORS = ("yaml", "python")
 UNKNOWN_TO_EDITORS = {
     suffix
-    for each in SEARCHED_FORMATS
+    for each in HOOKED_FORMATS
     if each.fence not in KNOWN_TO_EDITORS
-    for suffix in each.suffixes
+    for suffix in (each.suffixes if each.searched else each.suffixes[:1])
 }
-"""Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`."""
+"""Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`.
+
+Of COLLADA and USD the first suffix is that of texts, the others are those of archives and crates."""
+NO_LANGUAGE = {".usda"}
+"""Suffixes for which some editors have no language that they could be told."""
 
 README = (ROOT / "linter" / "kinlint" / "server" / "README.md").read_text("utf-8")
 EDITORS = README.split("\n## Editors\n")[1].split("\n## ")[0]
@@ -70,7 +74,8 @@ def test_descriptions_name_the_formats(text):
 @pytest.mark.parametrize("block", [each for each in BLOCKS if suffixes(each) - {".json"}])
 def test_settings_of_editors(block):
     """Each that names files names those of all formats, but for Turtle, which editors know."""
-    assert suffixes(block) - {".json", ".ttl", ".yaml", ".yml"} == UNKNOWN_TO_EDITORS
+    named = suffixes(block) - {".json", ".ttl", ".yaml", ".yml", ".usd"}
+    assert named | NO_LANGUAGE == UNKNOWN_TO_EDITORS
 
 
 def test_the_text_about_editors():
