@@ -27,7 +27,7 @@ UNKNOWN_TO_EDITORS = {
 }
 """Suffixes for which editors have to be told a language; they know `.json`, `.ttl` and `.yaml`.
 
-Of COLLADA and USD the first suffix is that of texts, the others are those of archives and crates."""
+Of COLLADA and USD the first suffix is that of texts, the others are of archives and crates."""
 NO_LANGUAGE = {".usda"}
 """Suffixes for which some editors have no language that they could be told."""
 
