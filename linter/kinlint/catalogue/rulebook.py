@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from kinlint import __version__, resources
 from kinlint.catalogue.compiled_store import CompiledCatalogue, newest
+from kinlint.catalogue.deferred import heads
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.constraint import Constraint
@@ -76,6 +77,11 @@ class Rulebook:
     def by_name(self) -> dict[str, Rule]:
         """Rules by name."""
         return {rule.name: rule for rule in self.rules}
+
+    def constraints_of(self, owner: str) -> tuple[Constraint, ...]:
+        """Return the constraints of the rule with the IRI *owner*; no other is decoded."""
+        numbered = enumerate(heads(self.constraints))
+        return tuple(self.constraints[index] for index, head in numbered if head.owner == owner)
 
 
 def load(

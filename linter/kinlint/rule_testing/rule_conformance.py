@@ -11,7 +11,6 @@ from tempfile import TemporaryDirectory
 from typing import Literal, TypeAlias
 
 from kinlint import lint, resources
-from kinlint.catalogue.deferred import heads
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
 from kinlint.catalogue.scaffold import unfilled
 from kinlint.configuration.settings import Choice, FileSettings, Settings
@@ -245,8 +244,7 @@ def _alone(
     rule: Rule, rulebook: Rulebook, engine: Literal["oxigraph", "pyshacl"]
 ) -> tuple[Rulebook, Settings]:
     """Return *rulebook* with the constraints of *rule* only, and settings under which it speaks."""
-    owners = enumerate(heads(rulebook.constraints))
-    own = tuple(rulebook.constraints[index] for index, each in owners if each.owner == rule.iri)
+    own = rulebook.constraints_of(rule.iri)
     shapes = tuple(file for file in rulebook.shapes if file.name in (PREFIXES, f"{rule.name}.ttl"))
     only = replace(rulebook, constraints=own, shapes=shapes)
     consumers = {*rule.targets, *(name for each in own for name in each.consumers)}
@@ -273,7 +271,7 @@ def messages(rule: Rule) -> Iterator[str]:
 
 def grouping(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """Yield variables that a rule groups by, or orders a group by, and none of its queries has."""
-    queries = [each.select for each in rulebook.constraints if each.owner == rule.iri]
+    queries = [each.select for each in rulebook.constraints_of(rule.iri)]
     known = {"?file"}.union(*(tokens(query, {}) for query in queries))
     for name in rule.group_by:
         if queries and f"?{name}" not in known:

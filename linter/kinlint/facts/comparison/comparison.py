@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kinlint.addresses import local_name
@@ -140,7 +140,7 @@ class Comparison:
         """
         found = self.correspondence
         here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
-        pose, same = found.poses[mine], self.body_pairs(mine)
+        pose, same = found.poses[mine], self.body_pairs[mine]
         if not same.pairs:
             yield here, there, [pose]
         elif not self.each_body:
@@ -155,11 +155,14 @@ class Comparison:
                 poses = [pose] if coincide(pose, own) else [pose, own]
                 yield Group((body,)), Group((other,)), poses
 
-    def body_pairs(self, mine: int) -> BodyPairs:
-        """Return the bodies that are the same of the group with this index."""
+    @cached_property
+    def body_pairs(self) -> Mapping[int, BodyPairs]:
+        """The bodies that are the same in groups that are, by the index of the first group."""
         found = self.correspondence
-        here, there = self.one.groups[mine], self.other.groups[found.groups[mine]]
-        return body_pairs(here, there, found.poses[mine])
+        return {
+            mine: body_pairs(self.one.groups[mine], self.other.groups[yours], found.poses[mine])
+            for mine, yours in found.groups.items()
+        }
 
     def _fixed(self, mine: int) -> Iterator[Measured]:
         """Yield where bodies of one name are that are welded to others."""

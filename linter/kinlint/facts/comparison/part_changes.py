@@ -64,7 +64,7 @@ def name_changes(comparison: Comparison, old: Side, new: Side) -> Iterator[Chang
         here, there = one.joints[mine], other.joints[yours]
         yield from renamed("joint", here.node, there.node, here.name, there.name)
     for mine in sorted(found.groups):
-        for body, same in comparison.body_pairs(mine).pairs:
+        for body, same in comparison.body_pairs[mine].pairs:
             yield from renamed("link", body.node, same.node, body.name, same.name)
             held, now = one.fixed.get(body.name), other.fixed.get(same.name)
             if held is not None and now is not None:
@@ -78,7 +78,7 @@ def parts_without_motion(
     found: tuple[list[Part], list[Part]] = [], []
     names = comparison.one.body_names, comparison.other.body_names
     for mine in sorted(comparison.correspondence.groups):
-        same = comparison.body_pairs(mine)
+        same = comparison.body_pairs[mine]
         found[0].extend(_fixed(same.gone, names[1], old))
         found[1].extend(_fixed(same.come, names[0], new))
     for parts, side, other in ((found[0], old, new), (found[1], new, old)):

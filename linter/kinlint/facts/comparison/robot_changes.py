@@ -43,10 +43,10 @@ def robot_difference(old: Side, new: Side, tolerances: Tolerances) -> RobotDiffe
         *fixed_or_free(alone, old, new),
     ]
     whole = list(_whole(old, new, tolerances, found.groups))
-    moving = (
-        [each for each in alone[0] if each.name not in new.fixed],
-        [each for each in alone[1] if each.name not in old.fixed],
-    )
+    moving = [
+        [each for each in joints if each.name not in held]
+        for joints, held in zip(alone, (new.fixed, old.fixed), strict=True)
+    ]
     gone, come = ([*_parts(each, side)] for each, side in zip(moving, (old, new), strict=True))
     if revisions:
         without, with_them = parts_without_motion(comparison, old, new)

@@ -112,11 +112,14 @@ def cut_off(assembly: Assembly) -> dict[PhysicsJoint, StagePrim]:
 
     A body with an articulation root of its own is another robot, and not cut off.
     """
+    excluded = [each for each in assembly.joints if each.closes_loop]
+    if not excluded:
+        return {}
     trees = _trees(assembly)
     base, known = trees.find(assembly.base), set(_roots_around(assembly.base))
     rooted = {trees.find(each) for each in assembly.bodies if each.has(ROOT)}
     found = {}
-    for joint in assembly.joints:
+    for joint in excluded:
         one, other = (side.body for side in joint.sides)
         if one is None or other is None:
             continue
@@ -130,12 +133,14 @@ def cut_off(assembly: Assembly) -> dict[PhysicsJoint, StagePrim]:
 
 def further_roots(assembly: Assembly) -> dict[StagePrim, StagePrim]:
     """Return the bodies and joints with the root schema whose tree has another root, with that."""
-    trees = _trees(assembly)
     marked = [(each, each) for each in assembly.bodies if each.has(ROOT)]
     for joint in assembly.joints:
         body = joint.sides[1].body or joint.sides[0].body
         if body is not None and joint.prim.has(ROOT) and not joint.closes_loop:
             marked.append((joint.prim, body))
+    if not marked[1:]:
+        return {}
+    trees = _trees(assembly)
     first: dict[StagePrim, StagePrim] = {}
     found = {}
     for prim, body in sorted(marked, key=lambda each: each[0] is not assembly.root):
