@@ -29,8 +29,11 @@ SUFFIXES = {
     for each in FORMATS
     if each.searched and each.fence not in ("yaml", "python")
     for suffix in each.suffixes
-}
-"""Suffixes that editors are told of; YAML and launch files are checked from the command line."""
+} | {"dae"}
+"""Suffixes that editors are told of; YAML and launch files are checked from the command line.
+
+COLLADA is opened by hand: folders are not searched for it, as nearly all of it is meshes.
+"""
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
