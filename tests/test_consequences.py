@@ -141,6 +141,7 @@ def test_one_mistake_is_one_finding(name: str, lint_edited: Callable[..., Report
     assert f"{len(cause.consequences)} other finding" in cause.message
 
 
+@pytest.mark.slow
 def test_what_an_unread_file_describes_follows_from_it(lint_edited: Callable[..., Report]) -> None:
     """A comma is missing: the error counts the references; a slip elsewhere is a finding still."""
     broken = ("skeleton", '"Vector", "BoundVector"', '"Vector" "BoundVector"')
@@ -152,6 +153,7 @@ def test_what_an_unread_file_describes_follows_from_it(lint_edited: Callable[...
     assert f"{len(error.consequences)} other findings follow from this" in error.cause
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gone", ["skeleton", "relations"])
 def test_what_a_missing_file_describes_follows_from_its_absence(
     gone: str, lint_edited: Callable[..., Report]
@@ -165,6 +167,7 @@ def test_what_a_missing_file_describes_follows_from_its_absence(
     assert "'arm:elbw'" in other.message
 
 
+@pytest.mark.slow
 def test_of_two_causes_the_first_has_the_consequences(lint_edited: Callable[..., Report]) -> None:
     """Whatever order the store answers in, which differs between processes."""
     types = '"PoseCoordinate", "VectorXYZ"'

@@ -42,6 +42,7 @@ def linted(given: Growing, count: int):
     return lint(given.text(count), given.name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("title", "owner"),
     [

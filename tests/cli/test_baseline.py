@@ -42,6 +42,7 @@ def said(here):
     return json.loads((here / "kinlint-baseline.json").read_text("utf-8"))
 
 
+@pytest.mark.slow
 def test_it_is_sorted_json_that_differs_where_findings_do(kinlint, known, here):
     """The same from everywhere, whatever the order of the files."""
     text = (here / "kinlint-baseline.json").read_bytes()
@@ -75,6 +76,7 @@ def test_from_another_directory(kinlint, known, here, monkeypatch):
     assert kinlint("..", "--baseline", "../kinlint-baseline.json", *ONLY)[0] == 0
 
 
+@pytest.mark.slow
 def test_a_renamed_robot_is_known(kinlint, known, here, write):
     """Where its file is gone; a copy is new."""
     (here / "b.urdf").rename(here / "renamed.urdf")
@@ -92,6 +94,7 @@ def test_the_entry_of_a_file_that_is_gone_knows_it_first(kinlint, known, here, w
     assert "'a ü,: 𝄞.urdf#/joint/elbow/position-limit', which is no longer found" in out
 
 
+@pytest.mark.slow
 def test_of_a_file_that_is_gone_all_is_found_no_more(kinlint, known, here):
     """If the run searched where it lay."""
     (here / "b.urdf").unlink()
@@ -114,6 +117,7 @@ def test_an_entity_is_the_same_in_another_file(kinlint, here, write):
     assert (code, "1 in the baseline" in out) == (0, True)
 
 
+@pytest.mark.slow
 def test_an_entity_is_the_same_however_it_is_abbreviated(kinlint, here, write):
     """A name that others have, too, is written with its kind; a prefix is as good as any."""
     write("a.urdf", arm("a"))
@@ -163,6 +167,7 @@ def test_nothing_is_said_of_what_was_not_looked_at(kinlint, known, write, argume
     assert (code, "no longer found" in out) == (0, False)
 
 
+@pytest.mark.slow
 def test_pruning_drops_what_is_found_no_more(kinlint, known, here, write):
     """And what was of files that are gone; what is new does not become known."""
     write("b.urdf", arm("b", "-3"))
@@ -266,6 +271,7 @@ def test_it_is_no_place_for_a_report(kinlint, known):
     assert (code, "would be lost" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, write):
     """What is found of an IRI may depend on files that were not given this time."""
     write("one.jsonld", NODE)
@@ -281,6 +287,7 @@ def test_a_part_of_a_model_accuses_nothing_that_others_may_say(kinlint, here, wr
     assert (code, "no longer found" in out) == (1, True)
 
 
+@pytest.mark.slow
 def test_a_part_accuses_nothing_where_the_other_file_has_no_findings(kinlint, here, write):
     """The limit is below the joint's only as long as the file of the joint is there."""
     joint = '{ "@id": "ex:joint", "@type": ["Joint", "PrismaticJoint"] }'
@@ -302,6 +309,7 @@ def known_as():
     return "--baseline", "kinlint-baseline.json"
 
 
+@pytest.mark.slow
 def test_fixes_are_proven_of_what_is_new(kinlint, known, write, monkeypatch):
     """Of the robot that has something new; and nothing is tried where nothing is."""
     tried = []

@@ -53,6 +53,7 @@ def test_what_is_taken_is_told(robot, kinlint):
     assert "robot of arm/config/arm.srdf: arm/urdf/arm.urdf, because its file has the" in told
 
 
+@pytest.mark.slow
 def test_nothing_is_reported_of_it(robot, write, kinlint):
     """Unless it is named, too."""
     robot("arm/urdf/arm.urdf")
@@ -116,6 +117,7 @@ def test_what_is_given_comes_before_what_lies_beside(robot, write, kinlint):
     assert kinlint("arm/config/arm.srdf", "new/arm.urdf", *FLAGS)[1] == ""
 
 
+@pytest.mark.slow
 def test_a_target_is_named(write, kinlint):
     """On the command line or in a configuration."""
     text = """<robot name="arm"><link name="base"/><link name="tip"/>

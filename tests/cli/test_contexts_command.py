@@ -110,6 +110,7 @@ def test_a_file_is_added(kinlint, write, here, config, before, after) -> None:  
     assert (here / config).read_text() == after.format(entry)
 
 
+@pytest.mark.slow
 def test_an_address_is_downloaded(kinlint, address, here) -> None:
     """Because it is given; it answers by that address."""
     assert kinlint("contexts", "add", f"{address}/gripper.json")[0] == 0
@@ -118,6 +119,7 @@ def test_an_address_is_downloaded(kinlint, address, here) -> None:
     assert f"{address}/gripper.json" in kinlint("contexts")[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "cause"),
     [

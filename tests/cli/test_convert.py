@@ -92,6 +92,7 @@ def test_formats(robot, capsys, arguments, beginning):
     assert (robot / arguments[1]).read_text(encoding="utf-8").startswith(beginning)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("there", [True, False])
 @pytest.mark.parametrize(("name", "form"), [("parts", "jsonld"), ("parts.d/", "turtle")])
 def test_to_a_directory(robot, capsys, name, form, there):
@@ -107,6 +108,7 @@ def test_to_a_directory(robot, capsys, name, form, there):
     assert capsys.readouterr().out == "All checks passed in 7 files.\n"
 
 
+@pytest.mark.slow
 def test_parts_are_the_whole(robot, capsys):
     arm = str(SAMPLES / "urdf" / "six-axis.urdf")
     whole = json.loads(convert(capsys, arm)[1])

@@ -61,6 +61,7 @@ def test_differences_are_told_in_physical_terms(kinlint):
     ]
 
 
+@pytest.mark.slow
 def test_the_same_robot_gives_zero(kinlint, write):
     """Layout and the order of elements say nothing about the robot."""
     write("same.urdf", ARM.replace("\n  ", " \n\n "))
@@ -68,6 +69,7 @@ def test_the_same_robot_gives_zero(kinlint, write):
     assert kinlint("diff", "old.urdf", "old.urdf")[1].endswith("No differences.\n")
 
 
+@pytest.mark.slow
 def test_what_cannot_be_read_is_told_as_it_is_written(kinlint, write):
     """A decimal comma is no number, and what follows from it is no difference of its own."""
     write("comma.urdf", ARM.replace('upper="1.5"', 'upper="1,5"'))
@@ -84,6 +86,7 @@ def test_what_cannot_be_read_is_told_as_it_is_written(kinlint, write):
     assert told[0]["changes"][0]["quantity"] == "<limit upper>"
 
 
+@pytest.mark.slow
 def test_dependencies_of_joints_are_compared(kinlint, write):
     """By the joint that is followed, the factor and the offset; one that came is told, too."""
     gripper = """<robot name="gripper"><link name="palm"/><link name="left"/><link name="right"/>
@@ -119,6 +122,7 @@ def test_other_names_of_the_same_parts_are_differences(kinlint, write):
     ]
 
 
+@pytest.mark.slow
 def test_of_two_revisions_each_link_counts_by_itself(kinlint, write):
     """What is fixed to a link does not make that heavier, and a joint that stops is no other."""
     mount = '</joint><joint name="mount" type="fixed"><parent link="forearm"/>'
@@ -171,6 +175,7 @@ def test_trouble_gives_two(kinlint, write):
     assert kinlint("diff", "old.urdf", "new.urdf", "--tolerance", "loose")[0] == 2
 
 
+@pytest.mark.slow
 def test_tolerances_decide_what_counts(kinlint, write):
     """Files of one format differ by any number, unless rounding is to be forgiven."""
     write("rounded.urdf", ARM.replace("2.1", "2.101"))
@@ -192,6 +197,7 @@ def test_json_has_values_and_places(kinlint):
     assert mass["newPlace"]["line"] == 6
 
 
+@pytest.mark.slow
 def test_markdown_and_html_show_the_same_changes(kinlint, write):
     """Names are escaped; the page is well-formed as far as it is a table, and loads nothing."""
     odd = ARM.replace("forearm", "fore|&lt;b&gt;arm")

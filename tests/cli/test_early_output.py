@@ -64,6 +64,7 @@ def shares(monkeypatch, capsys):
     return written
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", EARLY)
 def test_findings_are_written_before_the_last_file_is_linted(kinlint, write, shares, form):
     fleet = FLEETS["robots"]

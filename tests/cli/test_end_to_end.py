@@ -96,6 +96,7 @@ def test_severities(kinlint, write):
     assert kinlint("arm.jsonld", "--info", "LD", "--error", "LD001")[0] == 1
 
 
+@pytest.mark.slow
 def test_suppression_in_a_model(kinlint, write):
     """By a triple; a superfluous one is found."""
     ignoring = DROPPED.replace('"colour"', '"kl:ignore": "LD001", "colour"')
@@ -187,6 +188,7 @@ def test_rules_of_ones_own_are_rules(kinlint, write):
     assert (code, "ACME001 pink-origin: it has no example" in out) == (1, True)
 
 
+@pytest.mark.slow
 def test_a_user_rule_that_is_no_turtle(kinlint, write):
     """One line, exit code 2."""
     write("mine/x.ttl", "this is no Turtle")
@@ -229,6 +231,7 @@ def test_statistics_tell_where_time_went_if_asked(kinlint, write):
     assert "slowest" not in err
 
 
+@pytest.mark.slow
 def test_statistics_list_the_slowest_rules_facts_and_lifting_queries(kinlint, write):
     """With `-vv`: the slowest first, a last line for all others; shares of a kind add up."""
     write("arm.urdf", '<robot name="arm"><link name="base"/><link name="tip"/></robot>')

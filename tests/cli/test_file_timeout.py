@@ -79,6 +79,7 @@ def test_one_error_and_the_findings_of_the_others(here, capsys, jobs):
     assert not active_children()
 
 
+@pytest.mark.slow
 def test_a_limit_that_holds_changes_nothing(here, capsys):
     """Not one finding."""
     assert said(capsys, "--file-timeout", "300") == said(capsys)

@@ -137,6 +137,7 @@ def test_nothing_is_written_where_nothing_is_drawn(robot, capsys):
     assert not Path("x.svg").exists()
 
 
+@pytest.mark.slow
 def test_the_html_report_goes_to_standard_output_or_a_file(robot, capsys):
     assert main(["broken.urdf", "--output-format", "html"]) == 1
     out, err = capsys.readouterr()

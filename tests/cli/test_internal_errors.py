@@ -60,6 +60,7 @@ def test_a_traceback_may_be_asked_for(cursed, robots, kinlint, monkeypatch):
         kinlint("a.urdf")
 
 
+@pytest.mark.slow
 def test_a_reproducer_is_small_and_has_no_names(cursed, robots, kinlint, here):
     _, _, err = kinlint("a.urdf", "b.urdf", "--report-bug", "bug")
     assert "wrote bug/bug-1.urdf: ZeroDivisionError" in err.replace("\\", "/")

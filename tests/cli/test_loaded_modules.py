@@ -73,6 +73,7 @@ def own(modules):
     return {each for each in modules if each.startswith("kinlint.")}
 
 
+@pytest.mark.slow
 def test_a_run_without_findings_loads_no_more_than_it_needs(loaded):
     modules = loaded("--isolated")
     assert below(NEVER, modules) == set()

@@ -166,6 +166,7 @@ def test_help_fits_on_one_screen_and_names_every_command(kinlint):
     assert "--sarif-output" not in options[1]
 
 
+@pytest.mark.slow
 def test_names_that_other_tools_have_for_commands_answer(kinlint, here):
     """Unless a file is called so."""
     assert kinlint("explain", "LIM001") == kinlint("rule", "LIM001")

@@ -67,6 +67,7 @@ def test_filled_in_it_keeps_its_promises(kinlint, here, form):
     )
 
 
+@pytest.mark.slow
 def test_a_code_of_kinlint_is_not_given_away(kinlint, write):
     """Outside of its own rules, codes begin with what the configuration or the option says."""
     code, _, err = kinlint("new", "limits/limit-of-glass")

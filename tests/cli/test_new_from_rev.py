@@ -67,6 +67,7 @@ def test_a_renamed_robot_is_known(kinlint, tree):
     assert kinlint("--new-from-rev", "HEAD", *ONLY)[0] == 0
 
 
+@pytest.mark.slow
 def test_what_a_link_leads_to_is_known(kinlint, tree, write):
     """By the name of the link, which the findings bear."""
     (tree / "link.urdf").symlink_to("old ü.urdf")
@@ -90,6 +91,7 @@ def test_from_elsewhere(kinlint, tree, write, monkeypatch):
     assert kinlint(tree, "--new-from-rev", "HEAD", *ONLY)[0] == 1
 
 
+@pytest.mark.slow
 def test_since_a_branch_was_left(kinlint, tree, write):
     """What the other branch mends meanwhile makes nothing new here."""
     git(tree, "checkout", "--quiet", "-b", "mine")
@@ -101,6 +103,7 @@ def test_since_a_branch_was_left(kinlint, tree, write):
     assert kinlint("--new-from-merge-base", "main", *ONLY)[0] == 0
 
 
+@pytest.mark.slow
 def test_included_files_are_those_of_the_revision(kinlint, here, write):
     """A macro that changed is read as it was, and a mesh that is deleted is missed anew."""
     git(here, "init", "--quiet")
@@ -130,6 +133,7 @@ def test_the_rules_and_settings_of_today_judge_both(kinlint, tree, write):
     assert (code, "1 in the baseline" in out) == (0, True)
 
 
+@pytest.mark.slow
 def test_standard_input_is_a_newer_state(kinlint, tree, monkeypatch):
     """Of the file that it is called after."""
     for text, code in (

@@ -63,6 +63,7 @@ def test_rules_of_the_project_are_tested(project, kinlint):
     assert (code, "rules left out: you do not trust this project" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_rules_of_the_project_are_explained(project, kinlint):
     """With what to write into an XML file to ignore one."""
     assert kinlint("rules", "ACME", "--trust")[1].startswith("ACME001  ")

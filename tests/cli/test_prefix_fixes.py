@@ -118,6 +118,7 @@ TURTLE_SLIPS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", TURTLE_SLIPS)
 def test_a_prefix_is_mended_in_turtle(slip, kinlint, write) -> None:
     """At its declaration, where the finding is, too."""

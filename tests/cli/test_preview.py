@@ -26,6 +26,7 @@ def project(write):
     return ("arm.urdf", "--rules", "rules", "--output", "concise")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "told"),
     [

@@ -53,6 +53,7 @@ def test_rows_as_csv_and_json(kinlint):
     assert row["joint"]["place"] == "arm.urdf:4:16"
 
 
+@pytest.mark.slow
 def test_names_are_no_formulas_of_a_spreadsheet(kinlint, write):
     """Texts that would be evaluated are quoted; negative numbers stay numbers."""
     write("a.urdf", ROBOT.replace('"tip"', '"=cmd()"').replace('"elbow"', '"-elbow"'))
@@ -110,6 +111,7 @@ def test_a_wrong_query_is_refused(kinlint, query, said):
     assert said in err
 
 
+@pytest.mark.slow
 def test_the_graph_as_turtle(kinlint):
     """Layer by layer, or all of them, with places as comments."""
     counts = {}

@@ -40,6 +40,7 @@ def test_a_workspace_of_several_repositories(ws, kinlint):
     assert kinlint(*FLAGS) == (0, "", "")
 
 
+@pytest.mark.slow
 def test_faults_in_it_are_found(faulty, kinlint):
     """With and without a configuration at the top, and when files are named."""
     assert found(kinlint) == LIMIT
@@ -58,6 +59,7 @@ def test_a_workspace_around(faulty, kinlint, monkeypatch):
     assert found(kinlint, "my_arm_description") == [(limit, "LIM001")]
 
 
+@pytest.mark.slow
 def test_where_packages_were_found_is_told(ws, kinlint, monkeypatch):
     """By -v, with the way that led there."""
     home = ws.top / "src" / "gripper_repo" / "my_gripper_description"
@@ -69,6 +71,7 @@ def test_where_packages_were_found_is_told(ws, kinlint, monkeypatch):
     assert f"package my_gripper_description: {home}, found in the workspace {ws.top}" in told
 
 
+@pytest.mark.slow
 def test_a_missing_package_ends_only_what_depends_on_it(ws, kinlint):
     """The rest is judged, but for what that part may have; a line says how to name it."""
     ws.change(ARM_FILE, "$(find my_gripper", "$(find their_gripper")
@@ -299,6 +302,7 @@ def test_which_robot_yaml_is_about_is_told(configured, kinlint):
     assert f"names are looked up in this robot, {why}" in out
 
 
+@pytest.mark.slow
 def test_the_robot_of_yaml_can_be_configured(configured, kinlint):
     """By the file; and a launch file that names both tells it."""
     configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
@@ -363,6 +367,7 @@ NAVIGATION = """/**:
 """
 
 
+@pytest.mark.slow
 def test_a_launch_file_tells_the_robot_and_passes_arguments(configured, kinlint):
     """In a package that depends on nothing; frames of others and ignored names are not told."""
     home = "src/arm_repo/my_arm_bringup/"

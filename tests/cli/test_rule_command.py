@@ -152,6 +152,7 @@ def test_rules_that_do_not(kinlint, monkeypatch):
     ]
 
 
+@pytest.mark.slow
 def test_rules_of_a_directory(kinlint, monkeypatch, here):
     """Those alone; none is an error."""
     (here / "mine").mkdir()

@@ -44,6 +44,7 @@ def test_rules_are_chosen(kinlint, options, inside, outside):
     assert outside not in listed(out)
 
 
+@pytest.mark.slow
 def test_a_family_is_a_selector_by_its_name(kinlint):
     """In `rule` and in `--select`."""
     assert kinlint("rule", "limits")[1] == kinlint("rule", "LIM")[1]

@@ -73,6 +73,7 @@ def test_what_is_not_annotated_is_told(write, summary, monkeypatch):
     assert "](https://github.com/some/one/blob/f00d/a%7Cb.urdf#L14)" in summary()
 
 
+@pytest.mark.slow
 def test_only_the_format_github_writes_one(write, summary, here):
     """Also as a copy; a run that is to be silent says nothing here either."""
     write("arm.urdf", robot("arm", faults=1))
@@ -90,6 +91,7 @@ def test_names_are_text(write, summary):
     assert "\n```|" not in text
 
 
+@pytest.mark.slow
 def test_robots_without_findings_are_left_out_unless_they_changed(write, summary):
     """Git tells, against the base of a pull request or else the last commit."""
     for name in ("good", "bad", "fresh"):
@@ -107,6 +109,7 @@ def test_robots_without_findings_are_left_out_unless_they_changed(write, summary
     assert "<summary>bad (" not in shown
 
 
+@pytest.mark.slow
 def test_the_base_of_a_pull_request_decides(write, summary, monkeypatch):
     """What changed since the branch left it."""
     for name in ("first", "second", "third"):
@@ -124,6 +127,7 @@ def test_the_base_of_a_pull_request_decides(write, summary, monkeypatch):
     assert "<summary>" not in summary().removeprefix(text)
 
 
+@pytest.mark.slow
 def test_it_stays_below_what_github_takes(write, summary, monkeypatch, workflow):
     """What there is no room for is said to be left out."""
     write("arm.urdf", robot("arm", faults=60))

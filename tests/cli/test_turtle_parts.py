@@ -67,6 +67,7 @@ def test_parts_of_parts_are_read(kinlint, write) -> None:
     assert kinlint(".", *FLAGS)[0] == 0
 
 
+@pytest.mark.slow
 def test_a_part_of_the_project_is_read_for_a_file_of_it(kinlint, write) -> None:
     """With --in-project; its own findings are not reported, unless it is given."""
     write("model.json", MODEL)

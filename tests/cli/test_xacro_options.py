@@ -57,6 +57,7 @@ def test_options(cell, capfd):
     assert any(place.startswith("arm.xacro:4:") for place in places)
 
 
+@pytest.mark.slow
 def test_configuration(cell, capfd):
     (cell / "kinlint.toml").write_text(
         'packages = { hand_description = "lib/hands/one/two" }\n'
@@ -142,6 +143,7 @@ def test_either_sign(cell, capfd, sign):
     assert any(place.startswith("arm.xacro:4:") for place in places)
 
 
+@pytest.mark.slow
 def test_arguments_as_xacro_takes_them(cell, capfd):
     """Among the paths, in any place; a value may be empty or have more signs."""
     told = ["--package", HAND_IS.format("=")]
@@ -154,6 +156,7 @@ def test_arguments_as_xacro_takes_them(cell, capfd):
     assert "left_base" in capfd.readouterr().out
 
 
+@pytest.mark.slow
 def test_an_argument_that_no_file_takes(cell, capfd):
     """It is told; a slip ends with 2, also of commands that draw; included files are known."""
     (cell / "kinlint.toml").write_text('packages = { hand_description = "lib/hands/one/two" }')

@@ -118,6 +118,7 @@ CONSTRAINTS = """
 WORSE, ALONE = "Worse for some.", "For some alone."
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("targets", "expected"),
     [

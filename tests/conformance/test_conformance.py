@@ -228,6 +228,7 @@ def _changed(form: Format, folder: Path, *words: str) -> tuple[str, str, Path]:
     raise AssertionError(words)
 
 
+@pytest.mark.slow
 @written
 def test_a_suppression_silences_what_it_is_written_for(form: Format, tmp_path, rules_cache) -> None:
     """And the file has the same findings as before otherwise."""

@@ -168,6 +168,7 @@ NESTED = """<sdf version="1.8">
 </sdf>"""
 
 
+@pytest.mark.slow
 def test_every_body_of_nested_models_is_somewhere():
     """The canonical link is free; others are seen from it, from a link and from a joint."""
     composed = converted(SourceText("cell.sdf", NESTED))

@@ -59,12 +59,14 @@ def _endpoint(url, environment=None):
     return Endpoint(made.query_url, made.update_url, 60, 4, 0.001, made.credentials)
 
 
+@pytest.mark.slow
 def test_a_busy_store_is_asked_again(serving):
     server = serving((503, {"Retry-After": "0"}), (429, {}))
     assert list(_endpoint(server.url).select("SELECT ?x {}")) == [{"x": "<urn:a>"}]
     assert len(server.asked) == 3
 
 
+@pytest.mark.slow
 def test_a_store_that_stays_busy_is_given_up(serving):
     server = serving(*[(503, {})] * 9)
     with pytest.raises(EndpointError, match="503"):
@@ -72,6 +74,7 @@ def test_a_store_that_stays_busy_is_given_up(serving):
     assert len(server.asked) == 4
 
 
+@pytest.mark.slow
 def test_a_refused_query_is_asked_once_and_says_why(serving):
     server = serving((400, {}))
     with pytest.raises(QueryRefused, match=r"400.*no such function"):
@@ -79,6 +82,7 @@ def test_a_refused_query_is_asked_once_and_says_why(serving):
     assert len(server.asked) == 1
 
 
+@pytest.mark.slow
 def test_credentials_come_from_the_environment_or_netrc(serving, tmp_path):
     server = serving()
     netrc = tmp_path / "netrc"
@@ -95,6 +99,7 @@ def test_credentials_come_from_the_environment_or_netrc(serving, tmp_path):
         assert server.asked[-1][0].get("Authorization") == expected
 
 
+@pytest.mark.slow
 def test_nothing_is_sent_to_another_host(serving):
     other = serving()
     server = serving((302, {"Location": other.url}))
@@ -117,6 +122,7 @@ def test_no_file_of_a_project_names_an_endpoint(tmp_path, monkeypatch, capsys):
     assert "endpoint" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_user_may_give_names_to_stores(serving, tmp_path, monkeypatch, capsys):
     """No file of a project may: its keys are unknown there, and a name alone reaches nobody."""
     server = serving()

@@ -43,6 +43,7 @@ def _stored(capsys, store, *arguments):
     return _findings(capsys, "--endpoint", store.query_url, *arguments)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "paths",
     [
@@ -91,6 +92,7 @@ def test_rules_that_the_store_is_asked_for_miss_nothing(store, capsys, suffix):
     assert found
 
 
+@pytest.mark.slow
 def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
     store, capsys, tmp_path, monkeypatch
 ):
@@ -124,6 +126,7 @@ def test_public_robots_have_the_findings_of_the_files(store, capsys):
     ]
 
 
+@pytest.mark.slow
 def test_a_document_is_replaced_as_a_whole(store, capsys, tmp_path, monkeypatch):
     """What the new text does not say any more is gone, with its findings and places."""
     monkeypatch.chdir(tmp_path)
@@ -155,6 +158,7 @@ def test_a_database_has_the_findings_that_are_printed(store, capsys, tmp_path, m
     assert related == sum(len(one["related"]) for one in found) > 0
 
 
+@pytest.mark.slow
 def test_what_is_deleted_in_the_store_is_not_judged(store, capsys, tmp_path, monkeypatch):
     """The graph decides what is true, the record of the text only where it was written."""
     monkeypatch.chdir(tmp_path)
@@ -169,6 +173,7 @@ def test_what_is_deleted_in_the_store_is_not_judged(store, capsys, tmp_path, mon
     assert not _stored(capsys, store)
 
 
+@pytest.mark.slow
 def test_graphs_of_others_are_judged_by_what_they_state(store, capsys, tmp_path, monkeypatch):
     """Their findings stand at graph, IRI and property, in the lines of its N-Triples."""
     monkeypatch.chdir(tmp_path)

@@ -184,6 +184,7 @@ def test_no_query_reaches_beyond_the_model(
     assert received == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["http", "file"])
 def test_an_inference_rule_reaches_nothing(
     scheme: str, listening: tuple[str, list[str]], refused: Callable[..., str]
@@ -205,6 +206,7 @@ def test_no_repair_reaches_beyond_the_model(
     assert received == []
 
 
+@pytest.mark.slow
 def test_no_script_is_loaded(listening: tuple[str, list[str]], refused: Callable[..., str]) -> None:
     address, received = listening
     assert "scripts are not run" in refused("--shapes", SCRIPT % address)
@@ -245,6 +247,7 @@ def test_casts_and_functions_of_the_file_may_be_called(
     assert main([str(robot), "--shapes", str(shapes), "--isolated"]) == code
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "cause"),
     [

@@ -99,6 +99,7 @@ def test_a_number_is_shown_with_what_it_is_computed_from(faults: Rulebook) -> No
 MIRROR = ([1, 0, 0], [0, 1, 0], [0, 0, -1])
 
 
+@pytest.mark.slow
 def test_a_fact_node_is_shown_by_its_sources(faults: Rulebook) -> None:
     """Once; each further triple of it rests on the same."""
     premises = because(

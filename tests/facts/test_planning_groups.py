@@ -115,6 +115,7 @@ def test_what_lies_between_two_links(one, other, between):
     assert {o for _, p, o in computed(pair) if p == "between"} == between
 
 
+@pytest.mark.slow
 def test_groups_in_a_circle_come_to_an_end():
     """However long the circle."""
     count = 3000

@@ -67,6 +67,7 @@ def test_a_file_of_any_normal_form_is_read_and_ignored(
     assert main([name, "-q"]) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FILES)
 def test_fixes_keep_the_line_ends_of_windows(form, tmp_path, rules_cache, monkeypatch):
     """Every other byte, too: the text is that of other systems with other line ends."""

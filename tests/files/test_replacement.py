@@ -149,6 +149,7 @@ def test_a_full_disk_leaves_the_file_as_it_was(tmp_path):
     }
 
 
+@pytest.mark.slow
 def test_two_at_once_leave_one_content_or_the_other(tmp_path):
     """And nothing beside it."""
     target = tmp_path / "arm.urdf"

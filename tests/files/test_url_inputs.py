@@ -144,6 +144,7 @@ def test_nothing_is_written_by_url(tree, capsys):
     assert "--fix is not for files by URL" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("address", "cause"),
     [

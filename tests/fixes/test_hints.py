@@ -13,6 +13,7 @@ ROOT = Path(__file__).parents[2]
 SAMPLES = ("anonymous-entity.jsonld", "dangling-reference.jsonld", "inverted-limit.jsonld")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_run_that_offers_fixes_finds_what_others_find(name, rules_cache):
     """Whatever is worked out for the fixes."""

@@ -46,6 +46,7 @@ def test_what_pyld_passes_we_pass() -> None:
     assert all(entry["reason"] for entry in record["failures"].values())
 
 
+@pytest.mark.slow
 def test_reading_for_the_linter_flattens_what_the_suite_expects(suites: list[W3CTest]) -> None:
     """The linter's reader takes graphs apart as they come; the triples are the same."""
     compared = 0

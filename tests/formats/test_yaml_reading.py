@@ -30,6 +30,7 @@ def test_several_documents_are_read():
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "cause", "place"),
     [

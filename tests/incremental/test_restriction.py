@@ -32,6 +32,7 @@ def solutions(store: Store, select: str, names: tuple[str, ...]) -> Counter[tupl
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["urdf", "sdf"])
 def test_nothing_else_is_found(form):
     """For each element that a query is narrowed by, the same solutions, as often."""

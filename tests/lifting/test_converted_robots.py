@@ -181,6 +181,7 @@ def test_nothing_differs_from_the_model_that_was_converted(
     assert "only in" not in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_placed_shapes_of_sdf_are_on_their_bodies(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

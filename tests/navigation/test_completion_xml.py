@@ -99,6 +99,7 @@ def test_codes_of_rules_where_they_are_ignored(leg):
     assert found == ["kinlint: file-ignore[]", "kinlint: ignore[]"]
 
 
+@pytest.mark.slow
 def test_an_srdf_speaks_of_links_joints_and_groups(leg):
     assert leg.labels('leg.srdf: child_link="hip" => child_link="|') == ["hip", "shin"]
     found = leg.labels('leg.srdf: <group name="all"><joint name="knee"/> => <group><joint name="|')
@@ -133,6 +134,7 @@ def hall(tmp_path_factory):
     return Typing(tmp_path_factory.mktemp("hall"), files)
 
 
+@pytest.mark.slow
 def test_names_of_the_scope_in_sdf(hall):
     found = hall.labels("hall.world: <parent>base</parent> => <parent>|</parent>")
     assert found == ["base", "hand", "wrist", "hand::palm", "world"]
@@ -151,6 +153,7 @@ def test_words_and_truth_values_in_sdf(hall):
     assert "collision" in hall.labels('box.sdf: <link name="side"> => <link name="side"><|')
 
 
+@pytest.mark.slow
 def test_packages_and_files(tmp_path):
     files = {
         "parts/package.xml": "<package><name>parts</name></package>",

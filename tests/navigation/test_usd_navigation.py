@@ -133,6 +133,7 @@ def Xform "arm"
 """
 
 
+@pytest.mark.slow
 def test_what_schemas_have_is_completed(tmp_path) -> None:
     typing = Typing(tmp_path, {"arm.usda": SCHEMAS})
 

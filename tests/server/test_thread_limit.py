@@ -39,6 +39,7 @@ def test_a_request_without_an_answer(monkeypatch):
     assert thread_limit.answered(lambda _: forever(), None) is None
 
 
+@pytest.mark.slow
 def test_a_model_that_takes_too_long_has_a_diagnostic(here, library, monkeypatch):  # noqa: F811
     """Another is checked as ever, and so is this one when it changes."""
     (here / "leg.srdf").unlink()

@@ -130,10 +130,12 @@ def test_a_linkage_is_a_tree_with_one_loop() -> None:
     assert len(tree(linkage)) == len(linkage.links) + len(linkage.joints)
 
 
+@pytest.mark.slow
 def test_two_loops_of_a_delta_robot() -> None:
     assert len(only(sample("delta").structures).loops) == 2
 
 
+@pytest.mark.slow
 def test_robots_that_are_bolted_together_are_one() -> None:
     robot = only(sample("mobile-manipulator").structures)
     assert (len(robot.links), len(robot.joints), len(robot.roots)) == (13, 12, 1)

@@ -73,6 +73,7 @@ def test_a_comment_for_the_file_covers_all_of_it_and_no_other():
     assert told(applied([one, other], [arm(text)], complete=False)) == ["-UNI001", "UNI001"]
 
 
+@pytest.mark.slow
 def test_many_comments_take_no_time():
     links = "".join(f"<link name='a{k}'/> <!-- kinlint: ignore[UNI001] -->\n" for k in range(5_000))
     text = f"<robot name='r'>{links}</robot>"

@@ -236,6 +236,7 @@ def test_the_message_ends_in_what_targets_do(tmp_path):
     assert told.arguments[-1] in told.message
 
 
+@pytest.mark.slow
 def test_a_severity_of_the_configuration_counts_most(tmp_path):
     """Whatever targets make of it."""
     (tmp_path / "follower.ttl").write_text(RULE, "utf-8")

@@ -96,6 +96,7 @@ def _known(prefix):
     return {each.name for each in features if each.query and each.name.startswith(prefix)}
 
 
+@pytest.mark.slow
 def test_a_document_of_collada_has_rows(tmp_path, capsys):
     """Axes, bodies and what ties them, each with what its readers make of it."""
     arm = collada(Arm())
@@ -181,6 +182,7 @@ def test_a_table_is_divided_where_it_is_too_wide(hand, capsys, monkeypatch):
     assert table.count("link fixed to its parent (2)") > 1
 
 
+@pytest.mark.slow
 def test_a_page_is_well_formed(hand, capsys, tmp_path):
     """It has a row for each feature and a cell for each consumer."""
     assert main(["targets", "--matrix", hand, "-o", "page.html"]) == 0

@@ -41,6 +41,7 @@ def test_a_glob_adds_targets(told):
     assert [name.replace("\\", "/").split("/")[-2] for name in told()] == ["sim"]
 
 
+@pytest.mark.slow
 def test_the_command_line_wins(told):
     """It replaces the targets of all files."""
     assert told("--target", "drake") == []

@@ -147,6 +147,7 @@ def test_numbers_of_meshes_are_not_stated() -> None:
     assert ends(found, "source") == ["float_array", "source"]
 
 
+@pytest.mark.slow
 def test_a_ring_of_instances_is_not_searched_anew_from_each_of_its_nodes() -> None:
     """The last searches take the first element of the document, and find what is there."""
     count = 2000

@@ -64,6 +64,7 @@ def typed() -> Iterator[tuple[str, ElementType]]:
         yield path, type_
 
 
+@pytest.mark.slow
 def test_the_file_is_what_the_script_makes_of_the_descriptions() -> None:
     kept = data("shapes") / "formats" / "sdf-elements.ttl"
     assert kept.read_text(encoding="utf-8") == elements(table())

@@ -68,6 +68,7 @@ def test_the_first_member_of_a_package_is_its_root(crate: Path, tmp_path: Path) 
     assert len(values(document(package), "rigidBody")) == 3
 
 
+@pytest.mark.slow
 def test_a_member_of_a_package_can_be_referred_to(crate: Path, tmp_path: Path) -> None:
     packed(tmp_path / "cell.usdz", {"a.usda": b"#usda 1.0\n", "b.usdc": crate.read_bytes()})
     scene = layer('def "w" (\n    references = @cell.usdz[b.usdc]@\n)\n{\n}')
