@@ -42,11 +42,8 @@ MODELS = {
         for folder in sorted((CHECKOUT / "samples").iterdir())
         if folder.name not in ("broken", "vendor") and any(folder.rglob("*.jsonld"))
     },
-    **{f"broken/{file.stem}": [file] for file in BROKEN},
+    **{f"broken/{file.stem}": [file] for file in BROKEN[::4]},
 }
-LARGE = ("algorithms", "delta", "joint-kinds", "mobile-manipulator", "seven-axis", "six-axis")
-"""What pySHACL takes up to a minute for."""
-
 PUBLISHED = {
     "tutorial": ("comp-rob2b", "modelling-tutorial", "models"),
     "Kinova Gen3": ("comp-rob2b", "robot-models"),
@@ -106,12 +103,9 @@ def reported(results: list[Result]) -> Counter[tuple[object, ...]]:
     )
 
 
-SMALL = [name for name in (*MODELS, *PUBLISHED) if name not in LARGE and "/" not in name]
-
-
-@pytest.mark.parametrize("name", SMALL)
+@pytest.mark.parametrize("name", ["one-dof", "orientations", *PUBLISHED])
 def test_both_engines_find_the_same_in_a_sample(name):
-    """pySHACL is the judge of what the compiled catalogue finds.
+    """pySHACL, which takes up to a minute for others, is the judge of the compiled catalogue.
 
     On what is broken they are compared by the examples of each rule, and by mutants.
     """

@@ -28,7 +28,7 @@ pytestmark = [
     pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot be forked here"),
 ]
 
-KILLS = int(os.environ.get("KINLINT_KILLS", "100"))
+KILLS = int(os.environ.get("KINLINT_KILLS", "50"))
 RUNS = 6
 """Number of runs that are killed anywhere, not only while they write."""
 

@@ -13,16 +13,16 @@ SHARE = 40
 PARTS = 12
 """Tests of a format."""
 MODELS = {
-    "jsonld": 8,
-    "mjcf": 8,
-    "urdf": 8,
-    "sdf": 10,
-    "collada": 13,
-    "usd": 13,
-    "turtle": 15,
-    "xacro": 15,
-    "srdf": 25,
-    "yaml": 25,
+    "mjcf": 4,
+    "urdf": 4,
+    "jsonld": 6,
+    "sdf": 6,
+    "turtle": 9,
+    "collada": 12,
+    "usd": 12,
+    "xacro": 14,
+    "yaml": 14,
+    "srdf": 20,
 }
 """Models of a test, with which all tests of a format take about a minute of CPU."""
 
