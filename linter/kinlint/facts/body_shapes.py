@@ -16,7 +16,7 @@ from kinlint.terms import Term
 
 COLLISION = kin("CollisionGeometry")
 KINDS = tuple(kin(name) for name in ("Box", "Sphere", "Cylinder", "Capsule"))
-BOX, SPHERE, CYLINDER = KINDS[:3]
+BOX, SPHERE, CYLINDER, CAPSULE = KINDS
 MESH = kin("mesh")
 REACH = 4.0
 """Distance in m beyond which no mesh of a link extends from where it is placed."""

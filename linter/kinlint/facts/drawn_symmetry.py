@@ -157,7 +157,7 @@ class DrawnSymmetry:
             left, right = pair
             one = left.edge.parent == right.edge.parent
             if fit:
-                if pair in evident or (one and symmetric):
+                if pair in evident or (symmetric and (one or left.edge.parent in beside)):
                     yield from self._turned(left, right, plane)
             elif symmetric and evident and self._carries_motion(left.edge):
                 ends = {end for end in left.edge.ends if end not in beside}

@@ -218,7 +218,7 @@ KINDS = (
         {"drawn-as": (*inputs.SHAPES, *inputs.PLACED)},
         lambda own: shape_pairs(own.geometries),
         ("geometries",),
-        ("apart", "size-ratio"),
+        ("apart", "size-ratio", "sorted-ratio", "extent-ratio"),
     ),
     FactKind(
         "drift",

@@ -62,7 +62,7 @@ DRAWN = dict.fromkeys(
     ("unmirrored", "axis-unmirrored", "moves-unlike", "hangs-across"), inputs.DRAWN
 )
 WHEELS = dict.fromkeys(
-    ("disc-cosine", "drive-cosine", "track", "leftward", "rolling-radius"),
+    ("disc-cosine", "drive-cosine", "track", "leftward", "rolling-radius", "wheel-base"),
     (*inputs.DRAWN, *inputs.SHAPES),
 )
 SIBLINGS = dict.fromkeys(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from kinlint.addresses import element_of
 from kinlint.facts.body_shapes import BOX, CYLINDER, BodyShapes, Shape
@@ -15,6 +15,7 @@ from kinlint.vocabulary import EXTENSION, REFERENCE, SRC
 
 LEFT = tuple(iri(f"{EXTENSION}{name}") for name in ("left_joint", "leftJoint"))
 RIGHT = tuple(iri(f"{EXTENSION}{name}") for name in ("right_joint", "rightJoint"))
+STEERING = (iri(f"{EXTENSION}left_steering_joint"),)
 TEXT = iri(f"{SRC}text")
 PLUGIN = iri(f"{EXTENSION}plugin")
 SIDES = (iri(f"{SRC}left"), iri(f"{SRC}right"))
@@ -29,7 +30,8 @@ def wheels(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
     """Yield how discs lie on the axes of their joints, and how drives lie on their wheels.
 
     Of an endless joint whose child is a cylinder that is wider than long: the cosine between both
-    axes. Of a plugin with a left and a right wheel on one axle: what `_drive` tells.
+    axes. Of a plugin with left and right wheels: what `_drive` tells of one axle, and how far
+    the steered one is ahead of it.
     """
     for robot, joints in drawn.robots.items():
         for joint, each in joints.items():
@@ -42,10 +44,7 @@ def wheels(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
 
 
 def _controlled(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
-    """Yield what is drawn of the wheels of each controller in a file beside the robot.
-
-    Of several wheels on a side, the first counts, with the one beside it.
-    """
+    """Yield what is drawn of the wheels of each controller in a file beside the robot."""
     scan = drawn.trees.scan
     lists = [scan.single(side) for side in SIDES]
     if not all(lists):
@@ -68,9 +67,18 @@ def _controlled(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
             ]
             for each in lists
         )
-        if left and right:
-            beside = min(right, key=lambda each: abs(each.step[0] - left[0].step[0]))
-            yield from _drive(controller, left[0], beside, shapes)
+        yield from _drive(controller, left, right, shapes)
+
+
+def _axle(left: Sequence[Drawn], right: Sequence[Drawn]) -> tuple[Drawn, Drawn] | None:
+    """Return the first wheel on the left that is on one body with one on the right, and that one.
+
+    Of several, the one that is beside it.
+    """
+    for one in left:
+        if beside := [each for each in right if each.edge.parent == one.edge.parent]:
+            return one, min(beside, key=lambda each: abs(each.step[0] - one.step[0]))
+    return None
 
 
 def _round(joint: Drawn, shapes: BodyShapes) -> Shape | None:
@@ -104,25 +112,44 @@ def _drives(
         drawn.trees.attribute_text(drawn.trees.mechanism.element(joint) or joint, "name"): each
         for joint, each in joints.items()
     }
+    texts = scan.single(TEXT)
     for plugin in plugins:
-        sides = []
-        for keys in (LEFT, RIGHT):
-            told = [each for key in keys for each in scan.table(key).values(plugin)]
-            texts = [scan.single(TEXT).get(each) for each in told]
-            sides += [named.get(literal_value(text)) for text in texts if text is not None]
-        if len(sides) == len((LEFT, RIGHT)) and sides[0] is not None and sides[1] is not None:
-            yield from _drive(plugin, sides[0], sides[1], shapes)
+        left, right, steering = (
+            [
+                named[name]
+                for key in keys
+                for each in sorted(scan.table(key).values(plugin))
+                if each in texts and (name := literal_value(texts[each])) in named
+            ]
+            for keys in (LEFT, RIGHT, STEERING)
+        )
+        yield from _drive(plugin, left, right, shapes)
+        axle = _axle(left, right)
+        if axle and steering and steering[0].edge.parent == axle[0].edge.parent:
+            ahead = abs(steering[0].step[0] - axle[0].step[0])
+            yield from numbers(plugin, [("wheel-base", ahead)])
 
 
-def _drive(plugin: Term, left: Drawn, right: Drawn, shapes: BodyShapes) -> Iterator[Triple]:
-    """Yield the cosine between two axes, their distance and the radius of the left wheel in m.
+def _drive(
+    plugin: Term, lefts: Sequence[Drawn], rights: Sequence[Drawn], shapes: BodyShapes
+) -> Iterator[Triple]:
+    """Yield the greatest cosine between axes of both sides, and the numbers of one axle in m.
 
-    Where both are along y: how far the left one is to the left of the right one.
+    The distance of its wheels, the radius of the left one and, where both axes are along y: how far
+    the left one is to the left of the right one.
     """
-    one = left is not right and left.edge.parent == right.edge.parent
-    if left.axis is None or right.axis is None or not one:
+    if (axle := _axle(lefts, rights)) is None:
         return
-    yield from numbers(plugin, [("drive-cosine", dot(left.axis, right.axis))])
+    left, right = axle
+    if left.axis is None or right.axis is None or left is right:
+        return
+    cosines = [
+        dot(one.axis, other.axis)
+        for one in lefts
+        for other in rights
+        if one.axis is not None and other.axis is not None
+    ]
+    yield from numbers(plugin, [("drive-cosine", max(cosines))])
     beside = left.step[1] - right.step[1]
     if abs(left.step[0] - right.step[0]) <= AHEAD * abs(beside):
         yield from numbers(plugin, [("track", abs(beside))])

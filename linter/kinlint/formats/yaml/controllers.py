@@ -17,10 +17,13 @@ from kinlint.text import Span
 PARAMETERS = "ros__parameters"
 CLAIMING = {
     "joints": "joints",
+    "joint": "joints",
     "left_wheel_names": "left",
     "right_wheel_names": "right",
 }
 """Keys of the joints that a controller claims, with the property of the list."""
+ONLY = "joint"
+"""Key of the one joint of a controller for a gripper, which claims it without more."""
 INTERFACES = "command_interfaces"
 SIZES = ("wheel_separation", "wheel_radius")
 SCALES = ("wheel_separation_multiplier", "left_wheel_radius_multiplier")
@@ -54,6 +57,7 @@ def _controller(name: str, span: Span, given: Mapping[str, yaml.Node]) -> Iterat
         *((role, list_offset(each)) for role, each in lists.items()),
         *(("interface", each[0]) for each in interfaces if each is not None),
         *([("controllerType", kind)] if kind else []),
+        *([("drives", only[0])] if (only := name_of(given.get(ONLY))) else []),
     ]
     yield Entry("controller", name.lstrip("/"), span, tuple(floats(sizes)), -1, tuple(told))
 

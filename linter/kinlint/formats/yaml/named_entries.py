@@ -127,7 +127,7 @@ def _is_group(table: yaml.MappingNode) -> bool:
 
 def _listed(kind: str, value: yaml.Node) -> Iterator[Entry]:
     several = isinstance(value, yaml.SequenceNode)
-    group = list_offset(value) if several else -1
+    group = list_offset(value) if several or kind == JOINT else -1
     listed = value.value if several else [value]
     yield from (Entry(kind, *name, (), group) for each in listed if (name := name_of(each)))
 

@@ -58,7 +58,7 @@ def floats(values: Mapping[str, yaml.Node | None]) -> Iterator[Number]:
                 continue
 
 
-def name_of(node: yaml.Node) -> tuple[str, Span] | None:
+def name_of(node: yaml.Node | None) -> tuple[str, Span] | None:
     """Return a name and its place; None for what is none, or is made by a launch file."""
     if not isinstance(node, yaml.ScalarNode) or not node.tag.endswith(":str"):
         return None
