@@ -250,6 +250,10 @@ def test_joints_that_no_robot_has(configured, kinlint):
     configured.write(f"{CONFIG}ros2_controllers.yaml", CONTROLLERS.format("elbo"))
     assert of_yaml(kinlint) == [UNKNOWN]
     assert of_yaml(kinlint, f"{CONFIG}ros2_controllers.yaml") == [UNKNOWN]
+    # All the names are slips for names of the robot.
+    written = CONTROLLERS.format("elbo").replace("- wrist", "- elbow\n      - ellbow")
+    configured.write(f"{CONFIG}ros2_controllers.yaml", written)
+    assert [each.partition(":")[2][:2] for each in of_yaml(kinlint)] == ["7:", "9:"]
 
 
 def test_a_configuration_of_a_package_that_depends_on_nothing(configured, kinlint):

@@ -23,11 +23,15 @@ def names(text: str) -> set[str]:
 
 
 def test_several_documents_are_read():
-    assert names(f"{LISTED}---\njoint_limits:\n  hip: {{max_velocity: 1.0}}\n") == {
-        "elbow",
-        "wrist",
-        "hip",
-    }
+    limits = "joint_limits:\n  hip: {max_velocity: 1.0}\n"
+    assert names(f"{LISTED}---\n{limits}") == {"elbow", "wrist", "hip"}
+
+
+def test_tables_that_name_parts():
+    gains = "pid_gains: {knee: {p: 1.0}}\n"
+    ends = "kinematics: {plugin_name: kdl, base: pelvis, tip: foot}\n"
+    assert names(f"{gains}---\n{ends}") == {"knee", "pelvis", "foot"}
+    assert names(ends.replace("plugin_name", "name")) == set()
 
 
 @pytest.mark.slow

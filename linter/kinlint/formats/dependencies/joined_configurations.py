@@ -130,11 +130,14 @@ class _Joining:
         if pairing is not None and pairing.stated and pairing.certain:
             return True
         names = {each.text for each in lost}
-        near = all(
-            nearest(use.text, self._names[use.reference.targets[0][1]] - {*known}) is not None
-            for use in lost
-        )
+        near = all(self._is_near(use, known) for use in lost)
         return near or len(known) >= SHARE * len({*known, *names})
+
+    def _is_near(self, use: NameUse, known: Collection[str]) -> bool:
+        """Tell whether *use* resembles a name of the robots that is not *known*, or is a slip."""
+        names = self._names[use.reference.targets[0][1]]
+        slip = any(_is_slip(use.text, name) for name in names)
+        return slip or nearest(use.text, names - {*known}) is not None
 
     @cached_property
     def _frames(self) -> frozenset[Term]:

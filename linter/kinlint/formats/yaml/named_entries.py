@@ -16,6 +16,7 @@ import yaml
 
 from kinlint.formats.yaml.controllers import controllers
 from kinlint.formats.yaml.ros_keys import (
+    CHAIN,
     CONFIGURATIONS,
     DISPLAYED,
     FRAME,
@@ -26,6 +27,7 @@ from kinlint.formats.yaml.ros_keys import (
     LIMITS,
     LINK,
     PER_JOINT,
+    PLUGIN,
     POSITIONS,
     PROJECTION,
     SOLVER,
@@ -92,6 +94,11 @@ def _of_table(
         yield from _keys(JOINT, table, scalars=word == "zeros")
     elif word == DISPLAYED:
         yield from _keys(FRAME, table)
+    elif word == "kinematics":
+        told = said(table)
+        if PLUGIN in told:
+            for end in (each for each in CHAIN if each in told):
+                yield from _listed(LINK, told[end])
     elif word == "frame":
         told = said(table)
         if "id" in told and getattr(told.get("external"), "value", "") not in _TRUE:

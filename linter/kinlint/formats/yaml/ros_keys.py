@@ -45,12 +45,16 @@ IN_RVIZ = {"Fixed Frame": FRAME, "Target Frame": FRAME, "Reference Frame": FRAME
 DISPLAYED = "Links"
 """Key of the links that RViz shows of a robot."""
 LIMITS, POSITIONS = "joint_limits", "initial_positions"
-PER_JOINT = frozenset({"gains", "constraints", "zeros", "dependent_joints"})
+GAINS = "pid_gains"
+"""Key of a table by which alone a file is known to name joints."""
+PER_JOINT = frozenset({"gains", GAINS, "constraints", "zeros", "dependent_joints"})
 """Keys of tables with an entry for each joint, beside a list of joints or by themselves."""
 SOLVER, CONFIGURATIONS, PROJECTION = (
     "kinematics_solver", "planner_configs", "projection_evaluator"
 )  # fmt: skip
 """Keys of the settings for a planning group."""
+CHAIN, PLUGIN = ("base", "tip"), "plugin_name"
+"""Keys of links in the kinematics of an admittance controller, and of the solver beside them."""
 OUTSIDE = frozenset(
     {"map", "odom", "world", "earth", "odom_combined", "utm", "base_footprint", "base_stabilized",
      "navigation", "local_origin", "virtual_frame"}
@@ -60,7 +64,7 @@ OUTSIDE = frozenset(
 NAMING = re.compile(
     rb"(?m)(?:^[ \t-]*|[{,][ \t]*)[\"']?(?:[\w.]*\.)?(?:"
     + "|".join(
-        sorted((*KINDS, *IN_RVIZ, DISPLAYED, LIMITS, POSITIONS, PROJECTION, f"{SOLVER}\\w*"))
+        sorted((*KINDS, *IN_RVIZ, DISPLAYED, LIMITS, POSITIONS, PROJECTION, GAINS, f"{SOLVER}\\w*"))
     ).encode()
     + rb")[\"']?[ \t]*:"
 )
