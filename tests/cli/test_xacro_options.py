@@ -150,6 +150,8 @@ def test_arguments_as_xacro_takes_them(cell, capfd):
     for words in (["arm.xacro", "prefix:=a:=b="], ["prefix:=a:=b=", "arm.xacro"]):
         main(["--output-format", "concise", "-q", "--select", "ID", *words, *told])
         assert "'a:=b=base'" in capfd.readouterr().out
+    assert main(["arm.xacro", "prefix=left_"]) == 2
+    assert "an argument for xacro is written prefix:=left_" in "".join(capfd.readouterr())
     main(["--output-format", "concise", "-q", "--select", "ID", "arm.xacro", "prefix:=", *told])
     assert "'base'" in capfd.readouterr().out
     main(["graph", "arm.xacro", "prefix:=left_", *told])

@@ -32,6 +32,13 @@ def test_the_package_above_by_its_manifest(tmp_path):
     assert find("no", home / "urdf") is None
 
 
+@pytest.mark.parametrize("text", ["", "<package><name>arm</name"])
+def test_a_broken_manifest_stands_for_the_name_of_the_directory(tmp_path, text):
+    (package(tmp_path / "src" / "arm") / "package.xml").write_text(text)
+    near = tmp_path / "src" / "deep" / "down"
+    assert find("arm", near, workspace=tmp_path) == tmp_path / "src" / "arm"
+
+
 def test_the_directory_above_by_its_name(tmp_path):
     (tmp_path / "arm" / "urdf").mkdir(parents=True)
     assert find("arm", tmp_path / "arm" / "urdf") == tmp_path / "arm"

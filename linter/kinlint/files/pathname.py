@@ -58,4 +58,7 @@ def missing(path: Path) -> str:
     alike = {Path(name).stem: name for name in siblings if Path(name).suffix == path.suffix}
     others = [name for name in siblings if Path(name).stem not in alike]
     found = alike.get(nearest(path.stem, alike) or "") or nearest(path.name, others)
+    name, equals, value = path.name.partition("=")
+    if equals and name.isidentifier() and not found:
+        return f"{NOTHING}; an argument for xacro is written {printable(f'{name}:={value}')}"
     return NOTHING + (f", did you mean '{printable(found)}'?" if found else "")
