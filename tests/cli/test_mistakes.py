@@ -43,6 +43,7 @@ from kinlint.cli.main import main
         (["--per-file-ignores", "UNI001"], "expected GLOB:R, got 'UNI001'"),
         (["--config", "selct = []"], "--config: unknown key 'selct', did you mean 'select'?"),
         (["--config", "partial=yes"], "--config 'partial=yes': not TOML"),
+        (["--config", "fail-onn=error"], "unknown key 'fail-onn', did you mean 'fail-on'?"),
         (["--config", "fail-on=eror"], "fail-on: 'eror' is not one of "),
         (["--output", "sarf=x"], "--output: 'sarf' is not one of "),
         (["--output", "json="], "--output json=: expected FORMAT or FORMAT=FILE"),

@@ -1,5 +1,8 @@
 """Arguments and packages for xacro files, by options and by configuration."""
 
+import json
+from pathlib import Path
+
 import pytest
 
 from kinlint.cli.main import main
@@ -171,10 +174,14 @@ def test_an_argument_that_no_file_takes(cell, capfd):
 
     assert told("prefix:=a", "gripper:=b") == ""
     unknown = "no xacro file of this run has an argument"
-    slip = f"kinlint: error: {unknown} 'prefx', did you mean 'prefix'?\n"
-    for command in (("check", "-q"), ("graph",), ("convert",)):
+    slip = f"{unknown} 'prefx', did you mean 'prefix'?\n"
+    for command in (("graph",), ("convert",)):
         assert main([*command, "arm.xacro", "prefx:=a"]) == 2
-        assert capfd.readouterr().err.endswith(slip)
+        assert capfd.readouterr().err.endswith(f"kinlint: error: {slip}")
+    reports = ("--output", "concise", "--output", "sarif=a.sarif", "--sarif-invocation")
+    assert main(["arm.xacro", "prefx:=a", "-q", *reports]) == 2
+    assert f"prefx:=a:1:1: error: {slip}" in capfd.readouterr().out
+    assert json.loads(Path("a.sarif").read_text())["runs"][0]["invocations"][0]["exitCode"] == 2
     assert told("prefix:=a", "size:=2") == f"kinlint: warning: {unknown} 'size'\n"
     hand.unlink()
     assert told("prefix:=a", "size:=2") == ""

@@ -120,6 +120,7 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
     with phases.counting_parts(wanted=profiled(options)):
         report = run.report(options, outputs, wanted)
     report = report if knowledge is None else knowledge.apply_to(report)
+    report, warnings = _names_checked(options, run.read, settings, report)
     if options.verbose:
         from kinlint.cli import verbose  # noqa: PLC0415  few runs ask for it
 
@@ -127,15 +128,14 @@ def check_once(options: Namespace, settled: Callable[[Settings], None] | None = 
         _tell(verbose.lines_after(report, settings, book))
     if not options.silent:
         _warn(found, report.passed_over)
-    report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
-    report, told = _told(options, report, began)
+    report, told = _told(options, report, fail_on, began)
     with phases.phase("reporting"):
         left = outputs if early is None else early.conclude(told)
         out = sys.stderr if _prints_text(options, found) else sys.stdout
         left.emit(told, out, early.written if early is not None else ())
     if options.statistics and options.verbose:
         _tell_times(phases, book)
-    _tell_unknown(options, run.read, settings)
+    _tell(f"warning: {each}" for each in warnings if not (options.quiet or options.silent))
     if report.fixed and (options.diff or options.exit_non_zero_on_fix) and not report.errors:
         return FOUND
     return exit_code(replace(report, findings=()) if outputs.only_fixes else report)
@@ -165,8 +165,9 @@ def _prints_text(options: Namespace, found: Found) -> bool:
     return options.diff or (_fixing(options) and streamed)
 
 
-def _told(options: Namespace, report: Report, began: float) -> tuple[Report, Report]:
+def _told(options: Namespace, report: Report, fail_on: str, began: float) -> tuple[Report, Report]:
     """Return *report* as it is counted and as it is told; the run began at *began*."""
+    report = replace(report, fails_from=None if options.exit_zero else threshold(fail_on))
     report = report.with_suppressed() if options.show_suppressed else report
     if options.sarif_invocation or options.sarif_embed:
         call = Invocation(tuple(sys.argv[1:]), began, time.time(), exit_code(report))
@@ -218,11 +219,14 @@ def _warn(found: Found, passed_over: Iterable[SourceError] = ()) -> None:
         sys.stderr.write(f"kinlint: warning: {each.name} was not checked: {each.cause}\n")
 
 
-def _tell_unknown(options: Namespace, sources: Sequence[SourceText], settings: Settings) -> None:
+def _names_checked(
+    options: Namespace, sources: Sequence[SourceText], settings: Settings, report: Report
+) -> tuple[Report, Sequence[str]]:
     if options.xacro_arg or any(word in each.text for each in sources for word in PACKAGED):
-        from kinlint.cli.names_not_found import tell_unknown  # noqa: PLC0415  few runs name any
+        from kinlint.cli.names_not_found import checked  # noqa: PLC0415  few runs name any
 
-        tell_unknown(options, sources, settings)
+        return checked(options, sources, settings, report)
+    return report, ()
 
 
 def _settings(options: Namespace, layers: Layers, found: Found) -> Settings:
@@ -275,8 +279,7 @@ def _tell(lines: Iterable[str]) -> None:
 def _show_files(found: Found) -> int:
     for one in found.inputs:
         sys.stdout.write(f"{one.name}\n")
-    for error in found.errors:
-        sys.stderr.write(f"kinlint: error: {error}\n")
+    _tell(f"error: {each}" for each in found.errors)
     return ABNORMAL if found.errors else CLEAN
 
 
@@ -285,8 +288,7 @@ def _show_inherent(options: Namespace, layers: Layers, found: Found) -> int:
 
     errors: list[SourceError] = []
     sys.stdout.writelines(page(found, _settings(options, layers, found), errors))
-    for error in errors:
-        sys.stderr.write(f"kinlint: error: {error}\n")
+    _tell(f"error: {each}" for each in errors)
     return ABNORMAL if errors else CLEAN
 
 

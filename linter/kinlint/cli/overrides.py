@@ -103,9 +103,14 @@ def _keys(texts: Iterable[str]) -> Mapping[str, Any]:
 
 
 def _unquoted(key: str, value: str) -> str | list[str] | None:
-    """Return the *value* of *key* where its kind tells that it is a string, or several."""
-    if key not in KEYS or not value or not value.isprintable() or value[0] in "\"'[{":
+    """Return the *value* of *key* where its kind tells that it is a string, or several.
+
+    That of an unknown key, too, which is refused by its name.
+    """
+    if not value or not value.isprintable() or value[0] in "\"'[{":
         return None
+    if key not in KEYS:
+        return None if "." in key else value
     kind, several = KEYS[key].kind, [part.strip() for part in value.split(",")]
     if "enum" in kind.schema:
         return value

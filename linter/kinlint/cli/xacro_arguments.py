@@ -6,7 +6,8 @@ import os
 import re
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from kinlint.configuration.settings import Settings
 from kinlint.errors import UsageError
@@ -35,18 +36,29 @@ def take_arguments(options: Namespace) -> None:
         options.xacro_arg = [*(options.xacro_arg or ()), *words]
 
 
+class UnknownArguments(NamedTuple):
+    """Arguments that no xacro file of a run takes, nor any that these include: a line for each."""
+
+    slips: Mapping[str, str]
+    """Lines for those that are slips of arguments that the files take, by what was written."""
+    others: Sequence[str]
+    """Lines for the others."""
+
+
+NONE = UnknownArguments({}, ())
+
+
 def unknown_arguments(
     pairs: Iterable[str], sources: Iterable[SourceText], packages_of: Callable[[str], Packages]
-) -> Iterator[str]:
-    """Yield a line for each of *pairs* that no xacro file of *sources* takes.
+) -> UnknownArguments:
+    """Return which of *pairs* no xacro file of *sources* takes.
 
-    Nor any that these include; *packages_of* returns the packages that the file of a name can name.
-    Raises `UsageError`, at the end, if a pair is a slip of an argument that they take.
+    *packages_of* returns the packages that the file of a name can name.
     """
     files = [each for each in sources if each.format and each.format.expands_to]
     declared = declared_arguments((each.name, each.text, packages_of(each.name)) for each in files)
     known, complete = declared.names, declared.complete
-    slips = []
+    slips, others = {}, []
     for text in pairs if files else ():
         name = (name_and_value(text) or ("", ""))[0]
         meant = did_you_mean(name, sorted(known))
@@ -54,24 +66,31 @@ def unknown_arguments(
         if name in known:
             continue
         if complete and meant:
-            slips.append(line)
+            slips[text] = line
         elif complete or meant:
-            yield line
-    if slips:
-        raise UsageError("; ".join(slips))
+            others.append(line)
+    return UnknownArguments(slips, others)
 
 
-def check_arguments(
-    options: Namespace, sources: Iterable[SourceText], settings: Settings, *, quiet: bool = False
-) -> None:
+def arguments_not_taken(
+    options: Namespace, sources: Iterable[SourceText], settings: Settings
+) -> UnknownArguments:
+    """Return which arguments of *options* no xacro file of *sources* takes."""
+    if not options.xacro_arg:
+        return NONE
+    from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
+
+    return unknown_arguments(
+        options.xacro_arg, sources, ReadOptions.from_settings(settings).packages_of
+    )
+
+
+def check_arguments(options: Namespace, sources: Iterable[SourceText], settings: Settings) -> None:
     """Write a warning for each argument of *options* that no xacro file of *sources* takes.
 
-    Raises `UsageError`, *quiet* or not, for a slip of one that they take.
+    Raises `UsageError` for a slip of one that they take.
     """
-    if options.xacro_arg:
-        from kinlint.formats.options import ReadOptions  # noqa: PLC0415  loads the contexts
-
-        packages_of = ReadOptions.from_settings(settings).packages_of
-        for line in unknown_arguments(options.xacro_arg, sources, packages_of):
-            if not quiet:
-                sys.stderr.write(f"kinlint: warning: {line}\n")
+    unknown = arguments_not_taken(options, sources, settings)
+    sys.stderr.writelines(f"kinlint: warning: {line}\n" for line in unknown.others)
+    if unknown.slips:
+        raise UsageError("; ".join(unknown.slips.values()))
