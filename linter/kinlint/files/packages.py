@@ -249,15 +249,10 @@ def working_copies(directory: Path) -> Iterator[Path]:
 
 @question
 def package_name(directory: Path) -> str | None:
-    """Return the name of the package that *directory* is, if it is one.
-
-    A manifest without a name, such as a broken one, stands for the name of the directory.
-    """
+    """Return the name of the package *directory*, its own if the manifest says none; else None."""
     manifest = head(directory / MANIFEST, HEAD)
-    if manifest is None:
-        return None
-    match = _NAME.search(XML_COMMENT.sub("", manifest))
-    return match[1] if match else directory.name
+    match = None if manifest is None else _NAME.search(XML_COMMENT.sub("", manifest))
+    return match[1] if match else None if manifest is None else directory.name
 
 
 @question
