@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from support.linting import findings
+from support.linting import book, findings
 
 from kinlint import resources
 from kinlint.catalogue.rulebook import load
@@ -112,6 +112,67 @@ def test_a_consumer_that_reads_by_another_does_as_that_one_does():
     assert inherited.behaviour.name == "refused"
     assert before.behaviour.name == "refused"
     assert before.versions == VersionRange("", "4.0")
+
+
+def test_a_feature_that_somebody_departs_from_has_advice():
+    """So a finding tells what to write; rules that report it are those of the catalogue."""
+    table = consumer_table()
+    departed = {
+        cell.feature
+        for consumer in table.consumers.values()
+        for cell in consumer.cells
+        if cell.severity is not None
+    }
+    assert [name for name in sorted(departed) if not table.features[name].alternatives] == []
+    told = {rule for each in table.features.values() for rule in each.told_by}
+    assert told <= book().by_name.keys()
+
+
+BALL = """<sdf version="1.9"><model name="m"><link name="a"/><link name="b"/>
+<joint name="hip" type="ball"><parent>a</parent><child>b</child></joint></model></sdf>"""
+BALLS = """<mujoco model="m"><worldbody><body name="a"><joint name="j"/>
+<geom type="ellipsoid" size="1 2 3"/></body></worldbody></mujoco>"""
+STAGE = """#usda 1.0
+(
+    defaultPrim = "a"
+    metersPerUnit = 0.01
+    upAxis = "Z"
+)
+def Xform "a" {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "target", "expected"),
+    [
+        ("a.sdf", BALL, "pybullet", ("error", "Write three revolute joints in a row.")),
+        ("a.xml", BALLS, "pybullet", ("warning", "Write it as a mesh.")),
+        ("a.usda", STAGE, "newton", ("warning", "with metersPerUnit = 1.")),
+        ("a.sdf", BALL, "drake", None),
+        ("a.sdf", BALL, None, None),
+    ],
+)
+def test_features_that_no_rule_knows_are_told_too(name, text, target, expected):
+    """The table says what the target does, how bad that is, and what to write instead."""
+    default = FileSettings(targets=(target,) if target else ())
+    told = [each for each in findings({name: text}, default=default) if each.rule.code == "POR018"]
+    told = [each for each in told if each.feature != "sdf-link-without-inertial"]
+    assert len(told) == (expected is not None)
+    for each in told:
+        assert (each.severity.label, each.message.endswith(expected[1])) == (expected[0], True)
+
+
+def test_a_defect_is_told_once():
+    """Its own rule says what targets make of it."""
+    heavy = ROBOT.replace(
+        '<link name="palm"/>',
+        '<link name="palm"><inertial><mass value="-1"/>'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>',
+    )
+    told = findings(heavy, default=FileSettings(targets=("mujoco",)))
+    (one,) = (each for each in told if each.feature == "negative-mass")
+    assert one.rule.code == "INE003"
+    assert "In MuJoCo, the file is rejected, as what moves needs a mass." in one.message
 
 
 def test_files_of_consumers_say_what_they_must():

@@ -6,12 +6,15 @@ from pathlib import Path
 
 import pytest
 from facts.arm_in_formats import Arm, collada, xacro
+from support.linting import lint
 from targets.simulator_fixtures import MJCF, SDF
 from targets.stage_fixtures import USD
-from targets.urdf_fixtures import FIXTURES
+from targets.urdf_fixtures import FIXTURES, MESHES
 
 from kinlint.cli.main import main
+from kinlint.configuration.settings import FileSettings
 from kinlint.targets.consumer_files import consumer_table
+from kinlint.targets.portability import departing_targets
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 HAND = """<robot name="hand" version="1.1">
@@ -165,12 +168,20 @@ def test_targets_that_do_not_read_a_format_are_named_once(tmp_path, monkeypatch,
 @pytest.mark.slow
 @pytest.mark.parametrize("feature", sorted(FIXTURES.keys() - {"plain"}))
 def test_each_feature_has_a_row(feature, tmp_path, capsys):
-    """A rule that reports it has its name, or the vocabulary a query."""
-    (tmp_path / "arm.urdf").write_text(FIXTURES[feature], "utf-8")
-    command = ["targets", "--matrix", str(tmp_path / "arm.urdf"), "--output-format", "json"]
-    assert main(command) == 0
-    rows = json.loads(capsys.readouterr().out)["features"]
-    assert feature in {each["feature"] for each in rows}
+    """A rule that reports it has its name, or the vocabulary a query.
+
+    With targets that depart from it, one finding tells what they do.
+    """
+    for name, content in MESHES.items():
+        (tmp_path / name).write_bytes(content)
+    if targets := tuple(departing_targets([feature])):
+        text = {str(tmp_path / "arm.urdf"): FIXTURES[feature]}
+        found = lint(text, default=FileSettings(targets=targets)).findings
+        told = [each for each in found if each.feature == feature and each.departures]
+        assert len({each.rule.code for each in told}) == 1
+    else:
+        (tmp_path / "arm.urdf").write_text(FIXTURES[feature], "utf-8")
+        assert feature in _rows(capsys, tmp_path / "arm.urdf")
 
 
 def test_a_table_is_divided_where_it_is_too_wide(hand, capsys, monkeypatch):

@@ -10,27 +10,20 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TextIO
 
-import pyoxigraph as ox
-
 from kinlint import lint
-from kinlint.catalogue.repair_file import prefixes
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
-from kinlint.engine.store import token
 from kinlint.errors import UsageError
-from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.unread_text import refuse_unread
 from kinlint.light_dataclasses import replace
-from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.feature_matrix import FeatureMatrix
 from kinlint.reporters.matrix_table import table
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.targets.chosen_target import Target, chosen_targets
 from kinlint.targets.consumer_files import consumer_table
-from kinlint.text import Location
 
 WIDE = 120
 """Number of columns of a table that goes to a file."""
@@ -67,27 +60,20 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     for error in examined.report.errors:
         raise error
     refuse_unread(examined.documents)
-    reported = ((each.feature, each.location) for each in examined.builder.brief())
+    told = [each for each in examined.builder.brief() if each.feature]
+    # What rules report as a defect, too, is counted by the places that the vocabulary finds.
+    found = {each.feature for each in told if each.speaks_of}
+    written = [
+        (each.feature, each.location)
+        for each in told
+        if each.speaks_of or each.feature not in found
+    ]
     formats = {
         source.name: each.format
         for each in examined.documents
         for source in (each.source, *(piece for _, piece in each.pieces))
     }
-    return FeatureMatrix.of([*reported, *_written(examined)], targets, formats)
-
-
-def _written(examined: Examination) -> Iterator[tuple[str, Location]]:
-    """Yield the features that no rule reports, each with a place."""
-    locator = Locator(examined.documents, examined.store)
-    heads = "".join(f"PREFIX {name}: <{space}> " for name, space in prefixes().items())
-    for name, feature in consumer_table().features.items():
-        if feature.query:
-            solutions = examined.store.query(heads + feature.query)
-            assert isinstance(solutions, ox.QuerySolutions)
-            for row in solutions:
-                place = locator.node(token(row["place"]))
-                if place is not None:
-                    yield name, place
+    return FeatureMatrix.of(written, targets, formats)
 
 
 def _targets(names: Sequence[str]) -> Sequence[Target]:

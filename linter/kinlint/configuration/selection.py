@@ -55,13 +55,12 @@ class Policy:
         ]
         departing = self.portability(finding) if self.chosen else None
         worst = None if departing is None else departing.severity
+        own = finding.severity is not rule.severity and rule.code not in self.imposed
+        usual = finding.severity if own else severity
         if worst is not None:
             # A defect stays as severe as it is, whoever puts up with it.
-            special += [worst] if finding.speaks_of else [worst, severity, finding.severity]
-        if special:
-            return max(special)
-        own = finding.severity is not rule.severity and rule.code not in self.imposed
-        return finding.severity if own else severity
+            special += [worst] if finding.speaks_of else [worst, usual]
+        return max(special, default=usual)
 
     def _means(self, finding: Finding) -> bool:
         """Tell whether *finding* is about a consumer, in a version, that the file is meant for."""
@@ -80,7 +79,8 @@ class Policy:
             return None
         from kinlint.targets.portability import Portability  # noqa: PLC0415  few runs have targets
 
-        return Portability.of(finding.feature, self.chosen)
+        found = Portability.of(finding.feature, self.chosen)
+        return found if self.form in found.formats else None
 
     def judge(self, finding: Finding) -> Finding | None:
         """Return *finding* as it counts here; None if its rule is off, or nobody departs."""
@@ -174,18 +174,31 @@ class Policies:
 
 
 def _narrowest(findings: list[Finding]) -> list[Finding]:
-    """Return *findings* without those whose feature has a special case at the same node."""
+    """Return *findings* without those whose feature has a special case at the same place.
+
+    What only speaks of targets is left out where another rule reports the feature in the file.
+    """
     if not any(each.departures for each in findings):
         return findings
     from kinlint.targets.consumer_files import consumer_table  # noqa: PLC0415  few runs have targets
 
     features = consumer_table().features
     narrowed = {
-        (each.rule.code, each.focus, features[each.feature].narrows)
+        (each.location, features[each.feature].narrows)
         for each in findings
         if each.departures and features[each.feature].narrows
     }
-    return [each for each in findings if (each.rule.code, each.focus, each.feature) not in narrowed]
+    defects = {_told(each): each.rule for each in findings if not each.speaks_of}
+    return [
+        each
+        for each in findings
+        if (each.location, each.feature) not in narrowed
+        and not (each.speaks_of and defects.get(_told(each), each.rule) is not each.rule)
+    ]
+
+
+def _told(finding: Finding) -> tuple[str, str]:
+    return finding.feature, finding.location.source.name
 
 
 def combine_policy(

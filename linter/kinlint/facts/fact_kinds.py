@@ -22,6 +22,7 @@ from kinlint.facts.fact_needs import (
     DRAWN,
     ELSEWHERE,
     ERRORS,
+    FEATURES,
     IDLE,
     MISPLACED,
     MOMENTS,
@@ -62,6 +63,7 @@ from kinlint.facts.schedule_order import data_cycles, reordered, steps
 from kinlint.facts.shape_agreement import shape_pairs
 from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.wheels import wheels
+from kinlint.facts.written_features import written_features
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple, iri
 from kinlint.vocabulary import GENERATION
@@ -280,6 +282,7 @@ KINDS = (
     _alone("compared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
     _alone("namesakes", namesakes, {"namesake": ()}),
     _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
+    _alone("written_features", written_features, FEATURES),
 )
 """All kinds of facts that rules may ask for."""
 

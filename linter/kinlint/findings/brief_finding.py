@@ -8,6 +8,7 @@ from kinlint.addresses import is_address, without_file
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.engine.constraint import Constraint
 from kinlint.engine.result import Result
+from kinlint.engine.store import Store
 from kinlint.finding import Finding
 from kinlint.findings.grouping import COUNT
 from kinlint.findings.locator import Locator
@@ -17,7 +18,11 @@ from kinlint.message_template import counted, filled
 from kinlint.rule import SEVERITY_BY_IRI, SPEAKS_OF, Rule, Severity, SeverityFor
 from kinlint.term_format import TermFormatter
 from kinlint.terms import XSD, Term, iri, iri_value, is_iri, is_literal, literal, literal_value
-from kinlint.vocabulary import FEATURE
+from kinlint.vocabulary import FACT, FEATURE, SRC
+
+PLACES = iri(f"{SRC}from"), iri(f"{SRC}node")
+"""Properties from what was lifted, and from a flaw, to the element that says it."""
+WRITTEN = iri(f"{FACT}feature")
 
 
 def reason_for(result: Result, finding: Finding, locator: Locator) -> str:
@@ -54,7 +59,7 @@ def brief_finding(result: Result, locator: Locator, rulebook: Rulebook) -> Findi
             if severity in SEVERITY_BY_IRI
         ),
         versions=(_text(terms.get("targetSince")), _text(terms.get("targetUntil"))),
-        feature=_feature(result),
+        feature=_feature(result, rule, locator.store),
         speaks_of=SPEAKS_OF.get(result.constraint.speaks_of, ""),
         path=result.path,
         value=result.value,
@@ -71,11 +76,25 @@ def _text(term: Term | None) -> str:
     return literal_value(term) if term is not None and is_literal(term) else ""
 
 
-def _feature(result: Result) -> str:
-    """Return the name of the feature that *result* found, by its query or its constraint."""
+def _feature(result: Result, rule: Rule, store: Store) -> str:
+    """Return the name of the feature that *result* found; empty if it found none.
+
+    Its query or its constraint tells it, or its place has one that *rule* reports.
+    """
     found = result.bindings.get("feature", "")
-    named = iri_value(found) if is_iri(found) else result.constraint.feature
-    return named.removeprefix(FEATURE)
+    if named := iri_value(found) if is_iri(found) else result.constraint.feature:
+        return named.removeprefix(FEATURE)
+    about = [result.focus, result.bindings.get("at", result.focus)]
+    about += [place for way in PLACES for place in store.values(result.focus, way)]
+    written = (each for place in about for each in store.values(place, WRITTEN))
+    names = sorted(iri_value(each).removeprefix(FEATURE) for each in written)
+    return next((name for name in names if rule.name in _told_by(name)), "")
+
+
+def _told_by(feature: str) -> frozenset[str]:
+    from kinlint.targets.consumer_files import consumer_table  # noqa: PLC0415  few runs have targets
+
+    return consumer_table().features[feature].told_by
 
 
 def _number(term: Term | None) -> int:

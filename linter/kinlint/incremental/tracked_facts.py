@@ -29,6 +29,7 @@ class TrackedFacts:
         self._kinds: Sequence[FactKind] = (*self._asked, *helpful(hints))
         self._stale = set(range(len(self._kinds)))
         self._found: dict[int, tuple[Triple, ...]] = {}
+        self._named: dict[Triple, None] | None = None
         self._facts: dict[Triple, None] | None = None
         self._unasked: dict[str, dict[Term, list[Term]]] = {}
 
@@ -40,11 +41,12 @@ class TrackedFacts:
         *,
         hinting: bool = True,
     ) -> None:
-        """Compute what *changes* touch, at first everything; *named* is stated besides.
+        """Compute what *changes* touch, at first everything; *named* is stated before that.
 
         Unless *hinting*, hints that were computed before stay as they are until a later turn.
         """
         self._unasked.clear()
+        self._named = self._stated(self._named, named, changes)
         self._forget(changes)
         for number, kind in enumerate(self._kinds if hinting else self._asked):
             if number in self._stale:
@@ -52,12 +54,8 @@ class TrackedFacts:
                 with part("facts", kind.label):
                     self._found[number] = tuple(kind.found(self.context))
                 self._stale.discard(number)
-        found = [each for _, found in sorted(self._found.items()) for each in found]
-        before, self._facts = self._facts, dict.fromkeys((*found, *named))
-        if before is None:
-            self._store.state(self._facts)
-        else:
-            self._restate(before, self._facts, changes)
+        found = (each for _, found in sorted(self._found.items()) for each in found)
+        self._facts = self._stated(self._facts, found, changes)
 
     def values(self, node: Term, name: str) -> Sequence[Term]:
         """Return the facts called *name* of *node*, whether rules ask for such or not; sorted."""
@@ -81,9 +79,14 @@ class TrackedFacts:
                 if name in kind.parts:
                     self._stale.add(number)
 
-    @staticmethod
-    def _restate(before: dict[Triple, None], after: dict[Triple, None], changes: Changes) -> None:
-        """State *after* in place of *before*; two spellings of a number are one fact."""
+    def _stated(
+        self, before: dict[Triple, None] | None, found: Iterable[Triple], changes: Changes
+    ) -> dict[Triple, None]:
+        """State *found* in place of *before* and return it; two spellings of a number are one."""
+        after = dict.fromkeys(found)
+        if before is None:
+            self._store.state({**(self._named or {}), **after})
+            return after
         gone, come = before.keys() - after.keys(), after.keys() - before.keys()
         kept = set(to_quads(come, FACTS_GRAPH))
         removed = set(to_quads(gone, FACTS_GRAPH)) - kept
@@ -92,3 +95,4 @@ class TrackedFacts:
             still = (each for each in after if each[:2] in pairs)
             removed.difference_update(to_quads(still, FACTS_GRAPH))
         changes.apply(removed, kept)
+        return after

@@ -54,6 +54,8 @@ class Feature:
     """Names of the formats of which the cells speak."""
     query: str = ""
     """SPARQL that finds each `?place` of it; empty if rules find it, by their `kl:feature`."""
+    told_by: frozenset[str] = frozenset()
+    """Names of the rules that report it as a defect of its own, where they speak of its place."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -52,6 +52,12 @@ class Portability(NamedTuple):
         return cls(feature, tuple(found), tuple(meant))
 
     @property
+    def formats(self) -> Collection[str]:
+        """The formats of which the feature is."""
+        found = consumer_table().features.get(self.feature)
+        return found.formats if found is not None else ()
+
+    @property
     def departures(self) -> Sequence[Reading]:
         """The readings that are not what the file says, or that contradict each other."""
         assumed = [each for each in self.readings if each.cell.behaviour.name == ASSUMED]

@@ -1,0 +1,32 @@
+"""Features of documents that consumers read differently, by the queries of `shapes/targets`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kinlint.contexts.model_prefixes import model_prefixes
+from kinlint.facts.fact_statements import fact
+from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.targets.consumer_files import consumer_table
+from kinlint.terms import Triple, iri, literal
+from kinlint.vocabulary import FEATURE, SRC
+
+NODE = iri(f"{SRC}node")
+HAS, CALLED = fact("feature"), fact("feature-name")
+
+
+def written_features(scan: PredicateIndex) -> Iterator[Triple]:
+    """Yield which features each place has, and what these are called.
+
+    Queries for other formats than those of the documents are not asked.
+    """
+    scan.table(NODE)  # Files that are missing may come without a change of the documents.
+    forms = {document.format.lifted_as for document in scan.documents}
+    prologue = "".join(f"PREFIX {name}: <{space}> " for name, space in model_prefixes().items())
+    for feature in consumer_table().features.values():
+        if feature.query and not forms.isdisjoint(feature.formats):
+            places = {row["place"] for row in scan.store.rows(prologue + feature.query)}
+            name = iri(FEATURE + feature.name)
+            yield from ((place, HAS, name) for place in sorted(places))
+            if places:
+                yield name, CALLED, literal(feature.label)
