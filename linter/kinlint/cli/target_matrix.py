@@ -62,11 +62,11 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     refuse_unread(examined.documents)
     told = [each for each in examined.builder.brief() if each.feature]
     # What rules report as a defect, too, is counted by the places that the vocabulary finds.
-    found = {each.feature for each in told if each.speaks_of}
+    general = {each.feature for each in told if each.speaks_of}
     written = [
         (each.feature, each.location)
         for each in told
-        if each.speaks_of or each.feature not in found
+        if each.speaks_of or each.feature not in general
     ]
     formats = {
         source.name: each.format

@@ -22,7 +22,6 @@ from kinlint.facts.fact_needs import (
     DRAWN,
     ELSEWHERE,
     ERRORS,
-    FEATURES,
     IDLE,
     MISPLACED,
     MOMENTS,
@@ -63,7 +62,7 @@ from kinlint.facts.schedule_order import data_cycles, reordered, steps
 from kinlint.facts.shape_agreement import shape_pairs
 from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.wheels import wheels
-from kinlint.facts.written_features import written_features
+from kinlint.facts.written_features import FEATURES, written_features
 from kinlint.facts.zero_limits import ZeroLimits
 from kinlint.terms import Term, Triple, iri
 from kinlint.vocabulary import GENERATION

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from kinlint.facts import compared_units, inputs
 from kinlint.facts.metamodel_terms import kin, qudt
-from kinlint.terms import iri
-from kinlint.vocabulary import INHERITED
 
 QUANTITIES = {
     **dict.fromkeys(("x", "y", "z"), inputs.VECTORS),
@@ -81,5 +79,4 @@ ERRORS = ("distance", "angle", "magnitude", "length", "Cycle")
 CHANGES = ("entry", "amended")
 UNLIKE = {"unit-unlike": (*compared_units.TERMS, *inputs.UNITS)}
 ELSEWHERE = ("meant-elsewhere", "called-elsewhere")
-FEATURES = {"feature": (iri(f"{INHERITED}range-1"),), "feature-name": ()}
 IDLE = dict.fromkeys(("idle", "working"), inputs.DRIVES)

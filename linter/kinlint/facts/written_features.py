@@ -8,11 +8,16 @@ from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.targets.consumer_files import consumer_table
-from kinlint.terms import Triple, iri, literal
-from kinlint.vocabulary import FEATURE, SRC
+from kinlint.terms import Term, Triple, iri, literal
+from kinlint.vocabulary import FEATURE, INHERITED, SRC
 
 NODE = iri(f"{SRC}node")
 HAS, CALLED = fact("feature"), fact("feature-name")
+FEATURES: dict[str, tuple[Term, ...]] = {
+    "feature": (iri(f"{INHERITED}range-1"),),
+    "feature-name": (),
+}
+"""Names of the facts, each with the terms that it follows from and that are not there unasked."""
 
 
 def written_features(scan: PredicateIndex) -> Iterator[Triple]:
