@@ -11,9 +11,15 @@ from support.linting import book, document
 from kinlint.engine.closure import close
 from kinlint.engine.store import Store
 from kinlint.facts.computation import facts
+from kinlint.facts.fact_kinds import KINDS
+from kinlint.facts.fact_statements import fact
 from kinlint.terms import Term, iri_value, is_literal, literal_datatype, literal_value
 from kinlint.vocabulary import FACT
 
+OF_MODELS = frozenset(
+    fact(name) for kind in KINDS if kind.module != "written_features" for name in kind.needs
+)
+"""All facts but the features of files, which runs with targets ask for (`tests/targets`)."""
 EX = "https://example.org/arm#"
 CONTEXT = ["https://w3id.org/kinlint/composable.json", {"ex": EX}]
 Node = dict[str, Any]
@@ -61,7 +67,7 @@ class Computed:
 
 def computed(*nodes: Node) -> Computed:
     """What follows from *nodes*."""
-    return Computed(facts(store_of(*nodes)))
+    return Computed(facts(store_of(*nodes), OF_MODELS))
 
 
 def _plain(term: Term) -> Any:

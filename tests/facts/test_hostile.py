@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from computed import Node, computed, frame, pose, shift, store_of
+from computed import OF_MODELS, Node, computed, frame, pose, shift, store_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -73,7 +73,7 @@ def test_lists_in_circles_are_no_lists() -> None:
     cosines = ((f"<urn:{axis}>", COSINE.format(axis), "_:a") for axis in "xyz")
     store = loaded(*circle, *cosines, ("<urn:s>", CHAIN, "_:a"))
 
-    assert list(facts(store)) == []
+    assert list(facts(store, OF_MODELS)) == []
 
 
 @pytest.mark.parametrize(
