@@ -15,15 +15,21 @@ from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import find_inputs, read_inputs
 from kinlint.cli.report_outputs import replacing
 from kinlint.errors import UsageError
+from kinlint.facts.written_features import HAS
+from kinlint.findings.locator import Locator
 from kinlint.formats.dependencies.companions import pair
 from kinlint.formats.unread_text import refuse_unread
 from kinlint.light_dataclasses import replace
+from kinlint.pipeline.analyzer import Examination
 from kinlint.reporters.feature_matrix import FeatureMatrix
 from kinlint.reporters.matrix_table import table
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.terminal_style import Style, detect_style
 from kinlint.targets.chosen_target import Target, chosen_targets
 from kinlint.targets.consumer_files import consumer_table
+from kinlint.terms import iri_value
+from kinlint.text import Location
+from kinlint.vocabulary import FEATURE
 
 WIDE = 120
 """Number of columns of a table that goes to a file."""
@@ -60,20 +66,24 @@ def _matrix(options: Namespace) -> FeatureMatrix:
     for error in examined.report.errors:
         raise error
     refuse_unread(examined.documents)
-    told = [each for each in examined.builder.brief() if each.feature]
-    # What rules report as a defect, too, is counted by the places that the vocabulary finds.
-    general = {each.feature for each in told if each.speaks_of}
-    written = [
-        (each.feature, each.location)
-        for each in told
-        if each.speaks_of or each.feature not in general
-    ]
+    written = list(_written(examined))
+    known = {feature for feature, _ in written}
+    told = (each for each in examined.builder.brief() if each.feature not in known)
+    written += [(each.feature, each.location) for each in told if each.feature]
     formats = {
         source.name: each.format
         for each in examined.documents
         for source in (each.source, *(piece for _, piece in each.pieces))
     }
     return FeatureMatrix.of(written, targets, formats)
+
+
+def _written(examined: Examination) -> Iterator[tuple[str, Location]]:
+    """Yield the features that the vocabulary finds, each with a place."""
+    locator = Locator(examined.documents, examined.store)
+    for place, way, feature in examined.store.facts():
+        if way == HAS and (found := locator.node(place)) is not None:
+            yield iri_value(feature).removeprefix(FEATURE), found
 
 
 def _targets(names: Sequence[str]) -> Sequence[Target]:

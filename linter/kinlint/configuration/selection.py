@@ -157,6 +157,21 @@ class Policies:
         """Tell whether one of the sources called *names* is meant for certain consumers."""
         return any(self.settings.for_file(name).targets for name in names)
 
+    @cached_property
+    def _departed(self) -> dict[str, bool]:
+        return {}
+
+    def departs(self, feature: str) -> bool:
+        """Tell whether a target of some file departs from *feature*."""
+        if feature not in self._departed:
+            from kinlint.targets.portability import Portability  # noqa: PLC0415  few runs have targets
+
+            every = {self.for_file(name).chosen for name in self.formats}
+            self._departed[feature] = any(
+                Portability.of(feature, chosen).departures for chosen in every if chosen
+            )
+        return self._departed[feature]
+
     def check_selectors(self) -> None:
         """Resolve all that files name of the catalogue, so that mistakes show before work starts.
 

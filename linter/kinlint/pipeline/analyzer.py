@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from kinlint.catalogue.applicability import applies, possible
+from kinlint.catalogue.applicability import CHOSEN_TARGETS, applies, possible
 from kinlint.catalogue.deferred import heads
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
@@ -34,8 +34,9 @@ from kinlint.pipeline.run import Run
 from kinlint.pipeline.stage_inputs import Demand, Inputs
 from kinlint.pipeline.stages import run_stages
 from kinlint.report import Report
-from kinlint.terms import Term
+from kinlint.terms import Term, iri_value
 from kinlint.text import SourceText
+from kinlint.vocabulary import FEATURE
 
 if TYPE_CHECKING:
     from kinlint.findings.finding_builder import FindingBuilder
@@ -165,7 +166,8 @@ class Analyzer:
         inputs = Inputs(joined, documents, options.packages_of, known, repairing=not brief)
         run = self._run(inputs, selection, spent, ask)
         with spent.phase("locating"):
-            results = list(applies(run.results, joined, selection.owners))
+            found = applies(run.results, joined, selection.owners)
+            results = list(_of_targets(found, selection))
             builder = cache(partial(_finding_builder, results, joined, run, self._rulebook))
             report = conclude(results, builder, documents, joined, selection, failed, brief=brief)
         drawn = self._settings.drawn and not brief
@@ -253,6 +255,15 @@ def _finding_builder(
     from kinlint.findings.finding_builder import FindingBuilder  # noqa: PLC0415  many files are clean
 
     return FindingBuilder(results, documents, run.store, rulebook, run.because)
+
+
+def _of_targets(found: Iterable[Result], selection: RuleSelection) -> Iterator[Result]:
+    """Yield those of *found* that are no features which the targets of the run read as written."""
+    for result in found:
+        feature = result.bindings.get("feature", "")
+        plain = not feature or result.constraint.speaks_of != CHOSEN_TARGETS
+        if plain or selection.policies.departs(iri_value(feature).removeprefix(FEATURE)):
+            yield result
 
 
 def _together(
