@@ -12,6 +12,7 @@ from support.linting import lint
 
 from kinlint.edits import NotExpressible
 from kinlint.errors import SourceError
+from kinlint.formats import archive_members
 from kinlint.formats.collada import archive
 from kinlint.formats.decoding import decode, encode
 
@@ -87,7 +88,7 @@ def test_no_more_is_unpacked_than_a_document_may_have(monkeypatch: pytest.Monkey
 
 
 def test_archives_of_countless_files_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(archive, "MOST_MEMBERS", 1)
+    monkeypatch.setattr(archive_members, "MOST_MEMBERS", 1)
     with pytest.raises(SourceError, match="more than 1 files"):
         decode("arm.zae", packed({"arm.dae": ROBOT, "b.png": b""}))
 

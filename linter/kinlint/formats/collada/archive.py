@@ -5,7 +5,6 @@ Nothing is written, and no more is unpacked than a document may have.
 
 from __future__ import annotations
 
-import io
 import re
 import zipfile
 import zlib
@@ -13,7 +12,7 @@ from posixpath import normpath
 from urllib.parse import unquote
 
 from kinlint.errors import SourceError
-from kinlint.formats.archive_members import leads_out, refuse_members_outside
+from kinlint.formats.archive_members import leads_out, opened
 from kinlint.formats.recognition import with_format
 from kinlint.formats.xml import encoding
 from kinlint.light_dataclasses import replace
@@ -23,7 +22,6 @@ MANIFEST = "manifest.xml"
 LARGEST_MANIFEST = 1 << 16
 LARGEST_DOCUMENT = 1 << 26
 """Most bytes of the document: archives may unpack to any size."""
-MOST_MEMBERS = 10_000
 _ROOT = re.compile(rb"<(?:[\w.-]+:)?dae_root\b[^<>]*>([^<]*)<")
 
 
@@ -47,11 +45,8 @@ def _unpacked(name: str, data: bytes) -> tuple[str, bytes]:
     why there is none.
     """
     try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        with opened(name, data) as archive:
             members = {each.filename: each for each in archive.infolist()}
-            if len(archive.infolist()) > MOST_MEMBERS:
-                raise SourceError(name, f"the archive has more than {MOST_MEMBERS} files", 1, 1)
-            refuse_members_outside(name, archive)
             path = _document(name, archive, members)
             return path, _content(name, archive, members[path], LARGEST_DOCUMENT)
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:

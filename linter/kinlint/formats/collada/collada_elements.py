@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from kinlint.formats.collada.format import COLLADA
@@ -12,7 +13,7 @@ from kinlint.terms import Term, Triple, is_iri, literal_value
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 from kinlint.vocabulary import COLLADA as NAMESPACE
 
-MOST_LINKS = 5_000
+MOST_LINKS = 3_000
 MOST_TRANSFORMS = 2_000
 """Most links of a document, and most transforms of a link, a node or a frame."""
 
@@ -77,10 +78,44 @@ class ColladaElement:
             at = at.parent
 
 
+class Excess(Exception):
+    """Element that no robot has as many of, as the *node*, and what is too much."""
+
+    def __init__(self, node: Term, cause: str) -> None:
+        super().__init__(cause)
+        self.node = node
+        self.cause = cause
+
+
+class _Counts:
+    """Counts of the elements of which no robot has countless ones."""
+
+    def __init__(self) -> None:
+        self.links = 0
+        self.transforms = Counter[Term]()
+
+    def add(self, element: ColladaElement) -> None:
+        """Count *element*; raise Excess where it is too much."""
+        if element.tag == "link":
+            self.links += 1
+            if self.links > MOST_LINKS:
+                raise Excess(element.node, f"more than {MOST_LINKS} links")
+        elif element.tag in _TRANSFORMS and element.parent is not None:
+            around = element.parent
+            self.transforms[around.node] += 1
+            if self.transforms[around.node] > MOST_TRANSFORMS:
+                cause = f"<{around.tag}> has more than {MOST_TRANSFORMS} transforms"
+                raise Excess(element.node, cause)
+
+
 def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
-    """Return the root element of what *statements* say of *document*, with all below it."""
+    """Return the root element of what *statements* say of *document*, with all below it.
+
+    Raises Excess for what no robot is as large as.
+    """
     top = ColladaElement(document, "", None, ElementType("", "", children=_roots()))
     known = {document: top}
+    count = _Counts().add
     for triple in statements:
         subject, predicate, value = triple
         element = known.get(subject)
@@ -99,22 +134,8 @@ def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
             type_ = element.type.children.get(tag, ANY)
             child = known[value] = ColladaElement(value, tag.rpartition(":")[2], element, type_)
             element.children.append(child)
+            count(child)
     return top.first("COLLADA")
-
-
-def excess(root: ColladaElement) -> tuple[ColladaElement, str] | None:
-    """Return the first element that no robot has as many of, and what is too much."""
-    links = 0
-    for element in root.below():
-        links += element.tag == "link"
-        if links > MOST_LINKS:
-            return element, f"more than {MOST_LINKS} links"
-        if len(element.children) > MOST_TRANSFORMS:
-            moves = [each for each in element.children if each.tag in _TRANSFORMS]
-            if len(moves) > MOST_TRANSFORMS:
-                cause = f"<{element.tag}> has more than {MOST_TRANSFORMS} transforms"
-                return moves[MOST_TRANSFORMS], cause
-    return None
 
 
 def _roots() -> dict[str, ElementType]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 
 from kinlint.addresses import child_address
@@ -25,6 +26,16 @@ def absolute_path(written: str, around: str) -> str:
     return f"/{'/'.join(steps)}{dot}{property_}"
 
 
+def is_path(written: str) -> bool:
+    """Tell whether OpenUSD reads *written* as a path; of one with brackets, nothing is known."""
+    prim, _, property_ = _divided(written)
+    if not prim or not _BRACKETS.isdisjoint(prim):
+        return not _SPACES.search(written)
+    steps = prim.removeprefix("/").split("/") if prim != "/" else []
+    is_plain = all(each in ("..", ".") or each.isidentifier() for each in steps)
+    return is_plain and not _SPACES.search(property_)
+
+
 def _divided(written: str) -> tuple[str, str, str]:
     """Return the path of the prim, and the property behind a dot, if there is one."""
     at = written.find(".", written.rfind("/") + 1)
@@ -33,6 +44,10 @@ def _divided(written: str) -> tuple[str, str, str]:
     if at < 0 or written == ".":
         return written, "", ""
     return written[:at], ".", written[at + 1 :]
+
+
+_BRACKETS = frozenset("{}[]")
+_SPACES = re.compile(r"\s")
 
 
 @lru_cache(maxsize=100_000)

@@ -117,6 +117,7 @@ class _Parser(Scanner):
             variant = Prim("variant", own, place, place)
             self._body(variant, first, f"variant '{own}'")
             found.variants.append(variant)
+            self.bound(len(found.variants), "a variant set", "variants")
         found.span = Span(start, self.stop)
         self.advance()
         self.depth -= 1

@@ -6,6 +6,7 @@ import re
 from typing import NoReturn
 
 from kinlint.errors import SourceError
+from kinlint.formats.usd.prim_paths import is_path
 from kinlint.text import SourceText, Span
 
 MOST_DEEP = 200
@@ -13,15 +14,16 @@ MOST_STATEMENTS = 1_000_000
 LONGEST_NAME = 4_000
 LONGEST_NUMBER = 1_000
 MOST = {
-    "prims": 50_000,
+    "prims": 30_000,
     "rigid bodies": 5_000,
     "joints": 5_000,
     "properties": 2_000,
+    "variants": 2_000,
     "metadata": 2_000,
     "entries": 2_000,
-    "samples": 50_000,
+    "samples": 25_000,
     "targets or operations": 5_000,
-    "members other than numbers": 100_000,
+    "members other than numbers": 40_000,
 }
 """Most of what a layer, or a stage, a prim, a property, or a list has."""
 
@@ -37,7 +39,7 @@ _ELEMENT = rf"(?:{_PLAIN}|{_ROW}|\({_GAP}{_ROW}(?:{_GAP},{_GAP}{_ROW})*+{_GAP}\)
 _TOKEN = re.compile(
     r"""
       (?P<bulk>\[(?=[\d\s.,()+\-einfa]{40})GAP(?:ELEMENT GAP(?:,GAP|(?=\])))*+\]?+)
-    | (?P<string>\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+\"{3}|'{3}(?:[^'\\]|\\(?s:.)|'(?!''))*+'{3}
+    | (?P<string>\"{3}(?:[^"\\]++|\\(?s:.)|"(?!""))*+\"{3}|'{3}(?:[^'\\]++|\\(?s:.)|'(?!''))*+'{3}
         |"(?!"")(?:[^"\\\n]|\\(?s:.))*+"|'(?!'')(?:[^'\\\n]|\\(?s:.))*+'|""(?!")|''(?!'))
     | (?P<asset>@@@(?s:.*?)@@@(?!@)|@(?!@@)[^@\n]*+@)
     | (?P<path><[^<>\n]*+>)
@@ -110,6 +112,8 @@ class Scanner:
         longest = _LONGEST.get(self.kind)
         if longest is not None and self.stop - start > longest:
             self.refuse(f"a {self.kind} has over {longest} characters")
+        if self.kind == "path" and not is_path(self.word[1:-1]):
+            raise MalformedLayer(Span(start, self.stop), f"'{self.word}' is no path")
 
     def _unknown(self, start: int) -> NoReturn:
         """Say what is wrong with a character that begins no token."""
