@@ -16,6 +16,8 @@ from kinlint.light_dataclasses import dataclass
 MEMBERS = re.compile(r"[A-Z]|ANGLE|TIME", re.ASCII)
 """Parts of a value that may follow a point at the end of a path."""
 INSTANCE = "instance_"
+LONGEST = 4_000
+"""Greatest length of a path, in characters."""
 MOST_FOLLOWED = 64
 """Greatest number of parameters that lead to each other."""
 MOST_SEARCHES, SMALL = 16, 100_000
@@ -76,8 +78,10 @@ class Addressing:
 
         Old files have a single sid of the model around in place of a path.
         """
+        if len(path) > LONGEST:
+            return Missing(path[:LONGEST])
         first, *steps = re.sub(r"(\([^()]*\))+$", "", path).split("/")
-        at = holder if first == "." else self.ids.get(first)
+        at = holder if first == "." else self.ids.get(first.removeprefix("#"))
         if at is None and not steps:
             at = self._near(first, holder)
         if at is None and steps:

@@ -1,6 +1,7 @@
-"""Statements about links of COLLADA that are drawn elsewhere than their joints have them.
+"""Statements about links of COLLADA that are elsewhere than their joints have them.
 
-Readers place the shapes of a link by its node, and the link by its joints.
+Readers place the shapes of a link by its node, and the link by its joints. Where joints form a
+loop, two ways lead to a link.
 """
 
 from __future__ import annotations
@@ -15,7 +16,15 @@ from kinlint.formats.collada.collada_elements import ColladaElement
 from kinlint.formats.collada.kinematics import Joint, Model
 from kinlint.formats.collada.transforms import place
 from kinlint.formats.derived_statements import DerivedStatements
-from kinlint.formats.rigid_transform import Transform, Vector, between, composed, inverse, rotated
+from kinlint.formats.rigid_transform import (
+    IDENTITY,
+    Transform,
+    Vector,
+    between,
+    composed,
+    inverse,
+    rotated,
+)
 
 FARTHEST, WIDEST = 1e-3, 0.5
 """Metres and degrees by which a node may stand elsewhere: drawings are rounded."""
@@ -54,6 +63,35 @@ def state_drawn_elsewhere(
             _state_turn(joint, node, on_parent, bound, said)
 
 
+def state_open_loops(model: Model, said: DerivedStatements) -> None:
+    """State how far the two frames of each joint of *model* that closes a loop are apart at zero.
+
+    That is in metres beside the way that the joint slides, and in degrees beside its turn.
+    """
+    places = {each: (each, IDENTITY) for each in model.roots}
+    for joint in model.joints:
+        on_parent, on_child = joint.on_parent, joint.on_child
+        if joint.parent not in places or on_parent is None or on_child is None:
+            continue
+        root, carrier = places[joint.parent]
+        frame = composed(carrier, on_parent)
+        if joint.end is None:
+            places[joint.child] = root, composed(frame, inverse(on_child))
+            continue
+        if len(joint.primitives) != 1 or places.get(joint.child, (None,))[0] is not root:
+            continue
+        axis, slides = joint.primitives[0].first("axis"), joint.primitives[0].tag == "prismatic"
+        written = axis.numbers() if axis is not None else []
+        if len(written) == 3 and any(written):  # noqa: PLR2004  x, y, z
+            about = _unit(written)
+            apart, turned = between(frame, composed(places[joint.child][1], on_child))
+            far = _aside(apart, about) if slides else hypot(*apart)
+            wide = _error((apart, turned))[1] if slides else _angle(rotated(turned, about), about)
+            if far > FARTHEST or wide > WIDEST:
+                said.number(joint.end.node, "loopOff", round(far, 6))
+                said.number(joint.end.node, "loopTurned", round(wide, 3))
+
+
 def _state_turn(
     joint: Joint,
     node: ColladaElement,
@@ -71,13 +109,24 @@ def _state_turn(
     if at is None or len(own) != 3 or not any(own) or not any(written):  # noqa: PLR2004  x, y, z
         return
     (apart, turned), about = between(on_parent, at), _unit(own)
-    along = sum(map(mul, apart, about))
-    aside = hypot(*(x - along * y for x, y in zip(apart, about, strict=True)))
-    angle = degrees(acos(min(1.0, abs(sum(map(mul, rotated(turned, _unit(written)), about))))))
+    aside = _aside(apart, about)
+    angle = _angle(rotated(turned, _unit(written)), about)
+    angle = min(angle, 180 - angle)
     if aside > FARTHEST or angle > WIDEST:
         said.state(shown[0].node, "showsJoint", joint.node)
         said.number(shown[0].node, "axisOff", round(aside, 6))
         said.number(shown[0].node, "axisTurned", round(angle, 3))
+
+
+def _aside(offset: Vector, about: Vector) -> float:
+    """Return the distance of *offset* from the line along *about*, of length 1."""
+    along = sum(map(mul, offset, about))
+    return hypot(*(x - along * y for x, y in zip(offset, about, strict=True)))
+
+
+def _angle(one: Vector, other: Vector) -> float:
+    """Return the angle in degrees between two vectors of length 1."""
+    return degrees(acos(max(-1.0, min(1.0, sum(map(mul, one, other))))))
 
 
 def _unit(vector: Sequence[float]) -> Vector:

@@ -248,7 +248,7 @@ def _sizes(solid: ColladaElement, unit: float) -> list[float]:
         return [2 * each * unit for each in halves]
     radius, height = solid.first("radius"), solid.first("height")
     radii = _numbers(radius) if radius is not None else []
-    if not radii or max(radii) - min(radii) > EQUAL * max(radii):
+    if not radii or max(radii) - min(radii) > EQUAL * max(map(abs, radii)):
         return []
     if solid.tag == "sphere":
         return [radii[0] * unit]

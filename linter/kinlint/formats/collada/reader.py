@@ -9,8 +9,9 @@ from kinlint.formats.collada.address_statements import address_statements
 from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.asset_statements import state_assets
 from kinlint.formats.collada.binding_statements import BindingStatements
-from kinlint.formats.collada.collada_elements import ColladaElement, excess, tree
+from kinlint.formats.collada.collada_elements import ColladaElement, Excess, tree
 from kinlint.formats.collada.coupling_statements import CouplingStatements
+from kinlint.formats.collada.drawn_links import state_open_loops
 from kinlint.formats.collada.joint_statements import JointStatements
 from kinlint.formats.collada.kinematics import models
 from kinlint.formats.collada.mesh_statements import state_meshes
@@ -32,14 +33,12 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     Raises SourceError for a document type definition, and for what no robot is as large as.
     """
     document = xml.read(source, options)
-    root = tree(document.graph, document.statements)
-    if root is None:
-        return document
-    if excessive := excess(root):
-        element, cause = excessive
-        line, column = source.position(document.map.nodes[element.node].best.start)
-        raise SourceError(source.name, cause, line, column)
-    return _derived(document, root)
+    try:
+        root = tree(document.graph, document.statements)
+    except Excess as excess:
+        line, column = source.position(document.map.nodes[excess.node].best.start)
+        raise SourceError(source.name, excess.cause, line, column) from None
+    return document if root is None else _derived(document, root)
 
 
 def _derived(document: Document, root: ColladaElement) -> Document:
@@ -64,6 +63,8 @@ def _derived(document: Document, root: ColladaElement) -> Document:
     CouplingStatements(root, joints.uses, addressing, said_).state()
     BindingStatements(root, joints.uses, addressing, said_).state()
     state_models(root, found, said_)
+    for model in found:
+        state_open_loops(model, said_)
     state_rings(root, addressing, said_)
     state_empty(root, said_)
     state_assets(root, said_)

@@ -250,12 +250,14 @@ class Diagnostics:
 def _misspelt(written: str, usual: Sequence[str]) -> str:
     """Return the word of *usual* that *written* is a slip for; empty if it is none.
 
-    A word without a slash may be the last part of a usual one.
+    The case of letters is one slip. A word without a slash may be the last part of a usual one.
     """
     if written in usual or len(written) > LONGEST_WORD:
         return ""
     known = usual if "/" in written else [each.rpartition("/")[2] for each in usual]
-    found = [(count, each) for each in known if (count := slips(written, each))]
+    folded = written.casefold()
+    counts = ((folded == each.casefold() or slips(written, each), each) for each in known)
+    found = [(count, each) for count, each in counts if count]
     return min(found)[1] if found and written not in known else ""
 
 
