@@ -106,8 +106,9 @@ def _with_stage(whole: Document, about: StageStatements, composer: Composer) -> 
     for node, source in about.said.made_of.items():
         if node not in places and source in places:
             layer.nodes[node] = NodeSpans(places[source].whole, places[source].identifier)
+    stage = ("ofStage", root_of(whole.graph))
     for each in composer.layers.unread:
-        said = ("node", each.item), ("written", literal(each.written))
+        said = ("node", each.item), ("written", literal(each.written)), stage
         span = places[each.item].best
         layer.add_node("UnresolvedInclude", span, *said, ("reason", literal(each.reason)))
     for at, value in composer.absent:
