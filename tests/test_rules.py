@@ -11,7 +11,7 @@ from kinlint.catalogue import rulebook
 from kinlint.catalogue.rule_file import read_rules
 from kinlint.engine.compiler.shapes_compiler import compile_shapes
 from kinlint.errors import RuleInvalid
-from kinlint.rule_testing import rule_conformance
+from kinlint.rule_testing import example_texts, rule_conformance
 from kinlint.rule_testing.mutants import mutants
 from kinlint.sparql.parser import parse
 from kinlint.sparql.tokens import tokens
@@ -84,7 +84,7 @@ def test_every_rule_file_is_one_rule():
 
 def test_marks_are_taken_out_and_remembered():
     """`[|…|]` marks leave their content, and its place."""
-    text, spans = rule_conformance.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
+    text, spans = example_texts.unmarked('{"a": [|1|], "b": [[|"x"|]]}')
 
     assert text == '{"a": 1, "b": ["x"]}'
     assert [text[span.start : span.end] for span in spans] == ["1", '"x"']

@@ -1,5 +1,8 @@
 """Rules of a project: tested, explained and used where the project is trusted."""
 
+import json
+from pathlib import Path
+
 import pytest
 
 RULE = """\
@@ -148,3 +151,38 @@ def test_duties_of_the_catalogue_are_remarks(write, kinlint, right, wrong, said)
     assert "joint-without-suffix: remark: " in out
     assert "1 rule with 1 example: all keep their promises (" in out
     assert kinlint("test-rules", "--quiet", "joint-without-suffix.ttl")[:2] == (0, "")
+
+
+REPAIR = """
+    dash:suggestionGenerator [
+        rdfs:label "Append the suffix" ;
+        kl:applicability kl:unsafe ;
+        rdfs:comment "Other files may name the joint." ;
+        sh:update '''
+            DELETE { $this at:name ?value } INSERT { $this at:name ?longer }
+            WHERE { $this at:name ?value BIND (CONCAT(?value, "_joint") AS ?longer) }
+            ''' ] ;
+    kl:example ["""
+
+
+@pytest.mark.slow
+def test_examples_are_updated_and_coverage_is_counted(write, kinlint):
+    """As JSON, too; marks and fixed texts are written as the rule finds and fixes."""
+    fixed = RULE.partition("kl:bad '''")[2].partition("'''")[0]
+    fixed = fixed.replace("[|elbow|]", "elbow_joint")
+    right = RULE.replace("\n    kl:example [", REPAIR, 1)
+    right = right.replace(
+        "        kl:good", f"        kl:fixed '''{fixed}'''^^kl:urdf ;\n        kl:good"
+    )
+    right = f"@prefix dash: <http://datashapes.org/dash#> .\n{right}"
+    wrong = right.replace("[|elbow|]", "elbow").replace('"base"/>', '"[|base|]"/>', 1)
+    name = "joint-without-suffix.ttl"
+    write(name, wrong.replace("elbow_joint", "wrist", 1))
+    code, out, _ = kinlint("test-rules", "--json", "--coverage", name)
+    (told,) = json.loads(out)
+    assert (code, told["code"], told["examples"], len(told["failures"])) == (1, "ACME001", 1, 3)
+    assert told["coverage"] == {"parts": 3, "untested": []}
+    code, out, _ = kinlint("test-rules", "--update", "--coverage", name)
+    assert (code, Path(name).read_text("utf-8")) == (0, right)
+    assert "ACME001 joint-without-suffix: examples need 3 of 3 parts of queries\n" in out
+    assert out.startswith("updated ")

@@ -15,7 +15,7 @@ from kinlint.formats.records import LIFTED
 from kinlint.formats.xml.element_types import ElementType, Reference, Schema
 from kinlint.formats.xml.schema import TEXT, schema
 from kinlint.rule import Rule
-from kinlint.rule_testing.rule_conformance import unmarked
+from kinlint.rule_testing.example_texts import unmarked
 from kinlint.terms import iri_value
 
 GOAL = "goal"

@@ -28,7 +28,7 @@ from kinlint.formats.records import LIFTED
 from kinlint.formats.registry import read
 from kinlint.missing_files import references
 from kinlint.rule import Rule
-from kinlint.rule_testing import rule_conformance
+from kinlint.rule_testing import example_texts
 from kinlint.terms import RDF_TYPE, Term
 
 FORMATS = [each.name for each in LIFTED]
@@ -126,7 +126,7 @@ def examples(rule: Rule) -> Iterator[Sequence[Document]]:
     """The models that a rule shows in formats that are lifted, with what is read beside them."""
     for example in rule.examples:
         if example.format in FORMATS:
-            for texts in rule_conformance._texts(example):
+            for texts in example_texts.texts_of(example):
                 yield join_companions([read(each, OPTIONS) for each in texts])
 
 

@@ -176,7 +176,12 @@ def _format(example: Term) -> str:
 
 
 def _source(example: Term | None) -> str | None:
-    return None if example is None else dedent(literal_value(example)).strip("\n") + "\n"
+    return None if example is None else source_of(literal_value(example))
+
+
+def source_of(literal: str) -> str:
+    """Return the text of the example that is written as *literal*, without its indentation."""
+    return dedent(literal).strip("\n") + "\n"
 
 
 def _prose(text: str) -> str:

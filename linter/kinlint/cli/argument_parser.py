@@ -86,6 +86,12 @@ class Formatter(argparse.RawDescriptionHelpFormatter):
     def __init__(self, prog: str) -> None:
         super().__init__(prog, max_help_position=30)
 
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        """Wrap a *text* of one line; lines that were broken by hand stay."""
+        if "\n" not in text:
+            return argparse.HelpFormatter._fill_text(self, text, width, indent)  # noqa: SLF001
+        return super()._fill_text(text, width, indent)
+
 
 def one_of(
     choices: tuple[str, ...], aliases: Mapping[str, str] | None = None
@@ -181,6 +187,6 @@ def add_store(made: Parser, title: str) -> Callable[..., object]:
         type=seconds,
         metavar="SECONDS",
         default=SILENCE,
-        help=f"how long the store may be silent (default: {SILENCE:.0f})",
+        help=f"how long to wait for the store (default: {SILENCE:.0f})",
     )
     return add

@@ -176,7 +176,7 @@ def _files(made: Parser) -> None:
         "--executor",
         type=dask_address,
         metavar="dask://HOST:PORT",
-        help="lint on the workers of this Dask cluster, which have the files at the same paths",
+        help="lint on the workers of this Dask cluster; the files must have the same paths there",
     )
     add(
         "--file-timeout",

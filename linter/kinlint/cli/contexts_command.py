@@ -33,8 +33,8 @@ def parser() -> Parser:
     made = Parser(
         prog="kinlint contexts",
         description="List the JSON-LD contexts that models may name, or add a copy of one to the"
-        " configuration. This is the only command that uses the network, and only for an address"
-        " given to `add`.",
+        " configuration. Only an address given to `add` is fetched from the network; models are"
+        " read with the copies.",
         usage="kinlint contexts [add FILE-OR-URL [--for IRI]]",
     )
     made.add_positionals("words", "add FILE-OR-URL", "context to add")

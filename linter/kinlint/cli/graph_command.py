@@ -30,10 +30,10 @@ LAYERS = ("source", "lifted", "closure", "facts")
 """Layers of the graph: what files state, and what is lifted, inferred and computed from it."""
 
 DESCRIPTION = """\
-Draw the links and joints of robots as roboticists do: links are boxes, joints ellipses, and what
-closes a loop is dashed. What `kinlint check` finds is marked on the part that it is about. `svg`
-and `html` also show the robot in three dimensions, with all joints at zero. With
-`--output-format turtle`, write the graph that rules see, with the place of each node."""
+Draw the links (boxes) and joints (ellipses) of robots; connections that close a loop are dashed.
+Findings of `kinlint check` are marked on the parts that they are about. `svg` and `html` also show
+the robot in three dimensions, with all joints at zero. `--output-format turtle` writes the graph
+that rules see, with the place of each node."""
 
 EPILOG = "Exit code: 0 drawn, whatever was found; 2 if a file cannot be read or has no robot."
 

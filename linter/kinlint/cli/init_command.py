@@ -61,7 +61,7 @@ def parser() -> Parser:
     made = Parser(
         prog="kinlint init",
         description="Set up a project: kinlint.toml, an entry of .pre-commit-config.yaml and a"
-        " workflow for GitHub. Each is shown and asked about; nothing is overwritten.",
+        " workflow for GitHub. Each is shown, and written if you agree; nothing is overwritten.",
         epilog="Exit code: 0 shown or written; 2 if a file cannot be read or written.",
     )
     made.add_positionals("paths", "DIR", "the project (default: the working directory)")
@@ -70,7 +70,7 @@ def parser() -> Parser:
         "--repository",
         type=non_empty,
         metavar="URL",
-        help="where kinlint is kept (default: where it was installed from, if that is git)",
+        help="git repository of kinlint (default: the one that it was installed from, if any)",
     )
     return made
 

@@ -24,9 +24,9 @@ FORMATS = ("table", "csv", "json")
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
 """Beginnings of a cell that spreadsheets evaluate (https://owasp.org/www-community/attacks/CSV_Injection)."""
 DESCRIPTION = """\
-Ask the graph that rules see with a SPARQL query: SELECT, ASK or CONSTRUCT. The prefixes that rules
-have need no declaration. Rows come with the place of the first node in them that a file describes;
-`kinlint graph --output-format turtle` shows the whole graph."""
+Query the graph that rules see with SPARQL: SELECT, ASK or CONSTRUCT. The prefixes of rules need no
+declaration. Each row has the place of its first node that a file describes; `kinlint graph
+--output-format turtle` shows the whole graph."""
 EPILOG = """\
 Example: kinlint query 'SELECT ?joint ?type { ?joint at:type ?type }' robot.urdf
 Exit code: 0 answered; 2 if the query is wrong or a file cannot be read."""

@@ -44,12 +44,12 @@ def add_output_options(made: Parser) -> None:
     add(
         "--sarif-invocation",
         action="store_true",
-        help="SARIF says when and how kinlint was called, by which paths, and how it ended",
+        help="record the command line, times, directory and exit code in SARIF",
     )
     add(
         "--sarif-embed",
         action="store_true",
-        help="SARIF holds the texts of the files with findings",
+        help="embed the files with findings in SARIF",
     )
     for name in OUTPUT_FORMATS:
         add(f"--{name}-output", type=non_empty, metavar="FILE", help=SUPPRESS)

@@ -34,9 +34,7 @@ def parser() -> Parser:
     made = Parser(prog="kinlint rule", description="Explain rules: what they find, and why.")
     made.add_positionals("names", "R", "code, name, family (topology, TOP) or anti-pattern (AP3)")
     made.add_argument("--all", action="store_true", help="every rule")
-    made.add_argument(
-        "--full", action="store_true", help="text: every example, the queries of fixes, the facts"
-    )
+    made.add_argument("--full", action="store_true", help="text with every example, query and fact")
     made.add_argument(
         "--output-format", type=one_of(FORMATS), default="text", metavar="|".join(FORMATS)
     )

@@ -24,11 +24,11 @@ def parser() -> Parser:
     """The parser of `kinlint targets`."""
     made = Parser(
         prog="kinlint targets",
-        description="List the consumers that --target may name, or tell what is known of some:"
-        " what each makes of features, since which version, and who says so.",
+        description="List the consumers that --target accepts, or show how some of them treat"
+        " features of robot descriptions: in which versions, and by which source.",
         usage="kinlint targets [NAME[@VERSION]...] [--matrix FILE]... [--output-format F]",
     )
-    made.add_positionals("names", "NAME[@VERSION]", "consumer to tell of; by default, all")
+    made.add_positionals("names", "NAME[@VERSION]", "consumer to show; by default, all")
     add = made.add_argument
     add(
         "--matrix",

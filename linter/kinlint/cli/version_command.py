@@ -22,7 +22,9 @@ def parser() -> Parser:
         prog="kinlint version",
         description="Print the version; with -v everything that a bug report needs.",
     )
-    made.add_argument("-v", "--verbose", action="store_true", help="with all that it runs on")
+    made.add_argument(
+        "-v", "--verbose", action="store_true", help="also of Python, libraries and the system"
+    )
     return made
 
 

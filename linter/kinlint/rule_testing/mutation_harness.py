@@ -99,8 +99,8 @@ def closed(texts: Sequence[SourceText], rulebook: Rulebook) -> tuple[Sequence[Do
     return documents, run_stages("facts", run, inputs, Demand.for_everything(rulebook))
 
 
-def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
-    """Yield the parts of a rule's queries that could be deleted without any example noticing.
+def parts_needed(harness: MutationHarness) -> Iterator[tuple[str, bool]]:
+    """Yield the parts of a rule's queries, and whether any example notices that one is deleted.
 
     None for a rule that only the reference engine can judge.
     """
@@ -129,8 +129,7 @@ def unneeded_parts(harness: MutationHarness) -> Iterator[str]:
                 matters = harness.changes(mutated, others, whole)
             except RuleInvalid:
                 matters = True
-            if not matters:
-                yield f"no example shows why the query needs {readable(deleted, known)}"
+            yield readable(deleted, known), matters
 
 
 def _queries(graph: ShapesGraph) -> dict[Term, Term]:

@@ -40,6 +40,11 @@ def shown(
             yield f"no example shows the repair '{repair.title}'"
 
 
+def fixed(texts: Sequence[SourceText], settings: Settings, rulebook: Rulebook) -> str:
+    """Return what the preferred repairs make of the first of *texts*."""
+    return fix_in_rounds(texts, (), settings, rulebook, Applicability.DISPLAY).texts[0].text
+
+
 def _problems(
     example: Example,
     texts: Sequence[SourceText],
@@ -54,7 +59,7 @@ def _problems(
         elif not example.unfixable:
             yield f"is not fixed: {_reason(offers)}"
         return
-    made = fix_in_rounds(texts, (), settings, rulebook, Applicability.DISPLAY).texts[0].text
+    made = fixed(texts, settings, rulebook)
     expected = example.fixed if example.fixed is not None else example.good
     if made != expected:
         yield f"is fixed to something else:\n{_diff(expected, made)}"

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, suppress
 from functools import lru_cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Literal, TypeAlias
+from typing import Literal
 
 from kinlint import lint, resources
 from kinlint.catalogue.rulebook import PREFIXES, Rulebook
@@ -19,38 +18,21 @@ from kinlint.engine.evaluate import check
 from kinlint.engine.store import Store
 from kinlint.errors import SourceError
 from kinlint.finding import Finding
-from kinlint.formats import records
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 from kinlint.light_dataclasses import replace
 from kinlint.rule import Example, Rule
-from kinlint.rule_testing.mutation_harness import MutationHarness, closed, unneeded_parts
+from kinlint.rule_testing.example_texts import FORMATS, Texts, beside, source, texts_of, unmarked
+from kinlint.rule_testing.mutation_harness import MutationHarness, closed, parts_needed
 from kinlint.rule_testing.remarks import Remark, is_built_in, malformed, unused
 from kinlint.rule_testing.unmatched_pattern import unmatched
 from kinlint.sparql.tokens import tokens
 from kinlint.targets.portability import departing_targets
-from kinlint.text import SourceText, Span
+from kinlint.text import Span
 from kinlint.vocabulary import SH
 
-MARK = re.compile(r"\[\|(.*?)\|\]", re.DOTALL)
 UNQUOTED = re.compile(r"(?<!')\{[?$]this\}|\{[?$]this\}(?!')")
 STRICT = FileSettings(choices=(Choice(select=("ALL",)),), require_reason=True)
-FORMATS = {each.name: each for each in records.FORMATS if each.fence != "text"}
-"""The formats in which examples are written, by name."""
-
-
-Texts: TypeAlias = tuple[SourceText, ...]
-"""An example, and what is read with it."""
-
-
-def unmarked(text: str) -> tuple[str, list[Span]]:
-    """Return *text* without its `[|…|]` marks, and the spans they stood round."""
-    spans, shift = [], 0
-    for match in MARK.finditer(text):
-        start = match.start() - shift
-        spans.append(Span(start, start + len(match[1])))
-        shift += 4
-    return MARK.sub(lambda match: match[1], text), spans
 
 
 def failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
@@ -114,12 +96,12 @@ def broken_promises(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 
 def _judged(rule: Rule, rulebook: Rulebook, number: int, example: Example) -> Iterator[str]:
-    with _beside(example) as home:
+    with beside(example) as home:
         if example.bad is not None:
             text, expected = unmarked(example.bad)
-            yield from _bad(rule, rulebook, number, _source(example, text, home), expected)
+            yield from _bad(rule, rulebook, number, source(example, text, home), expected)
         if example.good is not None:
-            texts = _source(example, example.good, home)
+            texts = source(example, example.good, home)
             if (flaw := malformed(read(texts[0], ReadOptions()))) and not is_built_in(rule):
                 yield f"good example {number}: {flaw}"
             for finding in found(rule, rulebook, texts):
@@ -131,8 +113,8 @@ def disagreements(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     for number, example in enumerate(rule.examples, 1):
         if example.bad is None or example.format not in FORMATS:
             continue
-        with _beside(example) as home, suppress(SourceError):
-            texts = _source(example, unmarked(example.bad)[0], home)
+        with beside(example) as home, suppress(SourceError):
+            texts = source(example, unmarked(example.bad)[0], home)
             judged = results(rule, rulebook, texts, "oxigraph")
             if judged != results(rule, rulebook, texts, "pyshacl"):
                 yield f"bad example {number}: the engines disagree"
@@ -140,8 +122,15 @@ def disagreements(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
 
 def untested_parts(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
     """Yield the parts of queries of *rule* that no example needs."""
-    examples = (each for example in rule.examples for each in _texts(example))
-    yield from unneeded_parts(MutationHarness.for_rule(rule, rulebook, examples))
+    for part, needed in query_parts(rule, rulebook):
+        if not needed:
+            yield f"no example shows why the query needs {part}"
+
+
+def query_parts(rule: Rule, rulebook: Rulebook) -> Iterator[tuple[str, bool]]:
+    """Yield the parts of queries of *rule*, and whether an example needs each."""
+    examples = (each for example in rule.examples for each in texts_of(example))
+    yield from parts_needed(MutationHarness.for_rule(rule, rulebook, examples))
 
 
 def repair_failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
@@ -150,48 +139,14 @@ def repair_failures(rule: Rule, rulebook: Rulebook) -> Iterator[str]:
         return
     from kinlint.rule_testing.repair_examples import shown  # noqa: PLC0415  few rules have repairs
 
-    only, settings = _alone(rule, rulebook, "oxigraph")
+    only, settings = alone(rule, rulebook, "oxigraph")
     with ExitStack() as stack:
         bad = [
-            (number, each, _source(each, unmarked(each.bad)[0], stack.enter_context(_beside(each))))
+            (number, each, source(each, unmarked(each.bad)[0], stack.enter_context(beside(each))))
             for number, each in enumerate(rule.examples, 1)
             if each.bad is not None and each.format in FORMATS
         ]
         yield from shown(rule, only, settings, bad)
-
-
-def _texts(example: Example) -> Iterator[Texts]:
-    with _beside(example) as home:
-        for text in (example.bad, example.good):
-            if text is not None:
-                yield _source(example, unmarked(text)[0], home)
-
-
-@contextmanager
-def _beside(example: Example) -> Iterator[str]:
-    """Yield the name of a directory that has the files beside *example*; none if there are none."""
-    if not example.beside:
-        yield ""
-        return
-    with TemporaryDirectory() as home:
-        for name, _, content in (each.partition("\n") for each in example.beside):
-            path = Path(home, name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(content, "utf-8")
-        yield home
-
-
-def _source(example: Example, text: str, home: str) -> Texts:
-    """Return an example, and what is read with it."""
-    others = (
-        SourceText(_path(home, f"companion{number}", form), other, companion=True)
-        for number, (form, other) in enumerate(example.companions)
-    )
-    return SourceText(_path(home, "example", example.format), text), *others
-
-
-def _path(home: str, name: str, form: str) -> str:
-    return Path(home, name + FORMATS[form].suffixes[0]).as_posix()
 
 
 def _bad(
@@ -233,14 +188,14 @@ def results(
 def _lint(
     rule: Rule, rulebook: Rulebook, texts: Texts, engine: Literal["oxigraph", "pyshacl"]
 ) -> list[Finding]:
-    only, settings = _alone(rule, rulebook, engine)
+    only, settings = alone(rule, rulebook, engine)
     report = lint.run(texts, [], settings, only)
     if report.errors:
         raise report.errors[0]
     return [finding for finding in report.findings if finding.rule.iri == rule.iri]
 
 
-def _alone(
+def alone(
     rule: Rule, rulebook: Rulebook, engine: Literal["oxigraph", "pyshacl"]
 ) -> tuple[Rulebook, Settings]:
     """Return *rulebook* with the constraints of *rule* only, and settings under which it speaks."""
