@@ -10,6 +10,7 @@ from kinlint.facts.compared_units import odd_units, shared_units
 from kinlint.facts.connected_components import components
 from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
+from kinlint.facts.crossed_references import crossed_references
 from kinlint.facts.dangling_references import DanglingReferences
 from kinlint.facts.dataflow import DataSources
 from kinlint.facts.dependency_cycles import dependency_cycles
@@ -237,6 +238,13 @@ KINDS = (
         {"resembles": ()},
         lambda own: DanglingReferences(own.scan.part("referred-to")).facts(),
         ("referred-to",),
+    ),
+    FactKind(
+        "crossed_references",
+        {"refers-across": ()},
+        lambda own: crossed_references(own.scan.part("referred-across")),
+        ("referred-across",),
+        ("proper-target",),
     ),
     FactKind("coordinate_agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
     FactKind(

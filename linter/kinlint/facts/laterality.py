@@ -21,7 +21,7 @@ PAIRS = (
 )
 OTHER = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 LEFT = frozenset(left for left, _ in PAIRS)
-SIDES = frozenset((*OTHER, "front", "rear", "back", "hind"))
+SIDES = frozenset((*OTHER, "front", "middle", "mid", "rear", "back", "hind"))
 MANY = 4096
 """Most names that are remembered: an edited robot is looked at again and again."""
 

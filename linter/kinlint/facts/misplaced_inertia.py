@@ -90,10 +90,10 @@ def _alike(moments: Vector, solid: Vector) -> bool:
 
 
 def _reordered(moments: Vector, solid: Vector) -> bool:
-    """Tell whether *moments* are those of the *solid*, but about other axes."""
+    """Tell whether *moments* are those of the *solid*, but one or more of them about other axes."""
     size = max(solid)
-    ordered = zip(sorted(moments), sorted(solid), strict=True)
-    return all(abs(one - own) <= ALIKE * size for one, own in ordered) and any(
+    known = all(min(abs(one - own) for own in solid) <= ALIKE * size for one in moments)
+    return known and any(
         abs(one - own) > OTHER * size for one, own in zip(moments, solid, strict=True)
     )
 

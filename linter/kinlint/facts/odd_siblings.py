@@ -114,18 +114,31 @@ def _placed(group: Sequence[Drawn], plane: int) -> Iterator[Triple]:
 
 
 def _turned(group: Sequence[Drawn], drawn: DrawnSymmetry) -> Iterator[Triple]:
-    """Yield the wheel that turns against all others."""
-    axes = [each.axis for each in group]
-    first = axes[0]
-    if first is None or drawn.kind(group[0].edge.joint) != "continuous":
+    """Yield the joint that turns against all others, or against those of its side.
+
+    Then those of the other side agree. Joints with limits have the same, which fit both senses.
+    """
+    joints = [each.edge.joint for each in group]
+    kind = drawn.kind(joints[0])
+    ranges = {drawn.numbers.limits.get(each) for each in joints} if kind == "revolute" else ()
+    first = group[0].axis
+    if first is None or kind not in TURNING or not all(map(_is_even, ranges)) or len(ranges) > 1:
         return
-    senses = [dot(first, axis) if axis is not None else 0.0 for axis in axes]
+    senses = [dot(first, each.axis) if each.axis is not None else 0.0 for each in group]
     if min(map(abs, senses)) < ALIKE:
         return
-    odd = _odd(senses, lambda one, other: (one > 0.0) == (other > 0.0))
-    if odd is not None:
-        other = (odd + 1) % len(group)
-        yield group[odd].edge.joint, fact("turns-against"), group[other].edge.joint
+    mirrored = [sense * _side(each) for sense, each in zip(senses, group, strict=True)]
+    for values in (senses, mirrored) if len(group) > MOST + 1 else (senses,):
+        odd = _odd(values, lambda one, other: (one > 0.0) == (other > 0.0))
+        if odd is not None:
+            yield joints[odd], fact("turns-against"), joints[(odd + 1) % len(group)]
+            return
+
+
+def _is_even(limits: tuple[float | None, float | None] | None) -> bool:
+    """Tell whether a joint may turn as far one way as the other."""
+    low, high = limits or (None, None)
+    return low is not None and high is not None and low == -high
 
 
 def _shaped(group: Sequence[Drawn], shapes: BodyShapes) -> Iterator[Triple]:

@@ -32,22 +32,29 @@ TYPES = re.compile(r"/\w*(?:Controller|Broadcaster)$|^FollowJointTrajectory$")
 """Types of controllers of ros2_control, and of MoveIt."""
 CHAINED = ("reference_and_state_dof_names", "dof_names")
 """Keys of controllers that offer interfaces to others."""
+SENDING = "controller_names"
+"""Key of the controllers that MoveIt sends trajectories to."""
 
 
 def controllers(table: yaml.MappingNode) -> Iterator[Entry]:
     """Yield the controllers that are entries of *table*, and what a manager lists by type."""
+    for each in getattr(said(table).get(SENDING), "value", ()):
+        if isinstance(each, yaml.Node) and (listed := name_of(each)) is not None:
+            yield Entry("controller_name", *listed)
     for key, value in table.value:
         if not isinstance(value, yaml.MappingNode) or (name := name_of(key)) is None:
             continue
         given = said(value).get(PARAMETERS, value)
         if isinstance(given, yaml.MappingNode) and name[0] != PARAMETERS:
-            yield from _controller(*name, said(given))
+            yield from _controller(*name, said(given), is_section=given is not value)
 
 
-def _controller(name: str, span: Span, given: Mapping[str, yaml.Node]) -> Iterator[Entry]:
+def _controller(
+    name: str, span: Span, given: Mapping[str, yaml.Node], *, is_section: bool
+) -> Iterator[Entry]:
     kind = _type(given.get("type"))
     lists = {role: given[key] for key, role in CLAIMING.items() if key in given}
-    if any(key in given for key in CHAINED) or not (lists or kind):
+    if any(key in given for key in CHAINED) or not (lists or kind or is_section):
         return
     listed = getattr(given.get(INTERFACES), "value", None)
     interfaces = [name_of(each) for each in listed] if isinstance(listed, list) else []
@@ -58,6 +65,7 @@ def _controller(name: str, span: Span, given: Mapping[str, yaml.Node]) -> Iterat
         *(("interface", each[0]) for each in interfaces if each is not None),
         *([("controllerType", kind)] if kind else []),
         *([("drives", only[0])] if (only := name_of(given.get(ONLY))) else []),
+        *(("parameter", key) for key in given if is_section),
     ]
     yield Entry("controller", name.lstrip("/"), span, tuple(floats(sizes)), -1, tuple(told))
 

@@ -25,7 +25,7 @@ class Entry(NamedTuple):
     """Mention of a part of a robot, with the numbers that a file gives for it."""
 
     tag: str
-    """`joint`, `joint_limit`, `initial_position`, `link`, `frame`, `group` or `controller`."""
+    """`joint`, `joint_limit`, `initial_position`, `link`, `frame`, `group`, `controller`..."""
     name: str
     """The name of the part."""
     span: Span
