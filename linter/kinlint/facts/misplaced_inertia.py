@@ -21,6 +21,8 @@ ALIKE = 0.05
 """The part of the greatest moment up to which one counts as that of a solid."""
 OTHER = 0.2
 """The part of the greatest moment by which one about another axis differs at least."""
+COPIED = 0.01
+"""The part of a moment up to which another is a copy of it."""
 DIGITS = 5
 """Fewest digits of the different moments of two bodies that are no coincidence."""
 
@@ -92,7 +94,10 @@ def _alike(moments: Vector, solid: Vector) -> bool:
 def _reordered(moments: Vector, solid: Vector) -> bool:
     """Tell whether *moments* are those of the *solid*, but one or more of them about other axes."""
     size = max(solid)
-    known = all(min(abs(one - own) for own in solid) <= ALIKE * size for one in moments)
+    ordered = zip(sorted(moments), sorted(solid), strict=True)
+    known = all(abs(one - own) <= ALIKE * size for one, own in ordered) or all(
+        any(math.isclose(one, own, rel_tol=COPIED) for own in solid) for one in moments
+    )
     return known and any(
         abs(one - own) > OTHER * size for one, own in zip(moments, solid, strict=True)
     )

@@ -24,10 +24,9 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
     layer = SourceLayer(graph, BlankNodes(source.name))
     layer.state_file(YAML.name, source.name, Span(0, len(source.text)))
     tops = compose(source.name, source.text)
-    found = sorted(
-        (each for top in tops for each in entries(top) if _may_be_of_robot(each.tag, each.name)),
-        key=lambda each: (each.span.start, each.tag),
-    )
+    said = (each for top in tops for each in entries(top) if _may_be_of_robot(each.tag, each.name))
+    # What an alias repeats is said once.
+    found = sorted(dict.fromkeys(said), key=lambda each: (each.span.start, each.tag))
     stated: dict[Triple, Span] = {}
     nodes: dict[Term, NodeSpans] = {}
     if found:
