@@ -109,9 +109,8 @@ def _directories(document: Document) -> Mapping[Term, tuple[str, bool]]:
     """Return where files are that elements of *document* name, and if by the last part alone."""
     if not document.format.includes:
         return {}
-    told = [each for each in document.statements if each[1] in (FILES_IN, STRIPPED)]
-    stripped = {element for element, property_, _ in told if property_ == STRIPPED}
-    return {s: (literal_value(o), s in stripped) for s, p, o in told if p == FILES_IN}
+    stripped = {element for element, _, _ in document.saying(STRIPPED)}
+    return {s: (literal_value(o), s in stripped) for s, _, o in document.saying(FILES_IN)}
 
 
 def _sought_by_mujoco(document: Document, known: References) -> tuple[set[Term], list[Triple]]:

@@ -98,6 +98,20 @@ def test_the_same_number_spelled_twice(book):
         agree(incremental, [SourceText("arm.jsonld", text)], settings, book)
 
 
+def test_words_that_are_new(book):
+    """Rules that a new word brings into play are asked, too; what was lifted stays as it is."""
+    settings = Settings()
+    incremental = Analyzer(settings, book, trying=True)
+    model = """<mujoco><compiler{}/><worldbody><body name="arm" euler="0 0 1">
+        <joint name="turn" {}/><geom size="1" mass="1"/></body></worldbody></mujoco>"""
+    stores = set()
+    for words in (("", ""), (' eulerseq="xyy"', ""), (' eulerseq="zzz"', 'axis="0 0 0"')):
+        texts = [SourceText("arm.xml", model.format(*words))]
+        agree(incremental, texts, settings, book)
+        stores.add(id(incremental.examine(texts).store))
+    assert len(stores) == 1
+
+
 def test_only_the_order_changes(book):
     """What is listed first is told first, even if nothing else is said than before."""
     settings = Settings()

@@ -51,6 +51,19 @@ class TrackedChecking:
 
         return [Dependencies.from_constraint(each) for each in self.constraints]
 
+    def widen(self, constraints: Sequence[Constraint]) -> None:
+        """Check *constraints* from now on: those so far, in the same order, and perhaps more."""
+        if constraints is self.constraints:
+            return
+        places = {id(each): number for number, each in enumerate(constraints)}
+        now = [places[id(each)] for each in self.constraints]
+        self._rows = {now[number]: each for number, each in self._rows.items()}
+        self._results = {now[number]: each for number, each in self._results.items()}
+        self._seconds = {now[number]: each for number, each in self._seconds.items()}
+        self.constraints = constraints
+        for name in ("deferred", "_dependencies"):
+            self.__dict__.pop(name, None)
+
     def run(self, changes: Changes, ask: Callable[[], None]) -> None:
         """Check what looks at what *changes* are about; at first, everything."""
         if not self._rows:

@@ -210,13 +210,15 @@ class Analyzer:
             with spent.phase("lifting"):
                 found = possible(selection.constraints, joined, run.store, self._coming)
             if kept is None or not kept.checks(found):
-                if kept is not None:  # What was not asked for was not lifted either.
+                if kept is not None:
                     found = _together(selection, found, kept.demand.constraints)
-                    run = self._new_run()
-                    run_stages("loading", run, inputs, spent=spent, ask=ask)
                 demand = Demand.from_selection(
                     selection, found, joined, self._settings, browsed=self._browsed
                 )
+                formats = {document.format for document in joined}
+                if kept is not None and not demand.makes_as(kept.demand, formats):
+                    run = self._new_run()  # What was not asked for was not lifted either.
+                    run_stages("loading", run, inputs, spent=spent, ask=ask)
                 kept = Kept(run, demand)
             run_stages("checking", run, inputs, kept.demand, spent, ask, first="lifting")
         finally:

@@ -28,8 +28,9 @@ if TYPE_CHECKING:
 class Run:
     """The stages of one model. Each makes everything at first, and then what changed of it.
 
-    All turns have the same demand, and documents of the same graphs. What only a further turn needs
-    is worked out when there is one, so that a single turn costs no more than the stages themselves.
+    All turns have documents of the same graphs, and a demand by which stages before checking make
+    the same; constraints only become more. What only a further turn needs is worked out when there
+    is one, so that a single turn costs no more than the stages themselves.
     """
 
     def __init__(self, vocabulary: Sequence[Path], axioms: Sequence[Axiom] = ()) -> None:
@@ -90,6 +91,7 @@ class Run:
         """Find what violates the constraints, where something changed that they look at."""
         if self._checking is None:
             self._checking = TrackedChecking(self.store, demand.constraints)
+        self._checking.widen(demand.constraints)
         if demand.engine != "pyshacl":
             self._checking.run(self._changes, ask)
         results = list(self._checking.results)

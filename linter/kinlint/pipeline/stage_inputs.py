@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from pathlib import Path
 
 from kinlint.catalogue.applicability import axioms_for, demand, spoken_of
@@ -12,7 +12,10 @@ from kinlint.configuration.settings import Settings
 from kinlint.document import Document
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.constraint import Constraint
+from kinlint.engine.lifting import lifts
 from kinlint.engine.required_terms import behind
+from kinlint.facts.computation import asked
+from kinlint.file_format import Format
 from kinlint.files.packages import Packages
 from kinlint.light_dataclasses import dataclass
 from kinlint.missing_files import asks_for_files, references
@@ -73,6 +76,20 @@ class Demand:
     def lifting(self) -> tuple[frozenset[Term] | None, frozenset[Term] | None]:
         """Return the terms for which documents are lifted, and those that are kept of it."""
         return (None, None) if self.browsed else (self.terms, self.lifted)
+
+    def makes_as(self, other: Demand, formats: Collection[Format]) -> bool:
+        """Tell whether, of files of *formats*, stages before checking make the same by *other*."""
+        if self.terms is None or other.terms is None:
+            return self.terms == other.terms
+        more = self.terms ^ other.terms
+        if self.lifted is not None and other.lifted is not None:
+            more |= self.lifted ^ other.lifted
+        return (
+            more.isdisjoint(lifts(formats))
+            and list(self.axioms) == list(other.axioms)
+            and [*asked(self.terms)] == [*asked(other.terms)]
+            and self.hints == other.hints
+        )
 
     @classmethod
     def from_selection(

@@ -52,8 +52,9 @@ def read(source: SourceText, options: ReadOptions) -> Document:
     """
     main = absolute(source.name)
     budget = _Budget(ProjectReach(main, options.packages_of(source.name)))
-    whole = _Assembly(main, options, budget, (main,)).read(source, None, main)
-    root = tree(whole.graph, whole.statements)
+    assembly = _Assembly(main, options, budget, (main,))
+    whole = assembly.read(source, None, main)
+    root = assembly.root or tree(whole.graph, whole.statements)
     return whole if root is None else stated(whole, root)
 
 
@@ -90,6 +91,8 @@ class _Assembly:
     """The main files of the models that this one is part of, itself last."""
     taken: set[Path] = field(default_factory=set)
     """Files that are part of the model already."""
+    root: MjcfElement | None = field(default=None, init=False)
+    """The root of a model that is one file, once that was read."""
 
     def read(
         self, source: SourceText, around: ElementType | None, path: Path, depth: int = 0
@@ -119,6 +122,8 @@ class _Assembly:
             said = ("node", each.node), ("written", literal(name)), ("reason", literal(included))
             layer.add_node(kind_, span, *said)
         whole = with_statements(document, layer)
+        if not depth and not any(found.values()):
+            self.root = root
         for tag, grafts in found.items():
             whole = with_includes(whole, [(e.node, d) for e, d in grafts], ROOTS[tag])
         return whole

@@ -48,9 +48,7 @@ def stated(document: Document, root: MjcfElement) -> Document:
             layer.nodes[node] = spans
     _state_losses(document, model, layer)
     _state_unchecked(document, root, found)
-    written = document.map.triples
-    places = {each: written.get(of) if of else None for each, of in found.items()}
-    return with_statements(document, layer, places)
+    return with_statements(document, layer, derived=found)
 
 
 def _state_losses(document: Document, model: CompiledModel, layer: SourceLayer) -> None:
