@@ -187,7 +187,9 @@ class Finding:
         about = None if is_address(self.iri) else self.focus
         # What targets make of it was added when it was judged; it says the same of the place.
         message = self.message.removesuffix(self.departures).rstrip()
-        said = self.template.removesuffix(DEPARTURES).rstrip(), self.meant, message
+        # An included file is part of several models, and its elements have an address in each.
+        meant = tuple("" if is_address(each) else each for each in self.meant)
+        said = self.template.removesuffix(DEPARTURES).rstrip(), meant, message
         where = self.location.source.name, self.location.span
         return self.rule.code, where, said, about
 

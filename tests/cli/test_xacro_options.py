@@ -121,6 +121,11 @@ def test_what_several_files_include_is_told_once(cell, capfd):
     )
     _, places, _ = run(capfd, "one.xacro")
     assert places == []
+    geoms = '<geom name="a" size="1"/>\n<geom name="a" size="1"/>'
+    (cell / "arm.xml").write_text(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
+    (cell / "scene.xml").write_text('<mujoco><include file="arm.xml"/></mujoco>')
+    _, places, _ = run(capfd, "arm.xml", "scene.xml")
+    assert places == ["arm.xml:2:13:"]
 
 
 def test_failures_inside_what_others_include_are_theirs(cell, capfd):

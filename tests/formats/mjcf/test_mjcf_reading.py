@@ -190,6 +190,31 @@ def test_a_file_does_not_include_itself(tmp_path) -> None:
     assert len(nodes(file(main), "CircularInclude")) == 1
 
 
+def test_an_empty_file_is_not_included(tmp_path) -> None:
+    (tmp_path / "part.xml").write_text("<mujoco><!-- nothing --></mujoco>")
+    main = tmp_path / "robot.xml"
+    main.write_text('<mujoco><include file="part.xml"/></mujoco>')
+    (unread,) = nodes(file(main), "UnresolvedInclude")
+    assert values(file(main), unread, "src:reason") == ["part.xml is empty"]
+
+
+def test_what_a_model_lacks_is_not_attached(tmp_path) -> None:
+    (tmp_path / "hand.xml").write_text(
+        '<mujoco><worldbody><body name="palm"/></worldbody></mujoco>'
+    )
+    main = tmp_path / "robot.xml"
+    attach = '<attach model="hand" body="{}" prefix="l_"/>'
+    main.write_text(
+        '<mujoco><asset><model name="hand" file="hand.xml"/></asset>'
+        f"<worldbody>{attach.format('plam')}{2 * attach.format('palm')}</worldbody></mujoco>"
+    )
+    found = file(main)
+    wrong, first, again = (node(found, f"worldbody/attach{each}") for each in ("", ";2", ";3"))
+    (gap,) = values(found, wrong, "src:dangling")
+    assert values(found, gap, "src:resembles") == ["palm"]
+    assert values(found, again, "src:sameNameAs") == [first]
+
+
 def test_names_may_be_those_of_a_file_that_is_not_there() -> None:
     text = ARM.format("") + '<actuator><motor name="m" joint="nobody"/></actuator>'
     read, unsure = model(text), model('<include file="nothing.xml"/>' + text)

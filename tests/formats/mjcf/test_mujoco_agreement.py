@@ -34,6 +34,10 @@ GEOMS = """
               <joint axis="0 1 0"/>
               <inertial pos="0 0 0.1" mass="0.2" diaginertia="0.01 0.004 0.0061" euler="20 0 5"/>
               <geom size="0.1" group="3"/>
+              <geom size="0.1 0.3" type="capsule" shellinertia="true" pos="0.1 0 0"/>
+              <geom size="0.1 0.2" type="cylinder" shellinertia="true"/>
+              <geom size="0.1 0.2 0.3" type="box" shellinertia="true" mass="2"/>
+              <geom size="0.2" shellinertia="true" group="3"/>
             </body>
           </body>
         </frame>

@@ -13,6 +13,7 @@ from typing import TypeAlias
 from kinlint.formats.mjcf.compiled_model import CompiledBody, CompiledModel, CompiledPart
 from kinlint.formats.mjcf.orientation import UNTURNED, multiplied, upward
 from kinlint.formats.mjcf.principal_axes import principal
+from kinlint.formats.mjcf.shell_inertia import shell_moments
 from kinlint.formats.rigid_transform import Quaternion, Transform, Vector, composed, rotated
 from kinlint.light_dataclasses import dataclass, replace
 
@@ -185,10 +186,11 @@ def _solid(geom: CompiledPart) -> BodyInertia | None:
     given = element.numbers("mass")
     if given and given[0] == 0:
         return BodyInertia(0.0, place or ((0, 0, 0), UNTURNED), (0, 0, 0, 0, 0, 0), given=False)
-    unknown = type_ in UNKNOWN or element.text("mesh") or element.text("shellinertia") == "true"
+    hollow = element.text("shellinertia") == "true"
+    unknown = type_ in UNKNOWN or element.text("mesh") or (hollow and type_ == "ellipsoid")
     if unknown or place is None or not size:
         return None
-    volume, moments = _moments(type_, size)
+    volume, moments = (shell_moments if hollow else _moments)(type_, size)
     mass = given[0] if given else volume * element.number("density", DENSITY)
     x, y, z = (mass * each for each in moments)
     return BodyInertia(mass, place, (x, y, z, 0.0, 0.0, 0.0), given=False)

@@ -6,6 +6,8 @@ there as often as that says, each copy with a node and a name of its own.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kinlint.formats.mjcf.compiler_settings import CompilerSettings
 from kinlint.formats.mjcf.element_copy import ElementCopy, ModelFile
 from kinlint.formats.mjcf.mjcf_elements import MjcfElement
@@ -99,8 +101,13 @@ class CompiledModel:
     """Elements of which there would be too many copies."""
     attached: list[tuple[MjcfElement, str]] = field(default_factory=list)
     """Roots of attached models, with the prefixes of their names."""
+    repeated: list[tuple[MjcfElement, MjcfElement]] = field(default_factory=list)
+    """Elements that attach what another one does, by the same prefix, and that one."""
+    unmatched: list[tuple[MjcfElement, str, Sequence[str]]] = field(default_factory=list)
+    """Elements with the attribute that names no part of their model, and names that it has."""
     _count: int = 0
     _files: dict[MjcfElement, ModelFile] = field(default_factory=dict)
+    _attaching: dict[tuple[MjcfElement, str, str], MjcfElement] = field(default_factory=dict)
 
     @classmethod
     def from_root(cls, root: MjcfElement) -> CompiledModel:
@@ -217,11 +224,17 @@ class CompiledModel:
         inner = ElementCopy(file, prefix, copy.suffix, mark, copy.scaled)
         self.attached.append((root, prefix))
         tag = next((each for each in ("body", "frame") if element.text(each)), "")
+        first = self._attaching.setdefault((root, prefix, element.text(tag)), element)
+        if first is not element:
+            self.repeated.append((element, first))
         if not tag:
             for each in root.all("worldbody"):
                 self._take(each, body, at, inner, depth)
             return
         found = file.named.get((tag, element.text(tag)))
+        if found is None and model:
+            names = [name for kind, name in file.named if kind == tag and name]
+            self.unmatched.append((element, tag, names))
         if found is not None and not _is_around(found, element):
             stand_in = MjcfElement(element.node, "attach", None, element.type, {}, [found])
             self._take(stand_in, body, at, inner, depth)

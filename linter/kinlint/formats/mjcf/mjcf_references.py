@@ -71,7 +71,8 @@ class KnownNames:
         """
         self.add(kind, name, element)
         first = self.named.get(kind, {}).get(name, element)
-        if first is not element and first.tag != "worldbody" and (kind, name) != (CLASS, MAIN):
+        top = (kind, name) == (CLASS, MAIN) and not _is_default(element)
+        if first is not element and first.tag != "worldbody" and not top:
             self.repeated.append((element, first))
 
     def add(self, kind: str, name: str, element: MjcfElement) -> None:
@@ -86,12 +87,12 @@ class KnownNames:
 
 
 def references(
-    root: MjcfElement, known: KnownNames, *, certain: bool
+    root: MjcfElement, known: KnownNames, model: CompiledModel, *, certain: bool
 ) -> Iterator[tuple[Triple, Triple]]:
     """Yield what leads from the elements below *root* to what they name, there or not.
 
     With each statement comes the one that has the name. What dangles is left out unless it is
-    *certain* that all names are known.
+    *certain* that all names are known; then what *model* cannot attach does, too.
     """
     alike: dict[tuple[str, ...], str | None] = {}
     for element in root.below():
@@ -102,7 +103,8 @@ def references(
             source = use.element, use.place, use.value
             target = known.find(kinds, name)
             if target is not None:
-                yield (element.node, use.reference.predicate, target.node), source
+                if use.element == element.node:  # Classes lead to what they name themselves.
+                    yield (element.node, use.reference.predicate, target.node), source
             elif is_certain and (name, *kinds) != (MAIN, CLASS):
                 names = [each for kind in kinds for each in known.named.get(kind, ())]
                 key = (name, *kinds)
@@ -110,6 +112,11 @@ def references(
                     alike[key] = nearest(name, names)
                 for gap in _dangling(use, kinds[0], alike.get(key)):
                     yield gap, source
+    for element, tag, parts in model.unmatched if certain else ():
+        said = element.said[tag][0]
+        use = NameUse(element.node, said[1], said[2], element.type.references[said[1]])
+        for gap in _dangling(use, tag, nearest(literal_value(said[2]), parts)):
+            yield gap, said
 
 
 def _uses(element: MjcfElement) -> Iterator[tuple[NameUse, Sequence[str]]]:
@@ -118,10 +125,11 @@ def _uses(element: MjcfElement) -> Iterator[tuple[NameUse, Sequence[str]]]:
     for place, reference in element.type.references.items():
         if place in elsewhere:
             continue
-        said = element.said.get(place[len(f"<{ATTRIBUTE}") : -1])
+        name = place[len(f"<{ATTRIBUTE}") : -1]
+        said = element.said.get(name) or element.inherited.get(name)
         if said and literal_value(said[0][2]):
             kinds = list(dict.fromkeys(_kinds()[tag] for _, tag in reference.targets))
-            yield NameUse(element.node, place, said[0][2], reference), kinds
+            yield NameUse(said[0][0], place, said[0][2], reference), kinds
     for name, type_ in BY_TYPE.items():
         said = element.said.get(name)
         if said and literal_value(said[0][2]) and element.text(type_):

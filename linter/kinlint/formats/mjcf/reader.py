@@ -107,6 +107,8 @@ class _Assembly:
         if root is None:
             return document
         if around is not None:
+            if not root.children:
+                raise Unreadable(f"{path.name} is empty")
             root.type = around
         layer = SourceLayer(document.graph, BlankNodes(f"{source.name}#included"))
         found: dict[str, list[tuple[MjcfElement, Document]]] = {INCLUDE: [], MODEL: []}

@@ -38,8 +38,8 @@ def stated(document: Document, root: MjcfElement) -> Document:
     unread_file = any(p == RDF_TYPE and o in UNREAD for _, p, o in document.statements)
     whole = root.tag == "mujoco" and bool(model.bodies) and not unread_file
     names = KnownNames.from_model(root, model)
-    found |= dict(references(root, names, certain=whole))
-    for each, first in names.repeated:
+    found |= dict(references(root, names, model, certain=whole))
+    for each, first in (*names.repeated, *model.repeated):
         found[each.node, src("sameNameAs"), first.node] = None
     layer = SourceLayer(document.graph, BlankNodes(f"{document.source.name}#compiled"))
     for node, element in said.made_of.items():

@@ -17,6 +17,8 @@ OF_JOINTS = {
 """Attributes that joints of a type do not have, by type."""
 TARGETS = ("site", "slidersite", "joint", "jointinparent", "tendon", "body")
 """Attributes with what an actuator acts on; the first of them that is written counts."""
+PARAMETERS = {"biasprm": "biastype", "dynprm": "dyntype"}
+"""Parameters of general actuators, and the types without which they do not count."""
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2}
 """The most sizes that geoms of a type have."""
 UNCHECKED = frozenset({"frame", "replicate"})
@@ -49,9 +51,9 @@ def unread(model: CompiledModel) -> Iterator[UnreadAttribute]:
             named = [each for each in TARGETS if each in element.said and element.text(each)]
             for name in named[1:]:
                 yield UnreadAttribute(element, name, named[0])
-            biased = element.text("biastype") not in ("", "none")
-            if element.tag == "general" and "biasprm" in element.said and not biased:
-                yield UnreadAttribute(element, "biasprm", "biastype")
+            for name, type_ in PARAMETERS.items() if element.tag == "general" else ():
+                if name in element.said and element.text(type_) in ("", "none"):
+                    yield UnreadAttribute(element, name, type_)
 
 
 def _of_joints(body: CompiledBody) -> Iterator[UnreadAttribute]:
