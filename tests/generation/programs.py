@@ -16,7 +16,8 @@ from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.facts.part_names import PartNames
 from kinlint.finding import Finding
 from kinlint.findings.locator import Locator
-from kinlint.generation.program import abilities, generate, rule_files
+from kinlint.generation.program import abilities, framed, rewritten_for, rule_files
+from kinlint.generation.rendering import render
 from kinlint.pipeline.analyzer import Analyzer
 from kinlint.rule import PROGRAMS, Severity
 
@@ -41,7 +42,7 @@ def program(
     if errors or found.report.errors:
         return errors, {}
     names = PartNames(Locator(found.documents, found.store)).names
-    return [], generate(found.store, names, library)
+    return [], render(framed(rewritten_for(library, found.store, names)), library)
 
 
 def module(text: str) -> Any:

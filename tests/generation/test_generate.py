@@ -375,14 +375,28 @@ def test_own_templates(here, capsys):
     assert generate(capsys, *arguments, "-q")[0] == 0
     assert Path("out/names.txt").read_text() == '"j"'
     assert Path("out/robot.py").exists()
+    own = Path("own/names.txt.jinja")
     for text, cause in (
-        ("{{ joint[0].name }}", "written without a filter"),
-        ("{{ joint[0].nome | cpp }}", "has no attribute 'nome'"),
+        ("{{ joint[0].name }}", "'j' is written without a filter"),
+        ("{{ joint[0].nome | cpp }}", "'dict object' has no attribute 'nome'"),
         ("{% if %}", "Expected an expression"),
+        ("{{ 1 / 0 }}", "division by zero"),
+        ("{{ 'x'.__class__ }}", "access to attribute '__class__'"),
     ):
-        Path("own/names.txt.jinja").write_text(text)
+        own.write_text(f"\n{text}")
         code, _, err = generate(capsys, *arguments)
-        assert (code, cause in err) == (2, True)
+        assert (code, f"error: template {own}:2: {cause}" in err) == (2, True)
+
+
+def test_stages_are_shown(here, capsys):
+    Path("r.urdf").write_text(robot(axis="0 0 2"))
+    arguments = ("--for", "pinocchio", "r.urdf", "--fail-on", "error", "--stage")
+    code, out, _ = generate(capsys, *arguments, "rewrite")
+    assert (code, '<https://w3id.org/kinlint/generation#type> "JointModelRZ" .' in out) == (0, True)
+    code, out, _ = generate(capsys, *arguments, "frame")
+    (joint,) = json.loads(out)["joint"]
+    assert (code, joint["axis"]["z"], joint["child_name"]) == (0, 1.0, "hand")
+    assert [each.name for each in here.iterdir()] == ["r.urdf"]
 
 
 def test_needs_jinja(here, capsys, monkeypatch):
@@ -410,7 +424,7 @@ def test_keeps_to_its_directory(here, capsys):
     assert Path("out/robot.hpp").read_text() == "old"
     Path("file").write_text("")
     code, _, err = generate(capsys, *arguments[:3], "-o", "file")
-    assert (code, "cannot make directory file" in err) == (2, True)
+    assert (code, "'file' is no directory" in err) == (2, True)
 
 
 def test_writes_through_no_link(here, capsys):
@@ -418,8 +432,9 @@ def test_writes_through_no_link(here, capsys):
     Path("out").mkdir()
     Path("kept.py").write_text("kept")
     Path("out/robot.py").symlink_to(here / "kept.py")
-    code, _, err = generate(capsys, "--for", "numpy", "r.urdf", "-o", "out")
-    assert (code, "is a link" in err) == (2, True)
+    for check in ([], ["--check"]):
+        code, _, err = generate(capsys, "--for", "numpy", "r.urdf", "-o", "out", *check)
+        assert (code, "is a link" in err) == (2, True)
     assert Path("kept.py").read_text() == "kept"
 
 

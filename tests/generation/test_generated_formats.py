@@ -10,7 +10,7 @@ np = pytest.importorskip("numpy")
 pytestmark = [pytest.mark.slow]
 
 INERTIAL = """<inertial><origin xyz="0 0 0.15"/><mass value="1.5"/>
-<inertia ixx="0.0135" iyy="0.0125" izz="0.0007" ixy="0" ixz="0" iyz="0"/></inertial>"""
+<inertia ixx="0.0135" iyy="0.0125" izz="0.0017" ixy="0" ixz="0" iyz="0"/></inertial>"""
 URDF = f"""<robot name="arm">
 <link name="base"/>
 <link name="upper">{INERTIAL}</link>
@@ -29,7 +29,7 @@ URDF = f"""<robot name="arm">
 BODY = 'prepend apiSchemas = ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]'
 MASS = """float physics:mass = 1500
     point3f physics:centerOfMass = (0, 0, 15)
-    float3 physics:diagonalInertia = (135000, 125000, 7000)
+    float3 physics:diagonalInertia = (135000, 125000, 17000)
     quatf physics:principalAxes = (1, 0, 0, 0)"""
 USD = f"""#usda 1.0
 (

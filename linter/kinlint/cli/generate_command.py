@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from argparse import Namespace
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from difflib import unified_diff
 from importlib.util import find_spec
@@ -24,8 +25,10 @@ from kinlint.report import Report
 from kinlint.reporters.reporter_registry import write, write_summary
 from kinlint.reporters.terminal_style import detect_style
 from kinlint.rule import PROGRAMS, Severity
+from kinlint.terms import Triple
 
 LIBRARIES = ("kdl", "numpy", "pinocchio")
+REWRITE, FRAME = STAGES = ("rewrite", "frame")
 CLEAN, FOUND = 0, 1
 
 DESCRIPTION = """\
@@ -59,6 +62,12 @@ def parser() -> Parser:
     )
     add("-o", "--output-directory", type=non_empty, metavar="DIR", help="where to write its files")
     add("--templates", type=non_empty, metavar="DIR", help="use the templates in DIR before others")
+    add(
+        "--stage",
+        type=one_of(STAGES),
+        metavar="|".join(STAGES),
+        help="print the rewritten graph, or the tree that templates are given; write nothing",
+    )
     add("--check", **linting.FLAG, help="list the files that would change; write nothing")
     add("--diff", **linting.FLAG, help="show what would change; write nothing")
     add(
@@ -99,17 +108,35 @@ def run(arguments: Sequence[str]) -> int:
     take_arguments(options)
     if not options.paths and not options.stdin_filename:
         raise UsageError("name the models, or - for standard input")
-    if options.library is None or options.output_directory is None:
+    if options.library is None or not (options.output_directory or options.stage):
         raise UsageError(f"say for which library, --for {'|'.join(LIBRARIES)}, and where, -o DIR")
     if find_spec("jinja2") is None:
         raise UsageError("programs are rendered by Jinja: pip install 'kinlint[generate]'")
     templates = None if options.templates is None else Path(options.templates)
     if templates is not None and not templates.is_dir():
         raise UsageError(f"--templates: no directory at '{templates}'")
-    files = _files(options, templates)
-    if files is None:
+    statements = _rewritten(options)
+    if statements is None:
         return FOUND
+    if options.stage == REWRITE:
+        sys.stdout.writelines(f"{' '.join(each)} .\n" for each in statements)
+        return CLEAN
+    return _give(options, statements, templates)
+
+
+def _give(options: Namespace, statements: Sequence[Triple], templates: Path | None) -> int:
+    """Write, or show, what the program of *statements* consists of; the exit code."""
+    from kinlint.generation.program import framed  # noqa: PLC0415  slow
+
+    tree = framed(statements)
+    if options.stage == FRAME:
+        sys.stdout.write(f"{json.dumps(tree, indent=2)}\n")
+        return CLEAN
+    from kinlint.generation.rendering import render  # noqa: PLC0415  slow
+
+    files = render(tree, options.library, templates)
     home = Path(options.output_directory)
+    _refuse(home, files)
     changed = {name: text for name, text in files.items() if _read(home / name) != text}
     if options.diff:
         for name, text in changed.items():
@@ -125,13 +152,13 @@ def run(arguments: Sequence[str]) -> int:
     return FOUND if changed and (options.check or options.diff) else CLEAN
 
 
-def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | None:
-    """Return the files of the program by name; None, with findings shown, if it must not be."""
+def _rewritten(options: Namespace) -> Sequence[Triple] | None:
+    """Return the statements of the program; None, with findings shown, if it must not be."""
     from kinlint.configuration.selection import Policies  # noqa: PLC0415  engines are slow to import
     from kinlint.facts.part_names import PartNames  # noqa: PLC0415
     from kinlint.findings.locator import Locator  # noqa: PLC0415
     from kinlint.formats.dependencies.companions import pair  # noqa: PLC0415
-    from kinlint.generation.program import generate, required_codes  # noqa: PLC0415
+    from kinlint.generation.program import required_codes, rewritten_for  # noqa: PLC0415
     from kinlint.pipeline.analyzer import Analyzer  # noqa: PLC0415
 
     found, settings = find_inputs(options)
@@ -151,7 +178,7 @@ def _files(options: Namespace, templates: Path | None) -> Mapping[str, str] | No
         least = Severity[options.fail_on.upper()]
         if (refused := _refused(examined.report, least, required)) is None:
             names = PartNames(Locator(examined.documents, examined.store)).names
-            return generate(examined.store, names, options.library, templates)
+            return rewritten_for(options.library, examined.store, names)
     style = detect_style(sys.stdout, options.color)
     write(refused, "full", sys.stdout, style, summarise=False)
     write_summary(refused, sys.stdout, style)
@@ -212,15 +239,25 @@ def _read(path: Path) -> str | None:
         return None
 
 
+def _refuse(home: Path, names: Iterable[str]) -> None:
+    """Raise `UsageError` if files of these *names* cannot be in the directory *home*."""
+    if home.exists() and not home.is_dir():
+        raise UsageError(f"-o/--output-directory: '{home}' is no directory")
+    for path in (home / each for each in names):
+        if path.is_symlink():
+            raise UsageError(f"{path} is a link: nothing is written outside of {home}")
+        if path.exists() and not path.is_file():
+            raise UsageError(f"cannot write {path}: it is no file")
+
+
 def _write(home: Path, files: Mapping[str, str]) -> None:
     """Write *files* to the directory *home*."""
     try:
         home.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise UsageError(f"cannot make directory {home}: {error.strerror or error}") from None
-    for name in files:
-        if (home / name).is_symlink():
-            raise UsageError(f"{home / name} is a link: nothing is written outside of {home}")
     with ExitStack() as complete:  # no file is replaced before all of them are written
         for name, text in files.items():
-            complete.enter_context(replacing(home / name)).write(text)
+            stream = complete.enter_context(replacing(home / name))
+            stream.write(text)
+            stream.flush()

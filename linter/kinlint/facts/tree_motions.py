@@ -16,7 +16,7 @@ from kinlint.facts.frame_placement import Placements
 from kinlint.facts.joint_meetings import COINCIDENT, OF_JOINT, JointMeetings, Meeting
 from kinlint.facts.joint_numbers import DIRECTION
 from kinlint.facts.joint_trees import Edge, arrange_joints
-from kinlint.facts.linear_algebra import ZERO, Vector, apply, length, scale, transpose
+from kinlint.facts.linear_algebra import ZERO, Vector, apply, cross, length, scale, transpose
 from kinlint.facts.mechanism import Mechanism
 from kinlint.facts.metamodel_terms import AS_SEEN_BY, chain, kin
 from kinlint.facts.spatial_relations import SpatialRelations
@@ -28,7 +28,9 @@ FIRST_AXIS = kin("first-axis")
 OFFSET = chain("origin-offset")
 ATTACHMENT, PARENT, CHILD = "a frame on each of two bodies", "parent", "child"
 AXIS, ZERO_CONFIGURATION = "the direction of its axis", "a zero configuration"
-SHIFT = "the numbers of its offset"
+SHIFT, ALONG = "the numbers of its offset", "an offset along its common axis"
+OFF = 1e-6
+"""Distance in m beyond which two lines are not one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,12 +128,21 @@ class JointMotions:
         ):
             if self.frames.pose(body, end) is None:
                 yield f"the pose of its frame on the {side}"
-        if self._is_axial(edge.joint) and self._axis(edge, meeting) is None:
-            yield AXIS
-        if self._shift(meeting) is None:
+        shift = self._shift(meeting)
+        if shift is None:
             yield SHIFT
+        if self._is_axial(edge.joint):
+            if (axis := self._axis(edge, meeting)) is None:
+                yield AXIS
+            elif self._ends_on_axis(meeting) and length(cross(axis, shift or ZERO)) > OFF:
+                yield ALONG
         if not self._zero_is_drawn(meeting):
             yield ZERO_CONFIGURATION
+
+    def _ends_on_axis(self, meeting: Meeting) -> bool:
+        """Tell whether the common axis runs through the origins of both attachments."""
+        drawn = (self._meetings.basis.get(each) for each in self._meetings.lines(meeting.joint))
+        return {meeting.near, meeting.far} <= {each[0] for each in drawn if each is not None}
 
     def _is_axial(self, joint: Term) -> bool:
         return joint in self.scan.instances(AXIAL)

@@ -17,7 +17,6 @@ from kinlint.files.pathglob import absolute
 from kinlint.formats.jsonld.framing import tree
 from kinlint.generation.library_rewriting import rewritten
 from kinlint.generation.program_statements import FILE, FIXED, NAMED, ModelStatements
-from kinlint.generation.rendering import render
 from kinlint.resources import data
 from kinlint.rule import PROGRAMS, Rule, Severity
 from kinlint.terms import Term, Triple, is_iri, literal
@@ -52,23 +51,24 @@ def abilities(library: str) -> Path:
     return consumer if consumer.exists() else shapes / "generation" / library / "library.ttl"
 
 
-def generate(
-    model: Store,
-    names: Callable[[Sequence[Term]], Mapping[Term, str]],
-    library: str,
-    templates: Path | None = None,
-) -> Mapping[str, str]:
-    """Return the files of a program for *model*, which is closed and fit for *library*, by name.
+def rewritten_for(
+    library: str, model: Store, names: Callable[[Sequence[Term]], Mapping[Term, str]]
+) -> Sequence[Triple]:
+    """Return the statements of a program for *model*, which is closed and fit for *library*."""
+    numbers = ModelStatements(FactContext(PredicateIndex(model)), names)
+    return _portable(rewritten(model, numbers, library), numbers.files)
+
+
+def framed(statements: Iterable[Triple]) -> Node:
+    """Return the tree of *statements* that templates are given.
 
     Raises `UsageError` where there is neither a chain nor a schedule.
     """
-    numbers = ModelStatements(FactContext(PredicateIndex(model)), names)
-    quads = _portable(rewritten(model, numbers, library), numbers.files)
     frame = (data("shapes") / "generation" / "frame.json").read_text(encoding="utf-8")
-    found = arranged(tree(quads, json.loads(frame)))
+    found = arranged(tree(statements, json.loads(frame)))
     if not (found["joint"] or found["schedule"]):
         raise UsageError("no joints and no schedule, so there is nothing to generate")
-    return render(found, library, templates)
+    return found
 
 
 def _portable(statements: Iterable[Triple], files: Sequence[str]) -> Sequence[Triple]:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import traceback
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import jinja2
+from jinja2.sandbox import SandboxedEnvironment
 from markupsafe import Markup
 
 from kinlint.errors import UsageError
 from kinlint.generation.code_spelling import (
+    Code,
     comment,
     cpp_string,
     identifiers,
@@ -33,7 +36,7 @@ def render(tree: Mapping[str, Any], library: str, own: Path | None = None) -> Ma
     kind = "algorithm" if tree["schedule"] else "chain"
     home = data("shapes") / "generation"
     folders = [*([own] if own is not None else []), home / library / kind, home / SHARED_TEMPLATES]
-    environment = jinja2.Environment(
+    environment = SandboxedEnvironment(
         loader=jinja2.FileSystemLoader(folders),
         undefined=jinja2.StrictUndefined,
         finalize=_spelt,
@@ -43,22 +46,38 @@ def render(tree: Mapping[str, Any], library: str, own: Path | None = None) -> Ma
         autoescape=True,
     )
     names = identifiers(_iris(tree))
+
+    def identifier(iri: str) -> Code:
+        if iri not in names:
+            raise ValueError(f"{iri!r} is the IRI of no node, so it has no identifier")
+        return names[iri]
+
     environment.filters.update(
-        cpp=cpp_string, python=python_string, comment=comment, identifier=lambda iri: names[iri]
+        cpp=cpp_string, python=python_string, comment=comment, identifier=identifier
     )
-    templates = {path.name for folder in folders[:-1] for path in folder.glob(f"*{SUFFIX}")}
-    try:
-        return {
-            name.removesuffix(SUFFIX): environment.get_template(name).render(tree, library=library)
-            for name in sorted(templates)
-        }
-    except jinja2.TemplateError as error:
-        where = getattr(error, "filename", None) or (own or home)
-        line = getattr(error, "lineno", None)
-        place = f"{where}:{line}" if line else str(where)
-        raise UsageError(f"template {place}: {error.message}") from None
-    except (TypeError, ValueError) as error:
-        raise UsageError(f"template of {own or home}: {error}") from None
+    found: dict[str, str] = {}
+    for name in sorted({each.name for folder in folders[:-1] for each in _templates(folder)}):
+        try:
+            text = environment.get_template(name).render(tree, library=library)
+        except Exception as error:  # noqa: BLE001  a template may do whatever it likes
+            raise UsageError(f"template {_place(error, folders, name)}: {error}") from None
+        found[name.removesuffix(SUFFIX)] = text
+    return found
+
+
+def _templates(folder: Path) -> Iterator[Path]:
+    return (path for path in folder.glob(f"?*{SUFFIX}") if path.is_file())
+
+
+def _place(error: Exception, folders: Sequence[Path], name: str) -> str:
+    """Return the file and line of the template where *error* arose, while *name* was rendered."""
+    if isinstance(error, jinja2.TemplateSyntaxError):
+        return f"{error.filename}:{error.lineno}"
+    lines = traceback.extract_tb(error.__traceback__)
+    at = [each for each in lines if each.filename.endswith(SUFFIX)]  # Jinja puts these there
+    if at:
+        return f"{at[-1].filename}:{at[-1].lineno}"
+    return str(next(each / name for each in folders if (each / name).is_file()))
 
 
 def _spelt(value: object) -> object:
