@@ -196,18 +196,23 @@ def test_only_what_changed_since_is_checked(store, capsys, tmp_path, monkeypatch
     names = {json.loads(each)["filename"] for each in _stored(capsys, store, "--since", "1")}
     assert names == {"two.urdf"}
     assert not _stored(capsys, store, "--since", "2")
-    assert not _stored(capsys, store, "--since", "2999-01-01T00:00:00Z")
+    for time in ("2999-01-01T00:00:00Z", "2999-01-01"):
+        assert not _stored(capsys, store, "--since", time)
+    assert len(_stored(capsys, store, "--since", "2000-01-01")) > 1
     assert len(_stored(capsys, store, "--since", "2000-01-01T00:00:00Z")) > 1
 
 
 def test_only_named_graphs_are_checked(store, capsys, tmp_path, monkeypatch):
-    """`--graph` takes the names of graphs."""
+    """`--graph` takes the names of graphs; a name of none is an error."""
     monkeypatch.chdir(tmp_path)
     for name in ("one", "two"):
         Path(f"{name}.urdf").write_text(f'<robot name="{name}"><link name="a"/><lnik/></robot>')
     _load(store, "one.urdf", "two.urdf")
     found = _stored(capsys, store, "--graph", "urn:kinlint:document:two.urdf")
     assert {json.loads(each)["filename"] for each in found} == {"two.urdf"}
+    for name, cause in (("urn:nobody", "has no graph <urn:nobody>"), ("a>b", "got 'a>b'")):
+        assert main(["check", "--endpoint", store.query_url, "--graph", name]) == 2
+        assert cause in capsys.readouterr().err
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
-from datetime import datetime
+from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -53,7 +53,7 @@ def check_store(options: Namespace) -> int:
     started = perf_counter()
     store = Endpoint.from_options(options, os.environ)
     names = [iri(each) for each in options.graph or ()]
-    found = models(store, names, options.since)
+    found = models(store, names, _since(options.since))
     layers = Layers(configs(options), overrides(options))
     files = [Input(each.file, absolute(each.file)) for one in found for each in one if each.file]
     here = Path.cwd()
@@ -132,13 +132,20 @@ def _check(options: Namespace) -> None:
     for name in OF_FILES:
         if getattr(options, name, None) not in (None, False):
             raise UsageError(f"--{name.replace('_', '-')} is for files, not for --endpoint")
-    since = options.since
-    if since is not None and not since.isdecimal():
-        try:
-            datetime.fromisoformat(since)
-        except ValueError:
-            kinds = "a revision or a time such as 2026-01-31T12:00:00Z"
-            raise UsageError(f"--since: expected {kinds}, got '{since}'") from None
+
+
+def _since(said: str | None) -> str | None:
+    """Return the revision, or the time in UTC, that is *said*. Raises `UsageError` for others.
+
+    A time without a zone is a local one, as git has it; a date is its beginning.
+    """
+    if said is None or said.isdecimal():
+        return said
+    try:
+        return datetime.fromisoformat(said).astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+    except (ValueError, OverflowError):
+        kinds = "a revision or a time such as 2026-01-31T12:00:00Z"
+        raise UsageError(f"--since: expected {kinds}, got '{said}'") from None
 
 
 def _told(

@@ -18,6 +18,7 @@ from kinlint.endpoint.stored_graphs import (
     RECORD,
     REVISION,
     SIZE,
+    homes,
 )
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, literal, literal_value
@@ -39,67 +40,92 @@ class Loader:
         The documents of one update are replaced together, and those of a model are in one update,
         as far as they fit.
         """
-        texts: dict[Term, str] = {}
+        parts, letters = list[_Part](), 0
         for model in models:
             for each in model:
-                text = replacement(each, self._home(each, model), _companions(each, model))
-                if texts and sum(map(len, texts.values())) + len(text) > MOST_LETTERS:
-                    yield self._make(texts)
-                    texts = {}
-                texts[each.document.graph] = text
-        if texts:
-            yield self._make(texts)
+                part = _Part(each, model, statements(each))
+                if parts and letters + part.letters > MOST_LETTERS:
+                    yield self._make(parts)
+                    parts, letters = [], 0
+                parts.append(part)
+                letters += part.letters
+        if parts:
+            yield self._make(parts)
 
     def newest(self) -> int:
         """Return the number of the newest loading."""
         query = f"SELECT ?r WHERE {{ GRAPH {COUNTER} {{ {COUNTER} {REVISION} ?r }} }}"
         return max((int(literal_value(row["r"])) for row in self.endpoint.select(query)), default=0)
 
-    def _make(self, texts: dict[Term, str]) -> int:
-        self.endpoint.update(" ;\n".join((*texts.values(), _counted(texts))))
-        return len(texts)
+    def _make(self, parts: Sequence[_Part]) -> int:
+        every = {each.graph: each for each in parts}
+        alone = [each.graph for each in every.values() if each.home is None]
+        known = homes(self.endpoint, alone) if alone else {}
+        texts = [each.replacement(known.get(graph)) for graph, each in every.items()]
+        self.endpoint.update(" ;\n".join((*texts, _counted(every))))
+        return len(every)
 
-    def _home(self, stored: StoredDocument, model: Sequence[StoredDocument]) -> Term | None:
-        """Return the name of *model* for *stored*, which is a part of it, or its companion.
 
-        A document that is loaded alone, or as a companion, stays in the model that it was in.
+@dataclass(frozen=True)
+class _Part:
+    """A document that is loaded, in its model."""
+
+    stored: StoredDocument
+    """The document."""
+    model: Sequence[StoredDocument]
+    """The documents of the model."""
+    lines: str
+    """What it states, and the record of it, in N-Triples."""
+
+    @property
+    def letters(self) -> int:
+        """The length of its statements."""
+        return len(self.lines)
+
+    @property
+    def graph(self) -> Term:
+        """The name of its graph."""
+        return self.stored.document.graph
+
+    @property
+    def home(self) -> Term | None:
+        """The name of the model, if it is loaded with others of it, and not as a companion."""
+        mine = [each.document for each in self.model if not each.document.source.companion]
+        several = len(mine) > 1 and not self.stored.document.source.companion
+        return mine[0].graph if several else None
+
+    def replacement(self, known: Term | None) -> str:
+        """Return the update that has the graph state what the document states.
+
+        A document that is loaded alone, or as a companion, stays in the model that is *known* of
+        it.
         """
-        mine = [each.document for each in model if not each.document.source.companion]
-        if not stored.document.source.companion and len(mine) > 1:
-            return mine[0].graph
-        own = stored.document.graph
-        alone = None if stored.document.source.companion else own
-        query = f"SELECT ?model WHERE {{ GRAPH {own} {{ {own} {MODEL} ?model }} }}"
-        return next((row["model"] for row in self.endpoint.select(query)), alone)
+        companion = self.stored.document.source.companion
+        home = self.home or known or (None if companion else self.graph)
+        aside = (each.document for each in self.model if each.document.source.companion)
+        told = (
+            *((MODEL, each) for each in (home,) if each is not None),
+            *((COMPANION, each.graph) for each in aside if not companion),
+        )
+        more = "".join(f"{self.graph} {name} {value} .\n" for name, value in told)
+        said = f"GRAPH {self.graph} {{\n{self.lines}{more}}}"
+        return f"DROP SILENT GRAPH {self.graph} ;\nINSERT DATA {{ {said} }}"
 
 
-def _companions(stored: StoredDocument, model: Sequence[StoredDocument]) -> list[Term]:
-    """Return the graphs that are read along with *stored*."""
-    if stored.document.source.companion:
-        return []
-    return [each.document.graph for each in model if each.document.source.companion]
-
-
-def replacement(stored: StoredDocument, model: Term | None, companions: Iterable[Term]) -> str:
-    """Return the update that has the graph of *stored* state what the document states.
-
-    It is a part of *model*, if of any.
-    """
+def statements(stored: StoredDocument) -> str:
+    """Return what *stored* states, and what is told of it by itself, in N-Triples."""
     document = stored.document
-    graph = document.graph
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     kept = [each for each in document.statements if each not in stored.apart]
     told = (
         (FILE, literal(document.source.name)),
-        *((MODEL, each) for each in (model,) if each is not None),
-        *((COMPANION, each) for each in companions),
         (LOADED, literal(now, f"{XSD}dateTime")),
         (SIZE, str(len(kept))),
         *((APART, str(len(each))) for each in (stored.apart,) if each),
         (RECORD, literal(written(stored))),
     )
-    lines = (*map(line, kept), *(f"{graph} {name} {value} .\n" for name, value in told))
-    return f"DROP SILENT GRAPH {graph} ;\nINSERT DATA {{ GRAPH {graph} {{\n{''.join(lines)}}} }}"
+    lines = (*map(line, kept), *(f"{document.graph} {name} {value} .\n" for name, value in told))
+    return "".join(lines)
 
 
 def _counted(graphs: Iterable[Term]) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.storable import unskolemised
+from kinlint.errors import UsageError
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.terms import (
     XSD,
@@ -45,6 +47,8 @@ OWN = tuple(
 """Named graphs that Virtuoso makes for itself."""
 DIGITS = '(IF(isNumeric(?o), STR(?o), "") AS ?digits)'
 """Numbers as their stores keep them: Virtuoso's results have doubles with six digits."""
+IRI = re.compile(r"<[A-Za-z][\w+.-]*:[^\x00-\x20<>\"{}|^`\\]*>")
+"""Form of the name of a graph (SPARQL 1.1, rule `IRIREF`)."""
 PAGE = 10_000
 """Most solutions of one answer: stores cut off longer ones, some without a word."""
 
@@ -71,13 +75,13 @@ def models(endpoint: Endpoint, names: Sequence[Term], since: str | None) -> list
     """Return the graphs of *endpoint*, those of one model together, sorted by their files.
 
     With *names*, the models of these graphs only; *since* a revision, or a time as XML Schema
-    writes it, those in which a graph is newer.
+    writes it, those in which a graph is newer. Raises `UsageError` for a name of no graph.
     """
     known = {each.name: each for each in _loaded(endpoint)}
     beside = dict[Term, dict[Term, None]]()
     for row in pages(endpoint, "?g ?other", f"GRAPH ?g {{ ?g {COMPANION} ?other }}"):
         beside.setdefault(row["g"], {})[row["other"]] = None
-    others = [each for each in names if each not in known] if names else _foreign(endpoint, since)
+    others = _named(endpoint, names, known) if names else _foreign(endpoint, since)
     changed = _changed(endpoint, since)
     every = [each for each in known.values() if each.model]
     every += (StoredGraph(each, each) for each in others if each not in known)
@@ -105,6 +109,23 @@ def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
             int(literal_value(row["size"])),
             "apart" not in row,
         )
+
+
+def _named(endpoint: Endpoint, names: Sequence[Term], known: Container[Term]) -> list[Term]:
+    """Return those of *names* that are not *known*. Raises `UsageError` if there is no such graph.
+
+    A graph without statements is none (SPARQL 1.1 Update, section 3.2).
+    """
+    for each in names:
+        if not IRI.fullmatch(each):
+            raise UsageError(f"--graph: expected an IRI, got '{each[1:-1]}'")
+    asked = [each for each in names if each not in known]
+    where = f"VALUES ?g {{ {' '.join(asked)} }} GRAPH ?g {{ ?s ?p ?o }}"
+    there = {row["g"] for row in pages(endpoint, "DISTINCT ?g", where)} if asked else set()
+    for each in asked:
+        if each not in there:
+            raise UsageError(f"--graph: the store has no graph {each}")
+    return asked
 
 
 def _foreign(endpoint: Endpoint, since: str | None) -> Iterator[Term]:
@@ -149,6 +170,12 @@ def pages(endpoint: Endpoint, head: str, where: str) -> Iterator[dict[str, Term]
             return
         last = f'"{iri_value(rows[-1]["g"])}"'
         known = [row for row in rows if row["g"] == rows[-1]["g"]]
+
+
+def homes(endpoint: Endpoint, graphs: Iterable[Term]) -> dict[Term, Term]:
+    """Return which model each of *graphs* is a part of, as far as they were loaded as one."""
+    where = f"VALUES ?g {{ {' '.join(graphs)} }} GRAPH ?g {{ ?g {MODEL} ?model }}"
+    return {row["g"]: row["model"] for row in pages(endpoint, "?g ?model", where)}
 
 
 def statements(endpoint: Endpoint, graphs: Iterable[StoredGraph]) -> dict[Term, list[Triple]]:
