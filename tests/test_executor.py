@@ -63,7 +63,7 @@ def lint_with(workers: Workers, sources, monkeypatch):
             for offset, outcome in enumerate(outcomes):
                 linted(2 * number + offset, outcome)
 
-        WorkerPool(workers, place, 3, WorkerLost, lambda: None).lint(shares, done)
+        WorkerPool(workers, place, lambda: 3, WorkerLost, lambda: None).lint(shares, done)
 
     monkeypatch.setattr(ParallelRunner, "_lint", lambda _, *given, **more: lint(*given, **more))
     return runner.report(sources, ())

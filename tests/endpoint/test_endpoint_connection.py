@@ -20,7 +20,7 @@ class Server(ThreadingHTTPServer):
 
     def __init__(self, *planned):
         super().__init__(("127.0.0.1", 0), Handler)
-        self.planned, self.asked = list(planned), []
+        self.planned, self.asked, self.rows = list(planned), [], ROWS
         self.url = f"http://127.0.0.1:{self.server_port}/sparql"
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
@@ -34,7 +34,7 @@ class Handler(BaseHTTPRequestHandler):
         for name, value in headers.items():
             self.send_header(name, value)
         self.end_headers()
-        self.wfile.write(ROWS if status == 200 else b"no such function\nat line 1")
+        self.wfile.write(self.server.rows if status == 200 else b"no such function\nat line 1")
 
     def log_message(self, *_):
         pass
@@ -61,9 +61,9 @@ def _endpoint(url, environment=None):
 
 @pytest.mark.slow
 def test_a_busy_store_is_asked_again(serving):
-    server = serving((503, {"Retry-After": "0"}), (429, {}))
+    server = serving((503, {"Retry-After": "0"}), (429, {}), (500, {}))
     assert list(_endpoint(server.url).select("SELECT ?x {}")) == [{"x": "<urn:a>"}]
-    assert len(server.asked) == 3
+    assert len(server.asked) == 4
 
 
 @pytest.mark.slow
@@ -80,6 +80,28 @@ def test_a_refused_query_is_asked_once_and_says_why(serving):
     with pytest.raises(QueryRefused, match=r"400.*no such function"):
         list(_endpoint(server.url).select("SELECT ?x {}"))
     assert len(server.asked) == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("answer", "cause"),
+    [
+        (b"<html>Log in</html>", "got '<html>Log in</html>'"),
+        (ROWS[:-9], "expected SPARQL results in JSON"),
+        (b"[" * 100_000, "expected SPARQL results in JSON"),
+        (ROWS, "a solution without ?g"),
+        (ROWS.replace(b'"x"', b'"g"').replace(b"urn:a", b"a> {"), "is no IRI"),
+        (ROWS + b" " * 10**6, "more than 1,000,000 bytes"),
+    ],
+)
+def test_wrong_answers_are_one_line(answer, cause, serving, capsys, monkeypatch):
+    monkeypatch.setattr("kinlint.endpoint.connection.MOST_BYTES", 10**6)
+    server = serving()
+    server.rows = answer
+    assert main(["check", "--isolated", "--endpoint", server.url]) == 2
+    told = capsys.readouterr().err
+    assert cause in told
+    assert told.count("\n") == 1
 
 
 @pytest.mark.slow

@@ -24,8 +24,10 @@ from kinlint.errors import KinlintError, UsageError
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, blank, iri, literal
 
-AGAIN = frozenset({408, 429, 502, 503, 504})
+AGAIN = frozenset({408, 429, 500, 502, 503, 504})
 """Statuses of HTTP that may be another the next time (RFC 9110, section 15)."""
+MOST_BYTES = 256 * 2**20
+"""Size of the longest answer that is read."""
 LONGEST_PAUSE = 30.0
 """Longest time in seconds to wait for a server that asks to be left alone."""
 USER, PASSWORD, TOKEN = (f"KINLINT_ENDPOINT_{name}" for name in ("USER", "PASSWORD", "TOKEN"))
@@ -38,6 +40,13 @@ class EndpointError(KinlintError):
 
 class QueryRefused(EndpointError):
     """A store answers, but refuses this query or update."""
+
+
+class _Solution(dict[str, Term]):
+    """A solution of a query, by variable."""
+
+    def __missing__(self, name: str) -> Term:
+        raise EndpointError(f"the store gives a solution without ?{name}")
 
 
 @dataclass(frozen=True)
@@ -94,10 +103,12 @@ class Endpoint:
         answer = self._ask(self.query_url, "query", query, kind)
         try:
             found = json.loads(answer)["results"]["bindings"]
-            for row in found:
-                yield {name: _token(each) for name, each in row.items()}
-        except (ValueError, KeyError, TypeError, AttributeError) as error:
-            raise EndpointError(f"{self.query_url}: no SPARQL results in JSON: {error}") from None
+            for given in found:
+                yield _Solution((name, _token(each)) for name, each in given.items())
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            begun = " ".join(answer[:60].decode("utf-8", "replace").split())
+            cause = f"expected SPARQL results in JSON, got '{begun}'"
+            raise EndpointError(f"{self.query_url}: {cause}") from None
 
     def update(self, text: str) -> None:
         """Make an update, which is made as a whole or not at all where the store keeps to SPARQL.
@@ -116,7 +127,9 @@ class Endpoint:
         for attempt in range(1, self.attempts + 1):
             try:
                 with _opener.open(asked, timeout=self.timeout) as answer:
-                    read: bytes = answer.read()
+                    read: bytes = answer.read(MOST_BYTES + 1)
+                    if len(read) > MOST_BYTES:
+                        raise EndpointError(f"{url}: the answer has more than {MOST_BYTES:,} bytes")
                     return read
             except HTTPError as error:
                 if error.code not in AGAIN or attempt == self.attempts:
@@ -181,7 +194,8 @@ def _credentials(url: str, environment: Mapping[str, str]) -> str:
 def _refusal(url: str, error: HTTPError) -> EndpointError:
     told = error.read(2000).decode("utf-8", "replace").strip()
     cause = f"{error.code} {error.reason}" + (f": {told.splitlines()[0][:300]}" if told else "")
-    kind = EndpointError if error.code in {401, 403, 404, *AGAIN} else QueryRefused
+    unanswered = {401, 403, 404, *AGAIN} - {500}  # 500 is how Virtuoso refuses, too
+    kind = EndpointError if error.code in unanswered else QueryRefused
     return kind(f"{url}: {cause}")
 
 

@@ -55,7 +55,8 @@ class Loader:
     def newest(self) -> int:
         """Return the number of the newest loading."""
         query = f"SELECT ?r WHERE {{ GRAPH {COUNTER} {{ {COUNTER} {REVISION} ?r }} }}"
-        return max((int(literal_value(row["r"])) for row in self.endpoint.select(query)), default=0)
+        numbers = (literal_value(row["r"]) for row in self.endpoint.select(query))
+        return max((int(each) for each in numbers if each.isdecimal()), default=0)
 
     def _make(self, parts: Sequence[_Part]) -> int:
         every = {each.graph: each for each in parts}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
-from kinlint.endpoint.connection import Endpoint
+from kinlint.endpoint.connection import Endpoint, EndpointError
 from kinlint.endpoint.storable import unskolemised
 from kinlint.errors import UsageError
 from kinlint.light_dataclasses import dataclass, replace
@@ -47,8 +47,8 @@ OWN = tuple(
 """Named graphs that Virtuoso makes for itself."""
 DIGITS = '(IF(isNumeric(?o), STR(?o), "") AS ?digits)'
 """Numbers as their stores keep them: Virtuoso's results have doubles with six digits."""
-IRI = re.compile(r"<[A-Za-z][\w+.-]*:[^\x00-\x20<>\"{}|^`\\]*>")
-"""Form of the name of a graph (SPARQL 1.1, rule `IRIREF`)."""
+IRI = re.compile(r"<[^\x00-\x20<>\"{}|^`\\]+>")
+"""Form of an IRI (SPARQL 1.1, rule `IRIREF`)."""
 PAGE = 10_000
 """Most solutions of one answer: stores cut off longer ones, some without a word."""
 
@@ -102,11 +102,12 @@ def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
     rarely = f"OPTIONAL {{ ?g {MODEL} ?model }} OPTIONAL {{ ?g {APART} ?apart }}"
     pattern = f"?g {FILE} ?file ; {SIZE} ?size {rarely}"
     for row in pages(endpoint, "?g ?file ?model ?size ?apart", f"GRAPH ?g {{ {pattern} }}"):
+        size = literal_value(row["size"])
         yield StoredGraph(
             row["g"],
             row.get("model", ""),
             literal_value(row["file"]),
-            int(literal_value(row["size"])),
+            int(size) if size.isdecimal() else 0,
             "apart" not in row,
         )
 
@@ -117,7 +118,7 @@ def _named(endpoint: Endpoint, names: Sequence[Term], known: Container[Term]) ->
     A graph without statements is none (SPARQL 1.1 Update, section 3.2).
     """
     for each in names:
-        if not IRI.fullmatch(each):
+        if not IRI.fullmatch(each) or ":" not in each:
             raise UsageError(f"--graph: expected an IRI, got '{each[1:-1]}'")
     asked = [each for each in names if each not in known]
     where = f"VALUES ?g {{ {' '.join(asked)} }} GRAPH ?g {{ ?s ?p ?o }}"
@@ -164,6 +165,8 @@ def pages(endpoint: Endpoint, head: str, where: str) -> Iterator[dict[str, Term]
         after = f" FILTER(STR(?g) >= {last})" if last else ""
         query = f"SELECT {head} WHERE {{ {where}{after} }} ORDER BY ?g LIMIT {PAGE}"
         rows = list(endpoint.select(query))
+        if wrong := next((row["g"] for row in rows if not IRI.fullmatch(row["g"])), None):
+            raise EndpointError(f"the name of a graph in the store is no IRI: {wrong!r}")
         new = [row for row in rows if row not in known]
         yield from new
         if len(rows) < PAGE or not new:

@@ -6,7 +6,7 @@ import os
 import pickle
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError, Executor, Future
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from time import monotonic
 from typing import Any
@@ -21,7 +21,7 @@ SCHEME = "dask://"
 TIMEOUT = 10
 """Seconds in which a scheduler answers."""
 GRACE = 60
-"""Seconds in which workers that are lost are expected to come back."""
+"""Seconds in which workers are expected to come, or to come back if they are lost."""
 WAITING = 3
 """Number of tasks that wait for each thread that works on one."""
 
@@ -45,25 +45,30 @@ def worker_pool(address: str, job: Job, errors: Sequence[SourceError]) -> Iterat
     except (OSError, ValueError) as error:
         raise KinlintError(f"--executor: no scheduler answers at {address}: {error}") from None
     with client:
-        _compare(client, address)
+        _compare(client)
         # A task's result is worked out again if all workers that hold it are lost; data is not.
         known = pickle.dumps(Workplace(job, errors, os.getcwd()))  # noqa: PTH109  as files are named
         workplace = client.submit(pickle.loads, known, pure=False)
-        threads = sum(client.nthreads().values())
         seen = monotonic()
+
+        def threads() -> int:
+            """Return how many threads lint; 0 while all workers are lost, or the scheduler is."""
+            with suppress(OSError):
+                return sum(client.nthreads().values()) if client.status == "running" else 0
+            return 0
 
         def watch() -> None:
             nonlocal seen
-            if client.status == "running" and client.nthreads():
+            if threads():
                 seen = monotonic()
             elif monotonic() - seen > GRACE:
-                raise KinlintError(f"--executor: {address} has no workers any more")
+                raise KinlintError(f"--executor: {address} has had no workers for {GRACE} s")
 
         try:
             yield WorkerPool(
                 _Cluster(client),
                 workplace,
-                threads * (1 + WAITING),
+                lambda: max(1, threads()) * (1 + WAITING),
                 distributed.KilledWorker,
                 watch,
             )
@@ -106,16 +111,15 @@ class _Cluster(Executor):
             del self._given[told]
 
 
-def _compare(client: Any, address: str) -> None:
-    """Raise KinlintError unless all workers have this version of kinlint."""
-    if not client.nthreads():
-        raise KinlintError(f"--executor: {address} has no workers")
-    try:
-        versions = client.run(_version)
-    except Exception as error:  # noqa: BLE001  whatever the worker lacks
-        raise KinlintError(f"--executor: workers of {address} lack kinlint: {error}") from None
-    for worker, version in versions.items():
-        if version != __version__:
+def _compare(client: Any) -> None:
+    """Raise KinlintError unless all workers that answer have this version of kinlint.
+
+    There may be none yet, and those that are lost meanwhile do not answer.
+    """
+    for worker, version in client.run(_version, on_error="return").items():
+        if isinstance(version, ImportError | AttributeError):
+            raise KinlintError(f"--executor: the worker {worker} lacks kinlint: {version}")
+        if isinstance(version, str) and version != __version__:
             raise KinlintError(
                 f"--executor: the worker {worker} has kinlint {version}, this is {__version__}"
             )

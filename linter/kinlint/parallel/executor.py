@@ -23,7 +23,7 @@ from kinlint.project.discovery import Input
 PATIENCE = 5.0
 """Seconds between looks at whether there is still somebody who works."""
 MOST_DROPPED = 50
-"""Number of tasks in a row that an executor may drop, as with the worker that has the result."""
+"""Times in a row that an executor may drop all its tasks, as with workers that have the results."""
 _alone = Lock()
 """Held by the thread of a worker that lints, since all its threads have one working directory."""
 
@@ -48,8 +48,8 @@ class WorkerPool:
     """The executor."""
     workplace: Any
     """A `Workplace`, or what the executor replaces by one on the worker."""
-    width: int
-    """The number of tasks that are given at once, those that wait included."""
+    width: Callable[[], int]
+    """A function of no arguments: how many tasks are given at once now, waiting ones included."""
     lost: type[Exception]
     """Exception of a task that ended its worker each time that it was tried."""
     watch: Callable[[], None]
@@ -69,7 +69,7 @@ class WorkerPool:
         dropped = 0
         try:
             while tasks or suspects or pending:
-                while tasks and len(pending) < self.width:
+                while tasks and len(pending) < self.width():
                     task = tasks.popleft()
                     pending[self._begin(task)] = task
                 alone = not pending
@@ -81,7 +81,7 @@ class WorkerPool:
                     self.watch()
                 for each in finished:
                     task, dropped = pending.pop(each), dropped + 1 if each.cancelled() else 0
-                    if dropped > MOST_DROPPED:
+                    if dropped > MOST_DROPPED * self.width():
                         raise KinlintError("the executor drops all work that it takes")
                     if each.cancelled():
                         (suspects if alone else tasks).appendleft(task)
@@ -97,7 +97,7 @@ class WorkerPool:
         pending: dict[Future[Survey], int] = {}
         for number in range(len(chunks)):
             while number not in found:
-                while left and len(pending) < self.width:
+                while left and len(pending) < self.width():
                     begun = left.popleft()
                     pending[self._look(chunks[begun])] = begun
                 finished, _ = wait(pending, PATIENCE, FIRST_COMPLETED)
@@ -131,6 +131,10 @@ class WorkerPool:
             waiting = len(tasks)
             task.done("each worker that linted it was lost")
             return [tasks.pop() for _ in range(len(tasks) - waiting)]
+        except (KinlintError, MemoryError):
+            raise
+        except Exception as error:  # noqa: BLE001  of the executor: a worker raises no others
+            raise KinlintError(f"--executor: {type(error).__name__}: {error}") from None
         task.done(outcomes)
         return ()
 
