@@ -38,11 +38,15 @@ def robots(tmp_path, monkeypatch, rules_cache):
 
 @pytest.fixture
 def cluster(robots):
-    """Two workers, each in a process that is started again when it ends."""
+    """Two workers, each in a process that is started again when it ends, however long it takes."""
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=":0"
-    ) as found:
+    patient = {"distributed.deploy.lost-worker-timeout": "1 hour"}
+    with (
+        pytest.importorskip("dask").config.set(patient),
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=":0"
+        ) as found,
+    ):
         yield found
 
 

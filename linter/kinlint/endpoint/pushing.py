@@ -1,24 +1,30 @@
 """Asks a store which models rules may find anything in, so that no others are streamed.
 
 The patterns that hold wherever a constraint is violated are a SELECT of standard SPARQL over all
-graphs at once, as far as they are about what graphs state, and nothing that is lifted, inferred or
-computed. A model that matches none of them has no finding; one that does is judged as ever.
+graphs at once, as far as they are about what graphs state, or what composable models imply, and
+nothing that is lifted or computed. A model that matches none of them has no finding; one that does
+is judged as ever.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import FROM
 from kinlint.endpoint.connection import Endpoint, QueryRefused
+from kinlint.endpoint.scratch import inferred
 from kinlint.endpoint.stored_graphs import pages
+from kinlint.engine.axioms import Axiom
 from kinlint.engine.compiler.shacl_terms import SUBCLASS
 from kinlint.engine.constraint import PLAIN, Constraint
 from kinlint.engine.lifting import lifts
 from kinlint.engine.required_terms import made
+from kinlint.engine.store import Store
+from kinlint.facts.fact_kinds import KINDS
 from kinlint.formats.records import TREES
+from kinlint.light_dataclasses import dataclass
 from kinlint.missing_files import STATED
 from kinlint.terms import RDF_TYPE, Term, Triple, is_iri
 from kinlint.vocabulary import ATTRIBUTE, SRC
@@ -29,19 +35,78 @@ WRITTEN = tuple(
 """Beginnings of the terms that readers state, and nothing else but what is left out below."""
 
 
+@dataclass(frozen=True)
+class Candidates:
+    """The graphs in which rules may find anything."""
+
+    any: frozenset[Term] | None
+    """Those, of documents in whatever format; None for all."""
+    composable: frozenset[Term] | None
+    """Those of composable models, of which nothing is lifted; None for all."""
+
+
+@dataclass(frozen=True)
+class _Terms:
+    """The terms of patterns that a store can be asked for."""
+
+    begin: tuple[str, ...]
+    """Their beginnings."""
+    derived: Collection[Term]
+    """Those of statements that are in no graph of the store."""
+    inferred: Collection[Term] = ()
+    """Those that may be in the scratch graph."""
+    scratch: Term | None = None
+    """The name of that graph, if there is one."""
+
+    def match(self, number: int, pattern: Triple) -> str:
+        """Return the graph pattern that matches *pattern*, of this *number*, in `?g`.
+
+        What `?g` implies is in the scratch graph, and is about a node of `?g`.
+        """
+        said = f"{' '.join(pattern)} ."
+        here = f"GRAPH ?g {{ {said} }}"
+        subject, predicate, value = pattern
+        if (value if predicate == RDF_TYPE else predicate) not in self.inferred:
+            return here
+        ways = f"{subject} ?by_{number} ?to_{number}", f"?of_{number} ?by_{number} {subject}"
+        whose = " UNION ".join(f"{{ GRAPH ?g {{ {each} }} }}" for each in ways)
+        made = f"GRAPH {self.scratch} {{ {said} }} {whose}"
+        return f"{{ {here} }} UNION {{ {made} }}"
+
+
 def concerned(
     endpoint: Endpoint,
     book: Rulebook,
     codes: Collection[str],
     tell: Callable[[str], None],
-) -> frozenset[Term] | None:
-    """Return the graphs in which the rules with *codes* may find anything; None for all of them.
+    scratch: Term | None = None,
+) -> Candidates:
+    """Return the graphs in which the rules with *codes* may find anything.
 
-    *tell* is told what was found for each rule, and which query is refused.
+    *tell* is told what was found for each rule, and which query is refused. With *scratch*, the
+    name of a graph, the store infers into it what composable models imply, if that is of use.
     """
-    queries = dict(_queries(book, codes))
-    if None in queries.values():
-        return None
+    written = _Terms(WRITTEN, made(book.axioms) | lifts(set(TREES)) | STATED | {FROM})
+    known = dict(_queries(book, codes, written))
+    found = _asked(endpoint, known, tell) if None not in known.values() else None
+    if scratch is None or found is not None:
+        return Candidates(found, found)
+    given = _computed(book)
+    axioms = [each for each in book.axioms if _head(each) not in given]
+    terms = _Terms(("<",), given, made(axioms), scratch)
+    more = {code: known[code] or each for code, each in _queries(book, codes, terms)}
+    if None in more.values():
+        left = ", ".join(sorted(code for code, each in more.items() if each is None))
+        tell(f"nothing is inferred in the store: it cannot be asked for {left}")
+        return Candidates(None, None)
+    with inferred(endpoint, scratch, axioms):
+        return Candidates(None, _asked(endpoint, more, tell))
+
+
+def _asked(
+    endpoint: Endpoint, queries: Mapping[str, Sequence[str] | None], tell: Callable[[str], None]
+) -> frozenset[Term] | None:
+    """Return the graphs that match *queries*, by rule; None if the store refuses one."""
     found = set[Term]()
     for code, wheres in queries.items():
         graphs = set[Term]()
@@ -56,9 +121,38 @@ def concerned(
     return frozenset(found)
 
 
-def _queries(book: Rulebook, codes: Collection[str]) -> Iterator[tuple[str, Sequence[str] | None]]:
+def _computed(book: Rulebook) -> frozenset[Term]:
+    """Return the terms of what is computed, stands in the vocabulary, or follows from either."""
+    store = Store()
+    store.load_vocabulary(book.vocabulary)
+    rows = store.oxigraph.query(
+        f"SELECT DISTINCT ?t {{ GRAPH ?g {{ {{ ?s ?t ?o }} UNION {{ ?s {RDF_TYPE} ?t }} }} }}"
+    )
+    found = {str(row["t"]) for row in rows} | STATED | {FROM}  # type: ignore[union-attr]
+    found.discard(RDF_TYPE)
+    for kind in KINDS:
+        found.update((*kind.needs, *kind.details))
+    while (
+        more := {_head(each) for each in book.axioms if not found.isdisjoint(map(_term, each.body))}
+        - found
+    ):
+        found |= more
+    return frozenset(found)
+
+
+def _term(pattern: Triple) -> Term:
+    _, predicate, value = pattern
+    return value if predicate == RDF_TYPE else predicate
+
+
+def _head(axiom: Axiom) -> Term:
+    return _term(axiom.head)
+
+
+def _queries(
+    book: Rulebook, codes: Collection[str], terms: _Terms
+) -> Iterator[tuple[str, Sequence[str] | None]]:
     """Yield the patterns for each rule by its code; None if it may find something in any model."""
-    derived = made(book.axioms) | lifts(set(TREES)) | STATED | {FROM}
     of_rule = {
         owner: list(each)
         for owner, each in groupby(
@@ -67,24 +161,23 @@ def _queries(book: Rulebook, codes: Collection[str]) -> Iterator[tuple[str, Sequ
     }
     for rule in book.rules:
         if rule.code in codes:
-            wheres = [condition(each, derived) for each in of_rule.get(rule.iri, ())]
+            wheres = [condition(each, terms) for each in of_rule.get(rule.iri, ())]
             told = [each for each in wheres if each is not None]
             yield rule.code, told if wheres and len(told) == len(wheres) else None
     if any(owner not in book.by_iri for owner in of_rule):  # shapes of a user's own
         yield "", None
 
 
-def condition(constraint: Constraint, derived: Collection[Term]) -> str | None:
+def condition(constraint: Constraint, terms: _Terms) -> str | None:
     """Return what a graph matches in which *constraint* is violated; None if that is anything."""
     if constraint.deferred is not None:
         return None
-    patterns = _joined(list(_patterns(constraint.premises, derived)))
-    lines = (" ".join(each) + " ." for each in patterns)
-    return f"GRAPH ?g {{ {' '.join(lines)} }}" if patterns else None
+    patterns = _joined(list(_patterns(constraint.premises, terms)))
+    return " ".join(terms.match(*each) for each in enumerate(patterns)) or None
 
 
-def _patterns(premises: Sequence[Triple], derived: Collection[Term]) -> Iterator[Triple]:
-    """Yield those of *premises* that are about what readers state; other values are any.
+def _patterns(premises: Sequence[Triple], terms: _Terms) -> Iterator[Triple]:
+    """Yield those of *premises* that are of *terms*; other values are any.
 
     A class that none is inferred to have is that of the node itself, not one below it.
     """
@@ -92,9 +185,13 @@ def _patterns(premises: Sequence[Triple], derived: Collection[Term]) -> Iterator
     for number, (subject, predicate, given) in enumerate(premises):
         value = below.get(given, given) if predicate == RDF_TYPE else given
         term = value if predicate == RDF_TYPE else predicate
-        if not PLAIN.fullmatch(predicate) or not term.startswith(WRITTEN) or term in derived:
+        if (
+            not PLAIN.fullmatch(predicate)
+            or not term.startswith(terms.begin)
+            or term in terms.derived
+        ):
             continue
-        named = is_iri(value) and value.startswith(WRITTEN)
+        named = is_iri(value) and value.startswith(terms.begin)
         known = named or value.startswith("?")
         node = subject if subject.startswith("?") else f"?node_{number}"
         yield node, predicate, value if known else f"?value_{number}"
