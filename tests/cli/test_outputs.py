@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from kinlint.cli.report_outputs import replacing
+from kinlint.cli.output_files import replacing
 from kinlint.configuration.keys import OUTPUT_FORMATS
 from kinlint.errors import UsageError
 

@@ -11,7 +11,7 @@ from pathlib import Path, PurePath
 
 from kinlint import __version__, resources
 from kinlint.catalogue.rulebook import Rulebook
-from kinlint.cli.report_outputs import replacing
+from kinlint.cli.output_files import replacing
 from kinlint.configuration.settings import Settings
 from kinlint.errors import KinlintError, SourceError
 from kinlint.fixes.rounds import lint_texts

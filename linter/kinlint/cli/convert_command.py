@@ -11,8 +11,8 @@ from pathlib import Path
 from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import Parser, one_of
 from kinlint.cli.check_options import STDOUT
+from kinlint.cli.output_files import replacing
 from kinlint.cli.overrides import configs, overrides
-from kinlint.cli.report_outputs import replacing
 from kinlint.cli.xacro_arguments import check_arguments, take_arguments
 from kinlint.configuration.settings import Settings
 from kinlint.conversion.rotations import ROTATIONS

@@ -13,7 +13,7 @@ from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import Parser, add_color, one_of
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import add_input_options
-from kinlint.cli.report_outputs import replacing
+from kinlint.cli.output_files import replacing
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.errors import UsageError
 from kinlint.reporters.reporter_registry import put

@@ -7,13 +7,13 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from kinlint.cli.installed_findings import without_installed
-from kinlint.cli.report_outputs import Outputs, replacing_bytes
+from kinlint.cli.report_outputs import Outputs
 from kinlint.finding import Finding
 from kinlint.light_dataclasses import replace
 from kinlint.report import Report
 
 if TYPE_CHECKING:
-    from kinlint.reporters.sqlite_database import FindingsDatabase
+    from kinlint.cli.gathered_outputs import GatheredOutputs
 
 
 class EarlyOutput:
@@ -28,11 +28,11 @@ class EarlyOutput:
         """The names of the files whose findings are written."""
         self.counting = outputs.streams and not (outputs.verbose or outputs.summarises)
         """True if nothing but their number is asked of findings that are written."""
-        self._database: FindingsDatabase | None = None
+        self._gathered: GatheredOutputs | None = None
         if outputs.copies and self.counting:
-            from kinlint.reporters.sqlite_database import FindingsDatabase  # noqa: PLC0415  few runs
+            from kinlint.cli.gathered_outputs import GatheredOutputs  # noqa: PLC0415  few runs
 
-            self._database = FindingsDatabase(large=True)
+            self._gathered = GatheredOutputs(outputs.copies, large=True)
         self._outputs = outputs
         self._named = named
         self._unsafe = unsafe
@@ -42,19 +42,16 @@ class EarlyOutput:
         report = Report(findings=tuple(findings), unsafe=self._unsafe)
         report = without_installed(report, self._named)
         self._outputs.begin(report, sys.stdout)
-        if self._database is not None:
-            self._database.add(report)
+        if self._gathered is not None:
+            self._gathered.add(report)
         self.written.update(each.location.source.name for each in findings)
 
     def conclude(self, report: Report) -> Outputs:
-        """Write what goes to databases, with the rest of *report*; return the other outputs."""
-        if self._database is None:
+        """Write what was gathered, with the rest of *report*; return the other outputs."""
+        if self._gathered is None:
             return self._outputs
         left = [each for each in report.findings if each.location.source.name not in self.written]
-        with self._database as made:
+        with self._gathered as made:
             made.add(replace(report, findings=tuple(left)))
             made.conclude(report)
-            for _, path in self._outputs.copies:
-                with replacing_bytes(path) as stream:
-                    made.copy(stream)
         return replace(self._outputs, copies=())

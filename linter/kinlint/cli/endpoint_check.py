@@ -13,6 +13,7 @@ from pathlib import Path
 from time import perf_counter
 
 from kinlint.catalogue import rulebook
+from kinlint.cli.gathered_outputs import GatheredOutputs
 from kinlint.cli.lint_run import (
     THRESHOLD,
     exit_code,
@@ -22,7 +23,7 @@ from kinlint.cli.lint_run import (
 from kinlint.cli.overrides import configs, overrides
 from kinlint.cli.progress import ProgressBar
 from kinlint.cli.report_destinations import check_destinations, destinations
-from kinlint.cli.report_outputs import Outputs, replacing_bytes
+from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.judging import Judge, StoredModel, judge_all, together
@@ -36,7 +37,6 @@ from kinlint.parallel.early_findings import counted
 from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
-from kinlint.reporters.sqlite_database import FindingsDatabase
 from kinlint.rule import Rule
 
 OF_FILES = (
@@ -89,7 +89,7 @@ def check_store(options: Namespace) -> int:
         reports = judge_all(judge, left, process_count(options), lambda done: bar.advance(2 * done))
         streams, made = outputs.streams, None
         if streams and outputs.copies:
-            made = ending.enter_context(FindingsDatabase(large=True))
+            made = ending.enter_context(GatheredOutputs(outputs.copies, large=True))
         told = list(_told(reports, options, outputs, bar, made))
         report = replace(
             together([*(report for report, _ in told), idle], perf_counter() - started),
@@ -99,9 +99,6 @@ def check_store(options: Namespace) -> int:
         )
         if made is not None:
             made.conclude(report)
-            for _, path in outputs.copies:
-                with replacing_bytes(path) as stream:
-                    made.copy(stream)
             outputs = replace(outputs, copies=())
     written = {name for _, early in told for name in early}
     outputs.emit(report, sys.stdout, written)
@@ -164,9 +161,9 @@ def _told(
     options: Namespace,
     outputs: Outputs,
     bar: ProgressBar,
-    made: FindingsDatabase | None,
+    made: GatheredOutputs | None,
 ) -> Iterator[tuple[Report, Sequence[str]]]:
-    """Yield *reports*, each with the files whose findings are written, to the database *made* too.
+    """Yield *reports*, each with the files whose findings are written, to what *made* gathers, too.
 
     Of those, only what a summary counts is kept, so that the memory of a run does not grow with
     the texts.

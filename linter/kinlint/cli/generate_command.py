@@ -14,8 +14,8 @@ from pathlib import Path
 from kinlint.cli import check_options as linting
 from kinlint.cli.argument_parser import Parser, non_empty, one_of
 from kinlint.cli.model_inputs import add_input_options, find_inputs, read_inputs
+from kinlint.cli.output_files import replacing
 from kinlint.cli.progress import ProgressBar
-from kinlint.cli.report_outputs import replacing
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.settings import Choice, FileSettings, Settings
 from kinlint.errors import UsageError

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Collection, Iterator
-from contextlib import contextmanager
-from io import TextIOWrapper
+from collections.abc import Collection
 from pathlib import Path
-from typing import BinaryIO, TextIO
+from typing import TextIO
 
+from kinlint.cli.output_files import replacing
 from kinlint.errors import UsageError
-from kinlint.files.atomic_write import replacement
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.report import Report
 from kinlint.reporters.display_width import printable
 from kinlint.reporters.reporter_registry import (
     FORMATS,
+    gathers,
     write,
     write_fixed,
     write_statistics,
@@ -96,7 +95,7 @@ class Outputs:
     @property
     def streams(self) -> bool:
         """Tell whether nothing that is written needs all findings at once."""
-        large = (FORMATS[name].database for name, _ in self.copies)
+        large = (gathers(*each) for each in self.copies)
         shown = self.begins_early or (self.silent and not self.statistics)
         return shown and self.path is None and all(large)
 
@@ -119,8 +118,8 @@ class Outputs:
         failures: list[UsageError] = []
         for name, path in self.copies:
             try:
-                if FORMATS[name].database:
-                    write_database(told, path)
+                if gathers(name, path):
+                    _gather(told, name, path)
                     continue
                 with replacing(path) as stream:
                     self._write(told, name, stream)
@@ -128,8 +127,8 @@ class Outputs:
                         self._conclude(report.shown_from(self.show), stream)
             except UsageError as error:
                 failures.append(error)
-        if self.path is not None and FORMATS[self.main].database:
-            write_database(told, self.path)
+        if self.path is not None and gathers(self.main, self.path):
+            _gather(told, self.main, self.path)
         elif self.path is not None:
             with replacing(self.path) as stream:
                 self._main(report, told, stream)
@@ -202,36 +201,10 @@ class Outputs:
         return FORMATS[self.main].machine
 
 
-def write_database(report: Report, path: Path) -> None:
-    """Write the findings of *report* to a database of SQLite at *path*. Raises `UsageError`."""
-    from kinlint.reporters.sqlite_database import FindingsDatabase  # noqa: PLC0415  few runs do
+def _gather(report: Report, name: str, path: Path) -> None:
+    """Write the findings of *report* to a database or in parts. Raises `UsageError`."""
+    from kinlint.cli.gathered_outputs import GatheredOutputs  # noqa: PLC0415  few runs do
 
-    with FindingsDatabase() as made:
+    with GatheredOutputs([(name, path)], large=False) as made:
         made.add(report)
         made.conclude(report)
-        with replacing_bytes(path) as stream:
-            made.copy(stream)
-
-
-@contextmanager
-def replacing(path: Path) -> Iterator[TextIO]:
-    """A stream whose text replaces the file at *path* once it is complete, or not at all.
-
-    Raises `UsageError` if that cannot be.
-    """
-    with replacing_bytes(path) as stream:
-        text = TextIOWrapper(stream, "utf-8", newline="\n")
-        yield text
-        text.detach()
-
-
-@contextmanager
-def replacing_bytes(path: Path) -> Iterator[BinaryIO]:
-    """A stream whose bytes replace the file at *path*, as `replacing` does."""
-    try:
-        with replacement(path) as stream:
-            yield stream
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        raise UsageError(f"cannot write {path}: {error.strerror or error}") from None

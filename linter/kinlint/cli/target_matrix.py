@@ -13,7 +13,7 @@ from typing import TextIO
 from kinlint import lint
 from kinlint.cli.check_options import STDOUT
 from kinlint.cli.model_inputs import find_inputs, read_inputs
-from kinlint.cli.report_outputs import replacing
+from kinlint.cli.output_files import replacing
 from kinlint.errors import UsageError
 from kinlint.facts.written_features import HAS
 from kinlint.findings.locator import Locator

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import groupby
+from typing import TypeAlias
 
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.document import FROM
@@ -35,6 +36,10 @@ WRITTEN = tuple(
 """Beginnings of the terms that readers state, and nothing else but what is left out below."""
 
 
+_Conditions: TypeAlias = Sequence[Sequence[str]]
+"""Graph patterns of the constraints of a rule; a graph matches all of one that it violates."""
+
+
 @dataclass(frozen=True)
 class Candidates:
     """The graphs in which rules may find anything."""
@@ -58,20 +63,24 @@ class _Terms:
     scratch: Term | None = None
     """The name of that graph, if there is one."""
 
-    def match(self, number: int, pattern: Triple) -> str:
-        """Return the graph pattern that matches *pattern*, of this *number*, in `?g`.
+    def wheres(self, patterns: Sequence[Triple]) -> list[str]:
+        """Return graph patterns, all of which `?g` matches where it has *patterns*.
 
-        What `?g` implies is in the scratch graph, and is about a node of `?g`.
+        Those of what is inferred are apart: joined, their unions are more than stores can hold.
         """
-        said = f"{' '.join(pattern)} ."
-        here = f"GRAPH ?g {{ {said} }}"
-        subject, predicate, value = pattern
-        if (value if predicate == RDF_TYPE else predicate) not in self.inferred:
+        if self.scratch is None:
+            return [f"GRAPH ?g {{ {' '.join(f'{_text(each)} .' for each in _joined(patterns))} }}"]
+        return [self._where(each) for each in patterns]
+
+    def _where(self, pattern: Triple) -> str:
+        """Return what matches *pattern* in `?g`, or in what it implies about a node of `?g`."""
+        here = f"GRAPH ?g {{ {_text(pattern)} }}"
+        if _term(pattern) not in self.inferred:
             return here
-        ways = f"{subject} ?by_{number} ?to_{number}", f"?of_{number} ?by_{number} {subject}"
-        whose = " UNION ".join(f"{{ GRAPH ?g {{ {each} }} }}" for each in ways)
-        made = f"GRAPH {self.scratch} {{ {said} }} {whose}"
-        return f"{{ {here} }} UNION {{ {made} }}"
+        made = f"GRAPH {self.scratch} {{ {_text(pattern)} }}"
+        ways = f"{pattern[0]} ?by ?to", f"?of ?by {pattern[0]}"
+        whose = (f"{{ {made} GRAPH ?g {{ {each} }} }}" for each in ways)
+        return f"{{ {here} }} UNION {' UNION '.join(whose)}"
 
 
 def concerned(
@@ -100,22 +109,30 @@ def concerned(
         tell(f"nothing is inferred in the store: it cannot be asked for {left}")
         return Candidates(None, None)
     with inferred(endpoint, scratch, axioms):
-        return Candidates(None, _asked(endpoint, more, tell))
+        return Candidates(None, _asked(endpoint, more, tell, scratch))
 
 
 def _asked(
-    endpoint: Endpoint, queries: Mapping[str, Sequence[str] | None], tell: Callable[[str], None]
+    endpoint: Endpoint,
+    queries: Mapping[str, _Conditions | None],
+    tell: Callable[[str], None],
+    aside: Term | None = None,
 ) -> frozenset[Term] | None:
-    """Return the graphs that match *queries*, by rule; None if the store refuses one."""
+    """Return the graphs, but *aside*, that match *queries* by rule; None if the store refuses."""
+    matching = dict[str, set[Term]]()
     found = set[Term]()
-    for code, wheres in queries.items():
+    for code, conditions in queries.items():
         graphs = set[Term]()
-        for where in wheres or ():
+        for wheres in conditions or ():
             try:
-                graphs.update(row["g"] for row in pages(endpoint, "DISTINCT ?g", where))
+                for each in wheres:
+                    if each not in matching:
+                        rows = pages(endpoint, "DISTINCT ?g", each)
+                        matching[each] = {row["g"] for row in rows if row["g"] != aside}
             except QueryRefused as error:
                 tell(f"{code}: the store refuses its query, so all models are read: {error}")
                 return None
+            graphs |= set.intersection(*(matching[each] for each in wheres))
         tell(f"{code}: {len(graphs)} graphs to look at")
         found |= graphs
     return frozenset(found)
@@ -145,13 +162,17 @@ def _term(pattern: Triple) -> Term:
     return value if predicate == RDF_TYPE else predicate
 
 
+def _text(pattern: Triple) -> str:
+    return " ".join(pattern)
+
+
 def _head(axiom: Axiom) -> Term:
     return _term(axiom.head)
 
 
 def _queries(
     book: Rulebook, codes: Collection[str], terms: _Terms
-) -> Iterator[tuple[str, Sequence[str] | None]]:
+) -> Iterator[tuple[str, _Conditions | None]]:
     """Yield the patterns for each rule by its code; None if it may find something in any model."""
     of_rule = {
         owner: list(each)
@@ -168,12 +189,12 @@ def _queries(
         yield "", None
 
 
-def condition(constraint: Constraint, terms: _Terms) -> str | None:
-    """Return what a graph matches in which *constraint* is violated; None if that is anything."""
+def condition(constraint: Constraint, terms: _Terms) -> Sequence[str] | None:
+    """Return what all a graph matches in which *constraint* is violated; None if it is anything."""
     if constraint.deferred is not None:
         return None
-    patterns = _joined(list(_patterns(constraint.premises, terms)))
-    return " ".join(terms.match(*each) for each in enumerate(patterns)) or None
+    patterns = list(_patterns(constraint.premises, terms))
+    return terms.wheres(patterns) if patterns else None
 
 
 def _patterns(premises: Sequence[Triple], terms: _Terms) -> Iterator[Triple]:

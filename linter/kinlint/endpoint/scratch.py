@@ -13,7 +13,7 @@ from types import FrameType
 
 from kinlint.endpoint.connection import Endpoint, EndpointError
 from kinlint.endpoint.stored_graphs import SCRATCH
-from kinlint.engine.axioms import Axiom
+from kinlint.engine.axioms import Axiom, is_variable
 from kinlint.errors import UsageError
 from kinlint.terms import RDF_TYPE, Term, literal_value
 
@@ -55,10 +55,17 @@ def _close(endpoint: Endpoint, name: Term, axioms: Sequence[Axiom]) -> None:
 
 
 def _insertion(axiom: Axiom, name: Term) -> str:
-    """Return the update that adds to the graph *name* what *axiom* gives, and what others state."""
+    """Return the update that adds to the graph *name* what *axiom* gives, also where it is stated.
+
+    Premises that many graphs state alike are joined once.
+    """
     head = " ".join(axiom.head)
-    where = (f"GRAPH ?g{n} {{ {' '.join(each)} }}" for n, each in enumerate(axiom.body))
-    return f"INSERT {{ GRAPH {name} {{ {head} }} }} WHERE {{ {' '.join(where)} }}"
+    premises = (
+        f"{{ SELECT DISTINCT {' '.join(filter(is_variable, each))} "
+        f"WHERE {{ GRAPH ?g {{ {' '.join(each)} }} }} }}"
+        for each in axiom.body
+    )
+    return f"INSERT {{ GRAPH {name} {{ {head} }} }} WHERE {{ {' '.join(premises)} }}"
 
 
 def _count(endpoint: Endpoint, name: Term) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from importlib import import_module
+from pathlib import Path
 from typing import NamedTuple, TextIO, cast
 
 from kinlint.errors import UsageError
@@ -64,6 +65,14 @@ def reporter(name: str) -> Reporter:
     if name not in FORMATS:
         raise UsageError(f"unknown output format '{name}'; there are {', '.join(FORMATS)}")
     return _render(FORMATS[name])
+
+
+def gathers(name: str, path: Path) -> bool:
+    """Tell whether a file *path* of the format *name* takes any number of findings as they come.
+
+    Those are databases, and SARIF in parts: `*` in the name of the file stands for their number.
+    """
+    return FORMATS[name].database or (name == "sarif" and "*" in path.name)
 
 
 def write(  # noqa: PLR0913

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import sqlite3
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import BinaryIO, Self
 
@@ -90,7 +90,11 @@ class FindingsDatabase:
         """Yield the SQL that makes the database."""
         yield from self._made.iterdump()
 
-    def copy(self, stream: BinaryIO) -> None:
+    def files(self, path: Path) -> Iterator[tuple[Path, Callable[[BinaryIO], None]]]:
+        """Yield *path*, and the function that writes its content."""
+        yield path, self._copy
+
+    def _copy(self, stream: BinaryIO) -> None:
         """Write the file of the database to *stream*."""
         if self._path is None:
             stream.write(self._made.serialize())
