@@ -77,7 +77,7 @@ class _Part:
     model: Sequence[StoredDocument]
     """The documents of the model."""
     lines: str
-    """What it states, and the record of it, in N-Triples."""
+    """Its statements and the record of it, in N-Triples."""
 
     @property
     def letters(self) -> int:

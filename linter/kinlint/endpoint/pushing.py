@@ -45,9 +45,9 @@ class Candidates:
     """The graphs in which rules may find anything."""
 
     any: frozenset[Term] | None
-    """Those, of documents in whatever format; None for all."""
+    """Graphs of documents in whatever format; None for all."""
     composable: frozenset[Term] | None
-    """Those of composable models, of which nothing is lifted; None for all."""
+    """Graphs of composable models, of which nothing is lifted; None for all."""
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,9 @@ class _Terms:
     begin: tuple[str, ...]
     """Their beginnings."""
     derived: Collection[Term]
-    """Those of statements that are in no graph of the store."""
+    """Terms of statements that are in no graph of the store."""
     inferred: Collection[Term] = ()
-    """Those that may be in the scratch graph."""
+    """Terms of statements that may be in the scratch graph."""
     scratch: Term | None = None
     """The name of that graph, if there is one."""
 
