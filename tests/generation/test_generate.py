@@ -58,6 +58,7 @@ def written(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()} if folder.exists() else {}
 
 
+@pytest.mark.slow
 def test_writes_the_same_twice_and_nothing_the_second_time(here, capsys):
     Path("r.urdf").write_text(robot())
     for library in ("kdl", "numpy", "pinocchio"):
@@ -71,6 +72,7 @@ def test_writes_the_same_twice_and_nothing_the_second_time(here, capsys):
     assert sorted(each.name for each in here.iterdir()) == ["kdl", "numpy", "pinocchio", "r.urdf"]
 
 
+@pytest.mark.slow
 def test_what_would_be_written(here, capsys):
     Path("r.urdf").write_text(robot())
     arguments = ("--for", "numpy", "r.urdf", "-o", "out")
@@ -93,7 +95,10 @@ def test_what_would_be_written(here, capsys):
     assert "0.75" not in Path("out/robot.py").read_text()
 
 
-@pytest.mark.parametrize("library", ["kdl", "numpy", "pinocchio"])
+@pytest.mark.parametrize(
+    "library",
+    ["kdl", *(pytest.param(each, marks=pytest.mark.slow) for each in ("numpy", "pinocchio"))],
+)
 def test_what_the_library_cannot_do_is_found_at_its_line(here, capsys, library):
     Path("r.urdf").write_text(robot("planar"))
     code, out, err = generate(capsys, "--for", library, "r.urdf", "-o", "out")
@@ -104,6 +109,7 @@ def test_what_the_library_cannot_do_is_found_at_its_line(here, capsys, library):
     assert not Path("out").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "told"),
     [
@@ -159,6 +165,7 @@ def test_rules_about_something_else_may_be_turned_off(here, capsys):
     assert generate(capsys, *arguments, "--ignore", "LIM001")[0] == 0
 
 
+@pytest.mark.slow
 def test_a_warning_stops_it_unless_accepted(here, capsys):
     Path("r.urdf").write_text(robot().replace('upper="1"', 'upper="90"'))
     arguments = ("--for", "numpy", "r.urdf", "-o", "out")
@@ -349,6 +356,7 @@ def test_is_the_same_whatever_the_hashes(here):
     assert written(here / "1") == written(here / "2") == written(here / "3") != {}
 
 
+@pytest.mark.slow
 def test_names_are_spelt(here, capsys):
     from xml.sax.saxutils import quoteattr  # noqa: PLC0415
 
@@ -365,6 +373,7 @@ def test_names_are_spelt(here, capsys):
     assert all(not line.rstrip("\n").endswith("\\") for line in code.splitlines())
 
 
+@pytest.mark.slow
 def test_own_templates(here, capsys):
     Path("r.urdf").write_text(robot())
     Path("own").mkdir()
@@ -388,6 +397,7 @@ def test_own_templates(here, capsys):
         assert (code, f"error: template {own}:2: {cause}" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_stages_are_shown(here, capsys):
     Path("r.urdf").write_text(robot(axis="0 0 2"))
     arguments = ("--for", "pinocchio", "r.urdf", "--fail-on", "error", "--stage")
@@ -408,6 +418,7 @@ def test_needs_jinja(here, capsys, monkeypatch):
     )
 
 
+@pytest.mark.slow
 def test_keeps_to_its_directory(here, capsys):
     """What else is there stays, and what is in the way is told."""
     Path("r.urdf").write_text(robot())
@@ -427,6 +438,7 @@ def test_keeps_to_its_directory(here, capsys):
     assert (code, "'file' is no directory" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_writes_through_no_link(here, capsys):
     Path("r.urdf").write_text(robot())
     Path("out").mkdir()
