@@ -17,8 +17,8 @@ from kinlint.formats.source_layer import src
 from kinlint.formats.xml.references import properties
 from kinlint.terms import Term, Triple
 
-TOLD = re.compile(r"/(?:parent|child)>$|/transmission/")
-"""What is compared otherwise: the ends of joints, as they are drawn, and transmissions."""
+ELSEWHERE = re.compile(r"/(?:parent|child)>$|/transmission/")
+"""Addresses of elements that other facts compare: the ends of joints, and transmissions."""
 
 
 def crossed_references(scan: PredicateIndex) -> Iterator[Triple]:
@@ -35,7 +35,7 @@ def crossed_references(scan: PredicateIndex) -> Iterator[Triple]:
         for owner, own in sorted(found.items()):
             twin = found.get(_across(owner), {})
             side = _side(owner)
-            if side is None or TOLD.search(owner):
+            if side is None or ELSEWHERE.search(owner):
                 continue
             for target in sorted(own.keys() & twin.keys()):
                 proper = _across(target)

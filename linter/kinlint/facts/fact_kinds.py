@@ -187,9 +187,7 @@ KINDS = (
     _inertia_repair(
         {"shift": (*inputs.INERTIAS, *inputs.PLACED)}, lambda own: own.inertia_repairs.shifts()
     ),
-    FactKind(
-        "inertia_repair", WATER, lambda own: own.inertia_repairs.filled(), ("inertia_repairs",)
-    ),
+    _inertia_repair(WATER, lambda own: own.inertia_repairs.filled()),
     FactKind(
         "mirror_symmetry",
         dict.fromkeys(("shared-with", "shapes"), inputs.SIZES),
@@ -239,13 +237,7 @@ KINDS = (
         lambda own: DanglingReferences(own.scan.part("referred-to")).facts(),
         ("referred-to",),
     ),
-    FactKind(
-        "crossed_references",
-        {"refers-across": ()},
-        lambda own: crossed_references(own.scan.part("referred-across")),
-        ("referred-across",),
-        ("proper-target",),
-    ),
+    _alone("crossed_references", crossed_references, {"refers-across": ()}, ("proper-target",)),
     FactKind("coordinate_agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
     FactKind(
         "linkage_loops",
