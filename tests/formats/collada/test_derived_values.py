@@ -110,7 +110,7 @@ def test_the_halves_of_a_loop_are_one_joint() -> None:
 @pytest.mark.parametrize(
     ("content", "cause"),
     [
-        ('<link sid="a"/>' * 3_001, "more than 3000 links"),
+        ('<link sid="a"/>' * 3_001, "more than 3000 elements <link>"),
         (f'<link sid="a">{"<translate/>" * 2_001}</link>', "<link> has more than 2000 transforms"),
     ],
     ids=["links", "transforms"],

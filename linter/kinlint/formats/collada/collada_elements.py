@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
+from kinlint.errors import SourceError
 from kinlint.formats.collada.format import COLLADA
 from kinlint.formats.xml.element_types import ANY, ElementType
 from kinlint.formats.xml.schema import schema
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import Term, Triple, is_iri, literal_value
+from kinlint.text import SourceText
 from kinlint.vocabulary import ATTRIBUTE, EXTENSION, SRC
 from kinlint.vocabulary import COLLADA as NAMESPACE
 
-MOST_LINKS = 3_000
+MOST = {
+    "joint": 3_000,
+    "link": 3_000,
+    "newparam": 10_000,
+    "node": 30_000,
+    "rigid_body": 3_000,
+    "rotate": 40_000,
+    "translate": 40_000,
+}
+"""Most elements of a document, by tag."""
 MOST_TRANSFORMS = 2_000
-"""Most links of a document, and most transforms of a link, a node or a frame."""
+"""Most transforms of a link, a node or a frame."""
 
 _TRANSFORMS = frozenset({"translate", "rotate", "scale", "matrix", "skew", "lookat"})
 _AT, _TEXT, _WORDS = f"<{ATTRIBUTE}", f"<{SRC}text", f"<{SRC}words>"
@@ -87,25 +100,17 @@ class Excess(Exception):
         self.cause = cause
 
 
-class _Counts:
-    """Counts of the elements of which no robot has countless ones."""
-
-    def __init__(self) -> None:
-        self.links = 0
-        self.transforms = Counter[Term]()
-
-    def add(self, element: ColladaElement) -> None:
-        """Count *element*; raise Excess where it is too much."""
-        if element.tag == "link":
-            self.links += 1
-            if self.links > MOST_LINKS:
-                raise Excess(element.node, f"more than {MOST_LINKS} links")
-        elif element.tag in _TRANSFORMS and element.parent is not None:
-            around = element.parent
-            self.transforms[around.node] += 1
-            if self.transforms[around.node] > MOST_TRANSFORMS:
-                cause = f"<{around.tag}> has more than {MOST_TRANSFORMS} transforms"
-                raise Excess(element.node, cause)
+def refuse_countless(source: SourceText) -> None:
+    """Raise SourceError, before *source* is parsed, for elements that no robot has as many of."""
+    for tag, most in MOST.items():
+        if source.text.count(f"<{tag}") <= most:
+            continue
+        written = re.finditer(rf"<{tag}(?=[\s/>])", source.text)
+        excessive = next(islice(written, most, None), None)
+        if excessive is not None:
+            line, column = source.position(excessive.start())
+            cause = f"more than {most} elements <{tag}>"
+            raise SourceError(source.name, cause, line, column)
 
 
 def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
@@ -115,7 +120,7 @@ def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
     """
     top = ColladaElement(document, "", None, ElementType("", "", children=_roots()))
     known = {document: top}
-    count = _Counts().add
+    moves = Counter[Term]()
     for triple in statements:
         subject, predicate, value = triple
         element = known.get(subject)
@@ -134,7 +139,11 @@ def tree(document: Term, statements: Iterable[Triple]) -> ColladaElement | None:
             type_ = element.type.children.get(tag, ANY)
             child = known[value] = ColladaElement(value, tag.rpartition(":")[2], element, type_)
             element.children.append(child)
-            count(child)
+            if child.tag in _TRANSFORMS:
+                moves[subject] += 1
+                if moves[subject] > MOST_TRANSFORMS:
+                    cause = f"<{element.tag}> has more than {MOST_TRANSFORMS} transforms"
+                    raise Excess(value, cause)
     return top.first("COLLADA")
 
 

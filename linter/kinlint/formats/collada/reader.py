@@ -9,7 +9,12 @@ from kinlint.formats.collada.address_statements import address_statements
 from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.asset_statements import state_assets
 from kinlint.formats.collada.binding_statements import BindingStatements
-from kinlint.formats.collada.collada_elements import ColladaElement, Excess, tree
+from kinlint.formats.collada.collada_elements import (
+    ColladaElement,
+    Excess,
+    refuse_countless,
+    tree,
+)
 from kinlint.formats.collada.coupling_statements import CouplingStatements
 from kinlint.formats.collada.drawn_links import state_open_loops
 from kinlint.formats.collada.joint_statements import JointStatements
@@ -32,6 +37,7 @@ def read(source: SourceText, options: ReadOptions) -> Document:
 
     Raises SourceError for a document type definition, and for what no robot is as large as.
     """
+    refuse_countless(source)
     document = xml.read(source, options)
     try:
         root = tree(document.graph, document.statements)
