@@ -2,7 +2,7 @@
 
 import json
 import sqlite3
-from contextlib import closing, suppress
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -11,7 +11,6 @@ from data import locate_data
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
 from kinlint.endpoint import stored_graphs
-from kinlint.endpoint.connection import EndpointError
 from kinlint.endpoint.pushing import concerned
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
@@ -84,10 +83,10 @@ def test_rules_that_the_store_is_asked_for_miss_nothing(store, capsys, suffix):
         main(["load", "--isolated", "--endpoint", store.query_url, f"broken/{path.name}"])
     book = rulebook.load()
     codes = {rule.code for rule in book.rules}
-    pushed = [code for code in sorted(codes) if concerned(store, book, {code}, str).any is not None]
+    pushed = [code for code in sorted(codes) if concerned(store, book, {code}, str) is not None]
     found = _stored(capsys, store, "--select", ",".join(pushed))
     for each in map(json.loads, found):
-        graphs = concerned(store, book, {each["code"]}, str).any
+        graphs = concerned(store, book, {each["code"]}, str)
         assert graphs is not None
         assert any(name.endswith(f":{each['filename']}>") for name in graphs), each
     assert found
@@ -103,8 +102,8 @@ def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
         Path(f"{name}.urdf").write_text(f'<robot name="{name}"><link name="a"/>{part}</robot>')
         _load(store, f"{name}.urdf")
     book = rulebook.load()
-    assert concerned(store, book, {"SRC003"}, str).any == {"<urn:kinlint:document:bad.urdf>"}
-    assert concerned(store, book, {"TOP001"}, str).any is None
+    assert concerned(store, book, {"SRC003"}, str) == {"<urn:kinlint:document:bad.urdf>"}
+    assert concerned(store, book, {"TOP001"}, str) is None
     chosen = _findings(capsys, "bad.urdf", "good.urdf", "--select", "SRC003")
     assert _stored(capsys, store, "--select", "SRC003") == chosen
     main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC003"])
@@ -226,70 +225,3 @@ def test_long_answers_come_in_pages(store, capsys, tmp_path, monkeypatch):
         Path(name).write_text(f'<robot name="{name}"><link name="a"/><lnik/></robot>')
     _load(store, *names)
     assert _stored(capsys, store, "--jobs", "1") == _findings(capsys, *names)
-
-
-SCRATCH = "urn:kinlint:scratch"
-
-
-def _graphs(store):
-    rows = store.select("SELECT DISTINCT ?g { GRAPH ?g { ?s ?p ?o } }")
-    return {row["g"] for row in rows}
-
-
-@pytest.fixture
-def composable(store, tmp_path, monkeypatch):
-    """Two models in the store, each one graph; the first has a joint without an axis."""
-    monkeypatch.chdir(tmp_path)
-    for name in (
-        "broken/implicit-joint-axis.jsonld",
-        "mobile-manipulator/left-arm/dynamics.jsonld",
-    ):
-        path = Path(Path(name).name)
-        path.write_bytes((SAMPLES / name).read_bytes())
-        _load(store, str(path))
-    return store
-
-
-@pytest.mark.slow
-def test_a_store_infers_where_rules_may_find_anything(composable, capsys):
-    """The rule asks for a class that no document states; findings are those without the graph."""
-    before = _graphs(composable)
-    chosen = ["--select", "FRM007"]
-    told = [*chosen, "-v", "--scratch-graph", SCRATCH]
-    main(["check", "--isolated", "--endpoint", composable.query_url, *told])
-    assert "FRM007: 1 graphs to look at" in capsys.readouterr().err
-    found = _stored(capsys, composable, *chosen, "--scratch-graph", SCRATCH)
-    assert found == _stored(capsys, composable, *chosen)
-    assert found
-    assert _graphs(composable) == before
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("error", [KeyboardInterrupt, EndpointError("lost"), SystemExit(143)])
-def test_the_scratch_graph_is_removed_after_an_interruption(error, composable, monkeypatch):
-    before = _graphs(composable)
-
-    def interrupted(*_):
-        assert f"<{SCRATCH}>" in _graphs(composable)
-        raise error
-
-    monkeypatch.setattr("kinlint.endpoint.pushing.pages", interrupted)
-    told = ["--select", "FRM007", "--scratch-graph", SCRATCH]
-    with suppress(SystemExit):
-        assert main(["check", "--isolated", "--endpoint", composable.query_url, *told]) != 0
-    assert _graphs(composable) == before
-
-
-@pytest.mark.slow
-def test_a_graph_of_somebody_is_no_scratch_graph(composable, capsys):
-    """One that a killed run left is."""
-    told = ["check", "--isolated", "--endpoint", composable.query_url, "--select", "FRM007"]
-    composable.update(f"INSERT DATA {{ GRAPH <{SCRATCH}> {{ <a:a> <a:b> 1 }} }}")
-    assert main([*told, "--scratch-graph", SCRATCH]) == 2
-    assert "name one that is new" in capsys.readouterr().err
-    assert f"<{SCRATCH}>" in _graphs(composable)
-    left = f"<{SCRATCH}> a {stored_graphs.SCRATCH}"
-    composable.update(f"INSERT DATA {{ GRAPH <{SCRATCH}> {{ {left} }} }}")
-    assert SCRATCH not in {one["filename"] for one in map(json.loads, _stored(capsys, composable))}
-    assert main([*told, "--scratch-graph", SCRATCH]) == 1
-    assert f"<{SCRATCH}>" not in _graphs(composable)

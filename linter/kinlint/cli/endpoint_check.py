@@ -27,17 +27,17 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.judging import Judge, StoredModel, judge_all, together
-from kinlint.endpoint.pushing import Candidates, concerned
-from kinlint.endpoint.stored_graphs import StoredGraph, graph_name, models
+from kinlint.endpoint.pushing import concerned
+from kinlint.endpoint.stored_graphs import models
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
-from kinlint.formats.records import GRAPHS
 from kinlint.light_dataclasses import replace
 from kinlint.parallel.early_findings import counted
 from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.rule import Rule
+from kinlint.terms import Term, iri
 
 OF_FILES = (
     *("fix", "fix_only", "diff", "add_ignore", "watch", "in_project", "new_from_rev"),
@@ -45,8 +45,6 @@ OF_FILES = (
     *("profile", "show_files", "stdin_filename", "show_settings"),
 )
 """Options that are about files."""
-COMPOSABLE = frozenset(each.name for each in GRAPHS)
-"""Names of the formats of composable models."""
 
 
 def check_store(options: Namespace) -> int:
@@ -54,7 +52,7 @@ def check_store(options: Namespace) -> int:
     _check(options)
     started = perf_counter()
     store = Endpoint.from_options(options, os.environ)
-    names = [graph_name(each, "--graph") for each in options.graph or ()]
+    names = [iri(each) for each in options.graph or ()]
     found = models(store, names, _since(options.since))
     layers = Layers(configs(options), overrides(options))
     files = [Input(each.file, absolute(each.file)) for one in found for each in one if each.file]
@@ -76,11 +74,7 @@ def check_store(options: Namespace) -> int:
     Policies(settings, book.rules).check_selectors()
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
     asked = Policies(settings, book.rules).enabled([each.name for each in inputs] or [""])
-    tell = partial(_tell, verbose=bool(options.verbose))
-    scratch = (
-        graph_name(options.scratch_graph, "--scratch-graph") if options.scratch_graph else None
-    )
-    graphs = concerned(store, book, asked, tell, scratch)
+    graphs = concerned(store, book, asked, partial(_tell, verbose=bool(options.verbose)))
     rules = tuple(each for each in book.rules if each.code in asked)
     left, idle = _divided(found, graphs, rules)
     with ExitStack() as ending:
@@ -106,21 +100,16 @@ def check_store(options: Namespace) -> int:
 
 
 def _divided(
-    found: Sequence[StoredModel], graphs: Candidates, rules: tuple[Rule, ...]
+    found: Sequence[StoredModel], graphs: frozenset[Term] | None, rules: tuple[Rule, ...]
 ) -> tuple[Sequence[StoredModel], Report]:
     """Return the models in which something may be found, and the report of the others.
 
     Statements of models that are several graphs, or that kinlint did not load, may come of more
     than what one graph states.
     """
-
-    def sound(graph: StoredGraph) -> bool:
-        meant = graphs.composable if graph.format in COMPOSABLE else graphs.any
-        return graph.whole and meant is not None and graph.name not in meant
-
-    sure = [one for one in found if len(one) == 1 and sound(one[0])]
-    if not sure:
+    if graphs is None:
         return found, Report()
+    sure = [one for one in found if len(one) == 1 and one[0].whole and one[0].name not in graphs]
     names = {one[0].name for one in sure}
     left = [one for one in found if one[0].name not in names]
     files = tuple(one[0].file for one in sure if one[0].file)
