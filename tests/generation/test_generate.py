@@ -110,6 +110,19 @@ def test_what_the_library_cannot_do_is_found_at_its_line(here, capsys, library):
 
 
 @pytest.mark.slow
+def test_a_static_model_does_not_move(here, capsys):
+    joint = """<joint name="j" type="revolute"><parent>a</parent><child>b</child>
+<axis><xyz>0 0 1</xyz></axis></joint>"""
+    model = f"""<sdf version="1.9"><model name="m"><static>true</static>
+<link name="a"/><link name="b"/>{joint}</model></sdf>"""
+    Path("m.sdf").write_text(model)
+    code, out, _ = generate(capsys, "--for", "kdl", "m.sdf", "-o", "out")
+    assert (code, "Joint 'j' of a static model does not move" in out) == (1, True)
+    Path("m.sdf").write_text(model.replace(">true<", ">false<"))
+    assert generate(capsys, "--for", "kdl", "m.sdf", "-o", "out")[0] == 0
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "told"),
     [
