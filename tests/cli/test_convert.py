@@ -207,7 +207,11 @@ def test_xacro(robot, capsys):
     [
         ([], "name the file of a robot to convert"),
         (["absent.urdf"], "absent.urdf"),
-        (["robot.urdf", "-o", "robot.urdf"], "is read in this run, and would be lost"),
+        (
+            ["robot.urdf", "-o", "robot.sdf"],
+            "-o robot.sdf: a model is written as .jsonld (jsonld), ",
+        ),
+        (["robot.urdf", "-o", "robot.urdf", "--to", "jsonld"], "is read in this run, and would be"),
         (["robot.urdf", "-o", "nowhere/robot.jsonld"], "cannot write nowhere/robot.jsonld"),
         (["robot.urdf", "--to", "usd"], "--to"),
         (["model.jsonld"], "model.jsonld: composable already, nothing to convert"),

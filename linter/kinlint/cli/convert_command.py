@@ -77,7 +77,7 @@ def run(arguments: Sequence[str]) -> int:
     if not options.paths:
         raise UsageError("name the file of a robot to convert, or - for standard input")
     output = options.output_file
-    form = options.to or SUFFIXES.get(Path(output).suffix.lower(), FORMATS[0])
+    form = options.to or _format_of(output)
     found, settings = _found(options)
     if not found.inputs and not found.errors:
         raise UsageError(f"no robot found in '{found.barren[0]}'")
@@ -114,6 +114,17 @@ def run(arguments: Sequence[str]) -> int:
     if not options.quiet:
         sys.stderr.writelines(f"kinlint: left out: {loss}\n" for loss in model.losses)
     return 0
+
+
+def _format_of(output: str) -> str:
+    """Return the format in which *output* is written. Raises `UsageError` for another's suffix."""
+    suffix = Path(output).suffix.lower()
+    if output == STDOUT or suffix == ".json" or _is_directory(output):
+        return FORMATS[0]
+    if suffix not in SUFFIXES:
+        known = ", ".join(f"{FIRST_SUFFIX[each]} ({each})" for each in FORMATS)
+        raise UsageError(f"-o {output}: a model is written as {known}; --to says which")
+    return SUFFIXES[suffix]
 
 
 def _is_directory(output: str) -> bool:
