@@ -21,8 +21,10 @@ def Xform "arm" (
     rel physics:body0 = [<../base>, </arm/tip>]
     float x.timeSamples = { 0: 1, 1: 2 }
     float x = 3; float x = 4 // the last one counts
-    over "tip" { bool flag = 1 } ; class "c" {} # comment
-    variantSet "look" = { "red" { def Cube "cube" {} } }
+    over "tip" { bool flag = 1; }
+    class "c" {} # comment
+    variantSet "look" = { "red" { def Cube "cube" {}
+    } }
 }
 """
 
@@ -111,6 +113,10 @@ def test_words_of_truth_are_those_of_openusd(written, meant):
     [
         ('def "a" {', "expected '}', found the end of the file"),
         ('def "a" { float x = 1 float y = 2 }', "expected a line break or ';' behind a statement"),
+        ('def "a" { float x = 90 }', "expected a line break or ';' behind a statement"),
+        ('def "a" { float x = 90;; }', "expected a prim or a property"),
+        ('def "a" (d = {int b = 1, int c = 2})', "expected a line break or ';' behind a statement"),
+        ('def "a" { float x.timeSamples = { 0: 1; 1: 2 }; }', "expected ',' or '}'"),
         ("def a {}", "expected the name of a prim in quotes"),
         ('def "a" { float x = "1 }', "a string is not closed"),
         ("float x = 1", "expected 'def', 'over' or 'class'"),
@@ -138,7 +144,7 @@ def test_a_layer_begins_with_its_version(head):
         'def "a" {' * 10_000,
         f'def "a" {{ float x = {"(" * 10_000}',
         f'def "{"a" * 10_000}" {{}}',
-        "\n".join(f'def "{"a" * 1_000}" {{' for _ in range(100)) + "}" * 100,
+        "\n".join(f'def "{"a" * 1_000}" {{' for _ in range(100)) + "}\n" * 100,
     ],
     ids=["deep", "deep value", "long name", "long address"],
 )

@@ -76,7 +76,7 @@ class _Parser(Scanner):
             if not self.kind:
                 self.fail("expected '}'")
             self._statement(prim)
-            self.separate("}")
+            self.separate("")
         prim.span = Span(start, self.stop)
         self.advance()
         self.depth -= 1
@@ -260,10 +260,14 @@ class _Parser(Scanner):
             else:
                 type_name, name, span = self._entry()
             found.fields.append(Field(name, span, self._value(), type_name=type_name))
-            if found.kind == "samples":
-                self.bound(len(found.fields), "an attribute", "samples")
-            if self.kind == "mark" and self.word in ",;":
+            if found.kind == "dictionary":
+                self.separate("}")
+                continue
+            self.bound(len(found.fields), "an attribute", "samples")
+            if self.word == ",":
                 self.advance()
+            elif self.word != "}":
+                self.fail("expected ',' or '}'")
         self.advance()
         return found
 

@@ -141,8 +141,7 @@ class Scanner:
     def separate(self, closing: str) -> None:
         """Go beyond what separates two statements: a line break or a semicolon."""
         if self.kind == "mark" and self.word == ";":
-            while self.kind == "mark" and self.word == ";":
-                self.advance()
+            self.advance()
             return
         if self.kind and not self.fresh and self.word != closing:
             self.fail("expected a line break or ';' behind a statement")
