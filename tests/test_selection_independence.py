@@ -17,6 +17,8 @@ from kinlint.text import SourceText
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("selection")]
 
+OF_NO_OTHER_RULE = "POR018"
+"""The rule about what targets make of a feature that no rule selected reports as a defect."""
 TARGETS = ("drake", "gazebo", "mujoco", "pinocchio")
 BOXES = """<robot name="r">
   <link name="a">
@@ -77,9 +79,9 @@ def test_every_rule_says_alone_what_it_says_among_all(
     code: str, among_all: Mapping[str, list[tuple[object, ...]]]
 ) -> None:
     """Equal numbers nearby lead no rule astray."""
-    sources = [SourceText("boxes.urdf", BOXES)]
+    alone, together = _found([SourceText("boxes.urdf", BOXES)], code)[code], among_all.get(code, [])
 
-    assert _found(sources, code)[code] == among_all.get(code, [])
+    assert {*together} <= {*alone} if code == OF_NO_OTHER_RULE else together == alone
 
 
 @pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.name)
