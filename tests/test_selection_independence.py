@@ -84,6 +84,18 @@ def test_every_rule_says_alone_what_it_says_among_all(
     assert {*together} <= {*alone} if code == OF_NO_OTHER_RULE else together == alone
 
 
+def test_features_that_are_told_alone_are_told_among_all() -> None:
+    """By the rule that reports them as defects of their own, if not by the one about targets."""
+
+    def features(selected: str) -> set[str]:
+        settings = FileSettings((Choice(select=(selected,)),), targets=TARGETS)
+        report = lint([SourceText("boxes.urdf", BOXES)], default=settings)
+        return {each.feature for each in report.findings if each.departures}
+
+    assert features(OF_NO_OTHER_RULE)
+    assert features(OF_NO_OTHER_RULE) <= features("ALL")
+
+
 @pytest.mark.parametrize("path", BROKEN, ids=lambda path: path.name)
 def test_what_is_found_in_broken_samples_is_found_alone(path: Path) -> None:
     """Selecting one of the rules that speak moves nothing.

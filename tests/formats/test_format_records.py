@@ -47,7 +47,6 @@ EXCEPTIONS = {
     "reporters/summary.py": "YAML files, which are often about something else than robots",
     "rule_formatting": "rule files, which are Turtle",
     "server/workspace_folder.py": "the YAML files that are judged by a robot of their folder",
-    "targets/consumer_files.py": "what is true of JSON-LD is true of RDF in other syntax",
     "vocabulary.py": "the namespaces themselves",
 }
 """The modules and packages outside `formats` that name a format, and why."""

@@ -15,7 +15,7 @@ from kinlint.engine.required_terms import relevant, terms
 from kinlint.engine.result import Result
 from kinlint.facts.computation import sources
 from kinlint.file_format import Format
-from kinlint.formats.records import FORMATS
+from kinlint.formats.records import FORMATS, spoken_of_as
 from kinlint.rule import Repair, Rule
 from kinlint.terms import Term, is_iri
 from kinlint.vocabulary import KL
@@ -68,9 +68,9 @@ def covers(named: Collection[str], form: Format) -> bool:
 
 
 def formats(documents: Iterable[Document]) -> Mapping[str, str]:
-    """Return the format of each text, by its name; macros count as what they expand to."""
+    """Return the name of the format of each text, as rules speak of it, by the name of the text."""
     return {
-        source.name: document.format.lifted_as
+        source.name: spoken_of_as(document.format)
         for document in documents
         for source in document.sources
     }

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from kinlint import resources
 from kinlint.cli.argument_parser import Parser
+from kinlint.cli.output_files import replacing
 from kinlint.engine.compiler.shapes_graph import parse
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
@@ -47,7 +48,8 @@ def run(arguments: Sequence[str]) -> int:
         changed += 1
         sys.stdout.write(f"{'would format' if options.check else 'formatted'} {file}\n")
         if not options.check:
-            file.write_text(wanted, "utf-8", newline="\n")
+            with replacing(file) as stream:
+                stream.write(wanted)
     verdict = f"{changed} {'would change' if options.check else 'changed'}"
     sys.stdout.write(f"{plural(len(files), 'rule file')}: {verdict}.\n")
     return 1 if changed and options.check else 0

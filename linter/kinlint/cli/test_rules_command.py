@@ -14,6 +14,7 @@ from kinlint import garbage
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.argument_parser import Parser
+from kinlint.cli.output_files import replacing
 from kinlint.cli.project_rules import project_rules
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
@@ -139,7 +140,8 @@ def _updated(rules: Sequence[Rule], book: Rulebook) -> Iterator[Path]:
     for path, own in files.items():
         text = updated(path, own, book)
         if text != path.read_text("utf-8-sig"):
-            path.write_text(text, "utf-8", newline="\n")
+            with replacing(path) as stream:
+                stream.write(text)
             yield path
 
 

@@ -10,6 +10,11 @@ from kinlint.facts.predicate_index import FIRST, NUMERIC, PredicateIndex
 from kinlint.terms import Term, Triple, is_literal
 
 
+def data_sources(scan: PredicateIndex) -> Iterator[Triple]:
+    """Yield the first source of each datum that an operator reads, where there is one."""
+    return DataSources(scan).facts()
+
+
 class DataSources:
     """Nodes with numbers or written by operators: a datum, its relation or its coordinates."""
 

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
 
 from kinlint.facts import inputs
 from kinlint.facts.body_shapes import BodyShapes
-from kinlint.facts.compared_units import odd_units, shared_units
-from kinlint.facts.connected_components import components
-from kinlint.facts.contradiction import contradictions
 from kinlint.facts.coordinate_repair import CoordinateRepairs
-from kinlint.facts.crossed_references import crossed_references
 from kinlint.facts.dangling_references import DanglingReferences
-from kinlint.facts.dataflow import DataSources
-from kinlint.facts.dependency_cycles import dependency_cycles
 from kinlint.facts.drawn_symmetry import DrawnSymmetry
-from kinlint.facts.entailed_types import entailed_types
 from kinlint.facts.fact_context import FactContext
 from kinlint.facts.fact_kind import FactKind
 from kinlint.facts.fact_needs import (
@@ -50,21 +44,14 @@ from kinlint.facts.mass_distribution import com_far_from_joints, com_outside, pr
 from kinlint.facts.metamodel_terms import chain, geom, kin, qudt
 from kinlint.facts.mirror_symmetry import shared_inertias, unmirrored_centres
 from kinlint.facts.misplaced_inertia import misplaced_inertias
-from kinlint.facts.missing_contexts import missing_contexts
-from kinlint.facts.misspelt_quantities import resemblances
-from kinlint.facts.namesakes import namesakes
 from kinlint.facts.odd_siblings import odd_siblings
 from kinlint.facts.parallel_axis import parallel_axis_residuals
-from kinlint.facts.predicate_index import PredicateIndex
-from kinlint.facts.prefix_disagreement import disagreements
 from kinlint.facts.quantity import stated
-from kinlint.facts.query_terms import SELECT, query_terms
-from kinlint.facts.schedule_order import data_cycles, reordered, steps
+from kinlint.facts.query_terms import SELECT
+from kinlint.facts.schedule_order import data_cycles, steps
 from kinlint.facts.shape_agreement import shape_pairs
-from kinlint.facts.undescribed_names import undescribed_names
 from kinlint.facts.wheels import wheels
-from kinlint.facts.written_features import FEATURES, written_features
-from kinlint.facts.zero_limits import ZeroLimits
+from kinlint.facts.written_features import FEATURES
 from kinlint.terms import Term, Triple, iri
 from kinlint.vocabulary import GENERATION
 
@@ -88,13 +75,20 @@ def _motions(context: FactContext) -> Iterator[Triple]:
 
 def _alone(
     module: str,
-    found: Callable[[PredicateIndex], Iterator[Triple]],
+    function: str,
     named: Mapping[str, tuple[Term, ...]],
     details: tuple[str, ...] = (),
 ) -> FactKind:
-    """Return a kind of facts that is computed from a predicate index alone."""
+    """Return a kind of facts that a *function* of a predicate index yields.
+
+    Its *module* is loaded when the facts are asked for, which few runs do.
+    """
     part = next(iter(named))
-    return FactKind(module, named, lambda own: found(own.scan.part(part)), (part,), details)
+
+    def found(own: FactContext) -> Iterator[Triple]:
+        yield from getattr(import_module(f"kinlint.facts.{module}"), function)(own.scan.part(part))
+
+    return FactKind(module, named, found, (part,), details)
 
 
 def _inertia_repair(
@@ -194,8 +188,8 @@ KINDS = (
         lambda own: shared_inertias(own.inertias, own.assemblies, own.geometries),
         ("assemblies", "geometries"),
     ),
-    _alone("zero_limits", lambda scan: ZeroLimits(scan).facts(), IDLE),
-    _alone("compared_units", odd_units, UNLIKE, ("least-like", "most-like")),
+    _alone("zero_limits", "zero_limits", IDLE),
+    _alone("compared_units", "odd_units", UNLIKE, ("least-like", "most-like")),
     _mirrored("twin", lambda own: own.twins.facts()),
     FactKind(
         "mirror_symmetry",
@@ -229,7 +223,9 @@ KINDS = (
     ),
     FactKind("planning_groups", PLANNING, lambda own: own.planning.facts(), ("planning",)),
     _alone(
-        "dependency_cycles", dependency_cycles, {"leads-back-to": (kin("leader"), kin("follower"))}
+        "dependency_cycles",
+        "dependency_cycles",
+        {"leads-back-to": (kin("leader"), kin("follower"))},
     ),
     FactKind(
         "dangling_references",
@@ -237,7 +233,7 @@ KINDS = (
         lambda own: DanglingReferences(own.scan.part("referred-to")).facts(),
         ("referred-to",),
     ),
-    _alone("crossed_references", crossed_references, {"refers-across": ()}, ("proper-target",)),
+    _alone("crossed_references", "crossed_references", {"refers-across": ()}, ("proper-target",)),
     FactKind("coordinate_agreement", RELATED, _related, ("agreements",), (*ERRORS, *NODES)),
     FactKind(
         "linkage_loops",
@@ -248,7 +244,7 @@ KINDS = (
     ),
     _alone(
         "connected_components",
-        components,
+        "components",
         dict.fromkeys(("component", "undecided"), (chain("joints"), *inputs.WELDS)),
         NODES,
     ),
@@ -261,34 +257,34 @@ KINDS = (
         ("data-cycles",),
         NODES,
     ),
-    _alone("dataflow", lambda scan: DataSources(scan).facts(), {"supplied-by": inputs.DATA}),
-    _alone("entailed_types", entailed_types, {"entailed-type": ()}),
-    _alone("contradiction", contradictions, {"excluded-type": (), "contradicted": ()}),
-    _alone("misspelt_quantities", resemblances, {"resembles": ()}),
+    _alone("dataflow", "data_sources", {"supplied-by": inputs.DATA}),
+    _alone("entailed_types", "entailed_types", {"entailed-type": ()}),
+    _alone("contradiction", "contradictions", {"excluded-type": (), "contradicted": ()}),
+    _alone("misspelt_quantities", "resemblances", {"resembles": ()}),
     _alone(
         "missing_contexts",
-        missing_contexts,
+        "missing_contexts",
         {"missing-context": ()},
         ("context", "count", "word", *NODES),
     ),
-    _alone("prefix_disagreement", disagreements, {"is-elsewhere": ()}, ELSEWHERE),
+    _alone("prefix_disagreement", "disagreements", {"is-elsewhere": ()}, ELSEWHERE),
     _alone(
         "undescribed_names",
-        undescribed_names,
+        "undescribed_names",
         {"undescribed-in": ()},
         ("described", "first", "subject", "property", "beside", *NODES),
     ),
-    _alone("compared_units", shared_units, {"shares-unit-with": (qudt("unit"),)}),
-    _alone("namesakes", namesakes, {"namesake": ()}),
-    _alone("query_terms", query_terms, {"query-term": (SELECT,)}),
-    _alone("written_features", written_features, FEATURES),
+    _alone("compared_units", "shared_units", {"shares-unit-with": (qudt("unit"),)}),
+    _alone("namesakes", "namesakes", {"namesake": ()}),
+    _alone("query_terms", "query_terms", {"query-term": (SELECT,)}),
+    _alone("written_features", "written_features", FEATURES),
 )
 """All kinds of facts that rules may ask for."""
 
 HINTS = (
     _identifier_slip("slip-for", lambda own: own.identifiers.resemblances()),
     _identifier_slip("free-name", lambda own: own.identifiers.free_names()),
-    _alone("schedule_order", reordered, {"reordered": inputs.DATA}, ("cell", "due")),
+    _alone("schedule_order", "reordered", {"reordered": inputs.DATA}, ("cell", "due")),
     FactKind(
         "coordinate_repair",
         {"recomputed": ()},

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from kinlint.contexts.model_prefixes import model_prefixes
 from kinlint.facts.fact_statements import fact
 from kinlint.facts.predicate_index import PredicateIndex
+from kinlint.formats.records import spoken_of_as
 from kinlint.terms import Term, Triple, iri, literal
 from kinlint.vocabulary import FEATURE, INHERITED, SRC
 
@@ -27,7 +28,7 @@ def written_features(scan: PredicateIndex) -> Iterator[Triple]:
     from kinlint.targets.consumer_files import consumer_table  # noqa: PLC0415  few runs have targets
 
     scan.table(NODE)  # Files that are missing may come without a change of the documents.
-    forms = {document.format.lifted_as for document in scan.documents}
+    forms = {spoken_of_as(document.format) for document in scan.documents}
     prologue = "".join(f"PREFIX {name}: <{space}> " for name, space in model_prefixes().items())
     for feature in consumer_table().features.values():
         if feature.query and not forms.isdisjoint(feature.formats):

@@ -14,6 +14,11 @@ from kinlint.terms import Term, Triple
 KINDS = tuple(kin(f"Actuator{name}Limit") for name in ("Force", "Velocity"))
 
 
+def zero_limits(scan: PredicateIndex) -> Iterator[Triple]:
+    """Yield for each limit of zero how many others in its chain are zero, and how many not."""
+    return ZeroLimits(scan).facts()
+
+
 class ZeroLimits:
     """Limits of actuators, with the chains that their joints are in."""
 

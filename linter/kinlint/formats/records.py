@@ -45,6 +45,15 @@ TREES = tuple(each for each in FORMATS if each.is_tree)
 GRAPHS = tuple(each for each in FORMATS if not each.is_tree)
 """The formats of composable models; rules that name the first of them hold for all."""
 
+
+def spoken_of_as(form: Format) -> str:
+    """Return the name by which rules, consumers and features speak of files of *form*.
+
+    Macros count as what they expand to, and all formats of composable models as the first.
+    """
+    return form.lifted_as if form.is_tree else GRAPHS[0].name
+
+
 LIFTED = tuple(each for each in TREES if each.expands_to is None and each.lifted)
 """The formats that have a schema, lifting queries and a profile of their own."""
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kinlint.file_format import Format
-from kinlint.formats.records import GRAPHS
+from kinlint.formats.records import spoken_of_as
 from kinlint.targets.chosen_target import Target
 from kinlint.targets.consumer import Cell, Feature
 from kinlint.targets.consumer_files import consumer_table
@@ -54,12 +54,12 @@ class FeatureMatrix(NamedTuple):
         nothing of another one.
         """
         table = consumer_table()
-        known = {_spoken_of(each) for each in formats.values()}
+        known = {spoken_of_as(each) for each in formats.values()}
         readers = [each for each in targets if known & _formats(each)]
         found: dict[str, dict[tuple[str, int, int], None]] = {}
         for name, where in written:
             feature = table.features.get(name)
-            if feature is not None and _spoken_of(formats[where.source.name]) in feature.formats:
+            if feature is not None and spoken_of_as(formats[where.source.name]) in feature.formats:
                 place = where.source.name, where.start.line, where.start.column
                 found.setdefault(name, {})[place] = None
         rows = [
@@ -103,11 +103,6 @@ class FeatureMatrix(NamedTuple):
                 for row in self.rows
             ],
         }
-
-
-def _spoken_of(form: Format) -> str:
-    """Return the name by which consumers and features speak of *form*: graphs have one."""
-    return form.lifted_as if form.is_tree else GRAPHS[0].name
 
 
 def _formats(target: Target) -> set[str]:

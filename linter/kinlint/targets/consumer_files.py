@@ -23,8 +23,6 @@ from kinlint.targets.consumer import (
 from kinlint.targets.version_range import VersionRange, read_version
 from kinlint.vocabulary import FEATURE, RDFS, RULE, SH, TARGET
 
-GRAPHS = frozenset({"turtle", "ntriples", "nquads"})
-"""Formats that say what JSON-LD says, in other syntax."""
 TYPE = "http://www.w3.org/1999/02/22-rdf-syntax-ns#type"
 
 
@@ -101,14 +99,10 @@ class _Reader:
             self._one(node, "rdfs:comment"),
             tuple(Alternative(label, feature.removeprefix(FEATURE)) for _, label, feature in ways),
             narrows=self._one(node, "narrows").removeprefix(FEATURE),
-            formats=self._formats(node),
+            formats=frozenset(self._all(node, "format")),
             told_by=frozenset(each.removeprefix(RULE) for each in self._all(node, "toldBy")),
             query=next(iter(self._all(node, "sh:select")), ""),
         )
-
-    def _formats(self, node: str) -> frozenset[str]:
-        named = self._all(node, "format")
-        return frozenset(named).union(*(GRAPHS for each in named if each == "jsonld"))
 
     def _consumer(self, node: str) -> Consumer:
         return Consumer(
