@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import TypeAlias
 
 from kinlint.formats.mjcf.compiled_model import CompiledModel
@@ -47,7 +48,12 @@ def state_unmet(model: CompiledModel, said: ModelStatements) -> None:
 
 
 def _bits(geom: MjcfElement) -> Bits:
-    return int(geom.number("contype", 1.0)), int(geom.number("conaffinity", 1.0))
+    return _whole(geom.number("contype", 1.0)), _whole(geom.number("conaffinity", 1.0))
+
+
+def _whole(number: float) -> int:
+    """Return *number* as an integer, 0 for one that is none, which MuJoCo refuses."""
+    return int(number) if isfinite(number) else 0
 
 
 def _meet(one: Bits, other: Bits) -> bool:
