@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kinlint import installation
-from kinlint.installation import KEPT, Installation
+from kinlint.installation import Installation
 
 
 @pytest.fixture
@@ -88,9 +88,22 @@ def test_what_just_changed_is_not_kept(package, digest, monkeypatch):
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"stamp": "x"}', '{"digests": 1}', "\0"])
 def test_what_is_not_kept_digests_is_passed_over(package, digest, tmp_path, text):
     digest()
-    (tmp_path / "cache" / KEPT).write_text(text)
+    (kept,) = (tmp_path / "cache").iterdir()
+    kept.write_text(text)
     assert digest() == ("oneoneone", True)
-    assert json.loads((tmp_path / "cache" / KEPT).read_text())["digests"] == {"all": "oneoneone"}
+    assert json.loads(kept.read_text())["digests"] == {"all": "oneoneone"}
+
+
+def test_installations_that_share_a_cache_do_not_drive_each_other_out(package, digest, monkeypatch):
+    """As those of two virtual environments do."""
+    digest()
+    other = package / "elsewhere" / "installation.py"
+    other.parent.mkdir()
+    with monkeypatch.context() as patch:
+        patch.setattr(installation, "__file__", str(other))
+        assert digest()[1]
+
+    assert not digest()[1]
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owner here")

@@ -278,6 +278,19 @@ def test_a_wrong_rule_file_is_refused_with_its_cause(tmp_path, text, cause):
         rulebook.load([file])
 
 
+@pytest.mark.slow
+@pytest.mark.usefixtures("unshipped")
+def test_what_is_compiled_before_a_mistake_is_kept(tmp_path, compiled):
+    """Whoever writes a rule waits for the built-in ones once."""
+    file = tmp_path / "wrong.ttl"
+    file.write_text(KL + "kl:a a kl:Rule .")
+    for built_in in (True, False):
+        compiled.clear()
+        with pytest.raises(RuleInvalid, match=r"has no kl:code"):
+            rulebook.load([file], cache=tmp_path / "cache")
+        assert bool([names for names in compiled if names != [file.name]]) is built_in
+
+
 def test_a_missing_rule_directory_is_named(tmp_path):
     """A mistyped path is no empty directory."""
     with pytest.raises(RuleInvalid, match="no such rule or shapes file"):

@@ -22,10 +22,8 @@ from kinlint import resources
 from kinlint.files.cache_file import UNDONE, write_cache_file
 from kinlint.light_dataclasses import dataclass
 
-KEPT = "digests.json"
-"""File with the digests in a cache."""
-STORED = (KEPT, f"digests-*{UNDONE}")
-"""Patterns for the names of this file, and of those being written."""
+STORED = ("digests-*.json", f"digests-*{UNDONE}")
+"""Patterns for the names of files with digests in a cache, and of those being written."""
 SETTLED = 2.0
 """Age in seconds from which files count as complete: changes within a tick of the clock of a file
 system cannot be told apart.
@@ -80,14 +78,21 @@ class Installation:
         """Return the digest *name* of files, which *make* computes unless *cache* has it."""
         if cache is None:
             return make()
-        kept = _read(cache / KEPT)
+        place = cache / self._name
+        kept = _read(place)
         digests: dict[str, str] = kept["digests"] if kept.get("stamp") == self._stamp else {}
         if not isinstance(found := digests.get(name), str):
             found = make()
             newest = max(one.changed for one in self.files)
             if newest < (time.time() - SETTLED) * 1e9:
-                _write(cache / KEPT, {"stamp": self._stamp, "digests": {**digests, name: found}})
+                _write(place, {"stamp": self._stamp, "digests": {**digests, name: found}})
         return found
+
+    @cached_property
+    def _name(self) -> str:
+        """The name of the file with the digests, one for each installation."""
+        place = str(Path(__file__).parent)
+        return f"digests-{sha256(place.encode('utf-8', 'surrogatepass')).hexdigest()[:12]}.json"
 
     @cached_property
     def _stamp(self) -> str:

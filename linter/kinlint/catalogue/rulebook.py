@@ -93,7 +93,8 @@ def load(
     and everything else is there for queries. Nothing that they import is read.
 
     *cache* is a directory for compiled catalogues; None keeps none. Files that one of them has
-    compiled already are not compiled again. Raises `RuleInvalid`.
+    compiled already are not compiled again: the built-in ones are kept first, whatever a mistake in
+    another file then ends. Raises `RuleInvalid`.
     """
     ours = resources.data("shapes")
     installation = Installation()
@@ -110,6 +111,8 @@ def load(
     homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
     recalled = compiled is not None
     if compiled is None:
+        if cache is not None and (rules or shapes):
+            load(cache=cache)
         units = _compile((*files, *extra), (ontology, others), lifting, places, code)
         compiled = CompiledCatalogue.from_units(units, code)
     found = compiled.rules(homes)

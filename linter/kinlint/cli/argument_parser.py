@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NoReturn
 
 from kinlint.configuration.value_kinds import SECONDS, unknown_message
@@ -13,6 +14,8 @@ from kinlint.suggestion import did_you_mean
 
 FORMAT, OUTPUT_FORMAT = "--format", "--output-format"
 _FORMAT_WORD = re.compile(rf"{FORMAT}(?==|\Z)")
+UNSEEN = 80
+"""Width of help that nobody reads: only help that is shown asks the terminal for its own."""
 SILENCE = 120.0
 """Seconds that a store may be silent by default."""
 
@@ -25,7 +28,8 @@ class Parser(argparse.ArgumentParser):
     """A parser without abbreviations that raises `UsageError` with a suggestion."""
 
     def __init__(self, **options: Any) -> None:
-        super().__init__(allow_abbrev=False, formatter_class=Formatter, add_help=False, **options)
+        wide = partial(Formatter, width=UNSEEN)
+        super().__init__(allow_abbrev=False, formatter_class=wide, add_help=False, **options)
         self._rest: str | None = None
         self._bare: set[str] = set()
         self.helping = self.add_argument_group("Help")
@@ -74,6 +78,11 @@ class Parser(argparse.ArgumentParser):
         message = message.removeprefix("argument ")
         raise UsageError(message.replace("ignored explicit argument", "takes no value, but has"))
 
+    def format_help(self) -> str:
+        """Return the help, as wide as the terminal."""
+        self.formatter_class = Formatter
+        return super().format_help()
+
     def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
         """Raise `HelpShown`: nothing but help leaves the parser this way."""
         del status, message
@@ -83,8 +92,8 @@ class Parser(argparse.ArgumentParser):
 class Formatter(argparse.RawDescriptionHelpFormatter):
     """Help with options at the left and their texts in one column."""
 
-    def __init__(self, prog: str) -> None:
-        super().__init__(prog, max_help_position=30)
+    def __init__(self, prog: str, width: int | None = None) -> None:
+        super().__init__(prog, max_help_position=30, width=width)
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
         """Wrap a *text* of one line; lines that were broken by hand stay."""

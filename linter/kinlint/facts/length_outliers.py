@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
-from statistics import median
 
 from kinlint.addresses import is_address
 from kinlint.facts.body_shapes import BodyShapes
@@ -28,10 +27,16 @@ def outlying_lengths(placements: Placements, geometries: BodyShapes) -> Iterator
     for lengths in _by_model(placements, geometries).values():
         if len(lengths) < LEAST:
             continue
-        typical = median(size for _, size in lengths)
+        typical = _median([size for _, size in lengths])
         for node, size in sorted(lengths):
             if size > FACTOR * typical:
                 yield from numbers(node, [("outlying-length", size), ("typical-length", typical)])
+
+
+def _median(sizes: list[float]) -> float:
+    """Return the median of *sizes*, for which `statistics` takes too long to import."""
+    ordered, half = sorted(sizes), len(sizes) // 2
+    return ordered[half] if len(sizes) % 2 else (ordered[half - 1] + ordered[half]) / 2
 
 
 def _by_model(
