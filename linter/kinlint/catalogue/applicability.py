@@ -119,6 +119,13 @@ def spoken_of(
     return None if found is None else found.union(*(each.terms for each in repairs))
 
 
+def named_by(constraints: Iterable[Constraint], repairs: Iterable[Repair]) -> frozenset[Term]:
+    """Return the terms that *constraints* and *repairs* name, whether or not they need any."""
+    premises = (pattern for each in constraints for pattern in each.premises)
+    needs = (each.needs or () for each in constraints)
+    return frozenset().union(*premises, *needs, *(each.terms for each in repairs))
+
+
 def possible(
     constraints: Sequence[Constraint],
     documents: Iterable[Document],

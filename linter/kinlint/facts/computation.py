@@ -27,10 +27,16 @@ def facts(store: Store, wanted: frozenset[Term] | None = None) -> Iterator[Tripl
         yield from kind.found(context)
 
 
-def asked(wanted: frozenset[Term] | None) -> Iterator[FactKind]:
-    """Yield the kinds of facts with a property among the *wanted*; None is all."""
+def asked(
+    wanted: frozenset[Term] | None, named: frozenset[Term] | None = None
+) -> Iterator[FactKind]:
+    """Yield the kinds of facts with a property among the *wanted*; None is all.
+
+    Of those that are asked for by name, only what is *named*, unless that is None.
+    """
     for kind in KINDS:
-        if wanted is None or any(fact(name) in wanted for name in kind.needs):
+        terms = named if wanted is None and kind.by_name else wanted
+        if terms is None or any(fact(name) in terms for name in kind.needs):
             yield kind
 
 

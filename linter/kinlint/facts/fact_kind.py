@@ -28,6 +28,8 @@ class FactKind(NamedTuple):
     """The parts of scans that this takes; what a part of `FactContext` is made of comes with it."""
     details: tuple[str, ...] = ()
     """Further properties of their nodes."""
+    by_name: bool = False
+    """True if rules that look at any property are not about these."""
 
     @property
     def label(self) -> str:

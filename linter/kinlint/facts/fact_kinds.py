@@ -277,7 +277,7 @@ KINDS = (
     _alone("compared_units", "shared_units", {"shares-unit-with": (qudt("unit"),)}),
     _alone("namesakes", "namesakes", {"namesake": ()}),
     _alone("query_terms", "query_terms", {"query-term": (SELECT,)}),
-    _alone("written_features", "written_features", FEATURES),
+    _alone("written_features", "written_features", FEATURES)._replace(by_name=True),
 )
 """All kinds of facts that rules may ask for."""
 

@@ -20,12 +20,18 @@ from kinlint.vocabulary import FACTS_GRAPH
 class TrackedFacts:
     """Statements of all other stages to computed ones, kind by kind."""
 
-    def __init__(self, store: Store, wanted: frozenset[Term] | None, hints: Iterable[Term]) -> None:
+    def __init__(
+        self,
+        store: Store,
+        wanted: frozenset[Term] | None,
+        hints: Iterable[Term],
+        named: frozenset[Term] | None = None,
+    ) -> None:
         self._store = store
         self._index = TrackedIndex(store)
         self.context = FactContext(self._index)
         """The parts that facts are computed by, whether rules ask for those facts or not."""
-        self._asked = tuple(asked(wanted))
+        self._asked = tuple(asked(wanted, named))
         self._kinds: Sequence[FactKind] = (*self._asked, *helpful(hints))
         self._stale = set(range(len(self._kinds)))
         self._found: dict[int, tuple[Triple, ...]] = {}

@@ -84,7 +84,7 @@ class Run:
     def facts(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:
         """Compute facts and hints from all of these, and which files are missing."""
         if self.computed is None:
-            self.computed = TrackedFacts(self.store, demand.terms, demand.hints)
+            self.computed = TrackedFacts(self.store, demand.terms, demand.hints, demand.named)
         self.computed.run(self._changes, inputs.missing(demand), ask, hinting=inputs.repairing)
 
     def checking(self, inputs: Inputs, demand: Demand, ask: Callable[[], None]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from pathlib import Path
 
-from kinlint.catalogue.applicability import axioms_for, demand, spoken_of
+from kinlint.catalogue.applicability import axioms_for, demand, named_by, spoken_of
 from kinlint.catalogue.rule_selection import RuleSelection
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
@@ -57,6 +57,8 @@ class Demand:
 
     terms: frozenset[Term] | None = None
     """The properties and classes that are looked at; None for any."""
+    named: frozenset[Term] | None = None
+    """The terms that are looked at by name, where `terms` is None; None for any."""
     lifted: frozenset[Term] | None = None
     """The properties and classes that lifted statements are kept for; None for any."""
     axioms: Sequence[Axiom] = ()
@@ -79,6 +81,8 @@ class Demand:
 
     def makes_as(self, other: Demand, formats: Collection[Format]) -> bool:
         """Tell whether, of files of *formats*, stages before checking make the same by *other*."""
+        if [*asked(self.terms, self.named)] != [*asked(other.terms, other.named)]:
+            return False
         if self.terms is None or other.terms is None:
             return self.terms == other.terms
         more = self.terms ^ other.terms
@@ -87,7 +91,6 @@ class Demand:
         return (
             more.isdisjoint(lifts(formats))
             and list(self.axioms) == list(other.axioms)
-            and [*asked(self.terms)] == [*asked(other.terms)]
             and self.hints == other.hints
         )
 
@@ -117,6 +120,7 @@ class Demand:
             lifted -= UNNAMED - spoken
         return cls(
             terms=terms,
+            named=None if browsed else named_by(constraints, selection.repairs),
             lifted=lifted,
             axioms=axioms if browsed else axioms_for(documents, axioms, terms),
             hints=frozenset(term for each in selection.repairs for term in each.terms),
