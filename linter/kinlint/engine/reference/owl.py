@@ -98,7 +98,7 @@ def _expanded(stated: Iterable[Triple]) -> Graph:
         def _equality(self, triple: tuple[Node, Node, Node], cycle_num: int) -> None:
             pass
 
-    closed = graph(stated)
+    closed = graph(stated, "SimpleMemory")
     DeductiveClosure(Unequated, axiomatic_triples=False, datatype_axioms=False).expand(closed)
     return closed
 
