@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kinlint.engine.compiler.shacl_terms import sh
@@ -28,7 +28,7 @@ class AskedFact(NamedTuple):
     """The fact stands in a repair, for which more facts are computed."""
 
 
-def asked_facts(file: ShapesFile, prefixes: dict[str, str]) -> Iterator[AskedFact]:
+def asked_facts(file: ShapesFile, prefixes: Mapping[str, str]) -> Iterator[AskedFact]:
     """Yield the facts that the shapes and queries of *file* name, in the order of its triples.
 
     *prefixes* are those that its queries may use besides their own.
@@ -48,7 +48,7 @@ def asked_facts(file: ShapesFile, prefixes: dict[str, str]) -> Iterator[AskedFac
                     yield AskedFact(name, file.text.count("\n", 0, at) + 1, for_repairs=False)
 
 
-def uncomputed(file: ShapesFile, prefixes: dict[str, str]) -> Iterator[str]:
+def uncomputed(file: ShapesFile, prefixes: Mapping[str, str]) -> Iterator[str]:
     """Yield the facts that *file* asks for and nothing computes, a sentence each."""
     for name, line, for_repairs in dict.fromkeys(asked_facts(file, prefixes)):
         known = computed(for_repairs=for_repairs)
@@ -60,14 +60,14 @@ def uncomputed(file: ShapesFile, prefixes: dict[str, str]) -> Iterator[str]:
             yield f"line {line}: nothing computes fact:{name}{did_you_mean(name, known)}"
 
 
-def modules(file: ShapesFile, prefixes: dict[str, str]) -> tuple[tuple[str, str], ...]:
+def modules(file: ShapesFile, prefixes: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
     """Return the facts that *file* asks for, each with the module that computes it."""
     asked = {each.name for each in asked_facts(file, prefixes)}
     found = ((name, computed_by(name, for_repairs=True)) for name in sorted(asked))
     return tuple((name, f"kinlint.facts.{module}") for name, module in found if module)
 
 
-def _named(text: str, prefixes: dict[str, str]) -> Iterator[tuple[str, int]]:
+def _named(text: str, prefixes: Mapping[str, str]) -> Iterator[tuple[str, int]]:
     """Yield the facts that the query *text* names, with their offsets."""
     known = {**prefixes, **prologue(text)}
     for kind, token, start in split(text):

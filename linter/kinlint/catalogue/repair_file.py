@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from textwrap import dedent
 
@@ -69,7 +69,7 @@ def _repair(graph: ShapesGraph, node: Term) -> Repair:
 
 
 @cache
-def prefixes() -> dict[str, str]:
+def prefixes() -> Mapping[str, str]:
     """Return the namespaces of the prefixes that all rules share."""
     graph = read([resources.data("shapes") / "prefixes.ttl"])
     return namespaces(graph, iri(f"{KL}prefixes"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import count
 from pathlib import Path
 
@@ -122,7 +122,7 @@ def _place(file: ShapesFile, query: Variables, element: Element) -> int:
     return query.query.place(file.text, place)
 
 
-def readable(text: str, known: dict[str, str]) -> str:
+def readable(text: str, known: Mapping[str, str]) -> str:
     """Return the SPARQL *text* with prefixes, and `[]` for variables that nobody wrote."""
     for prefix, namespace in known.items():
         text = re.sub(f"<{re.escape(namespace)}([\\w-]+)>", rf"{prefix}:\1", text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from kinlint.engine.compiler.shacl_terms import IMPORTS, sh
@@ -11,13 +12,19 @@ if TYPE_CHECKING:
     from kinlint.engine.compiler.shapes_graph import ShapesGraph
 
 
-def declared(graph: ShapesGraph, node: Term) -> dict[str, str]:
+def declared(graph: ShapesGraph, node: Term) -> Mapping[str, str]:
     """Return the namespaces by prefix that `sh:prefixes` of *node* gives, imports followed."""
     return namespaces(graph, *graph.values(node, sh("prefixes")))
 
 
-def namespaces(graph: ShapesGraph, *ontologies: Term) -> dict[str, str]:
+def namespaces(graph: ShapesGraph, *ontologies: Term) -> Mapping[str, str]:
     """Return the namespaces by prefix that *ontologies* declare, with those that they import."""
+    if ontologies not in graph.namespaces:
+        graph.namespaces[ontologies] = _namespaces(graph, ontologies)
+    return graph.namespaces[ontologies]
+
+
+def _namespaces(graph: ShapesGraph, ontologies: tuple[Term, ...]) -> dict[str, str]:
     found: dict[str, str] = {}
     todo, seen = list(ontologies), set[Term]()
     while todo:

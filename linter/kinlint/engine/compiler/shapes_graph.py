@@ -44,6 +44,8 @@ class ShapesGraph:
 
     files: tuple[ShapesFile, ...]
     """Files in the order in which they were given."""
+    namespaces: dict[tuple[Term, ...], dict[str, str]] = field(default_factory=dict, repr=False)
+    """Namespaces by prefix that ontologies declare, as far as these have been asked for."""
     _out: dict[Term, dict[Term, list[Term]]] = field(default_factory=dict, repr=False)
     _in: dict[tuple[Term, Term], list[Term]] = field(default_factory=dict, repr=False)
     _home: dict[Term, ShapesFile] = field(default_factory=dict, repr=False)
