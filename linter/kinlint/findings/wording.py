@@ -189,7 +189,7 @@ class Wording:
         subject, property_, _ = triple
         element = self._element(subject)
         if property_.startswith(f"<{SRC}") and not property_.startswith(TEXT):
-            return self.word(subject)
+            return self.word(self.locator.described(subject))
         if element is None:
             return f"'{self.display.term(property_)}'"
         path, attribute = self.locator.provenance.read_from(subject, property_)
