@@ -27,6 +27,9 @@ class Library:
         found = self.contexts.get(iri.removeprefix("https://c.org/"))
         return None if found is None else {"@context": found}
 
+    def below(self, iri: str) -> tuple[str, ...]:
+        return ()
+
     def at_release(self, release: str) -> Library:
         return self
 

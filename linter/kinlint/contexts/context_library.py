@@ -113,6 +113,15 @@ class Contexts:
         near = same or [each for each, name in names.items() if slips(wanted, name) is not None]
         return near[0] if len(near) == 1 else None
 
+    def below(self, iri: str) -> tuple[str, ...]:
+        """Return the names of known documents in the folder that the unknown *iri* is called as."""
+        folder = re.sub(r"(\.json(ld)?)?[#/]*$", "/", iri, count=1)
+        return tuple(
+            name
+            for each in self.iris
+            if each.startswith(folder) and "/" not in (name := each.removeprefix(folder))
+        )
+
     def _bundled(self, iri: str) -> Document | None:
         if iri == COMPOSABLE:
             return {"@context": list(self._composed())}

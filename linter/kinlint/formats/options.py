@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Hashable, Mapping
+from collections.abc import Callable, Collection, Hashable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -34,6 +34,10 @@ class ContextLibrary(Protocol):
 
     def resembling(self, iri: str) -> str | None:
         """Return the IRI of the only document that the unknown *iri* can be a slip for."""
+        ...
+
+    def below(self, iri: str) -> Sequence[str]:
+        """Return the names of known documents in the folder that the unknown *iri* is called as."""
         ...
 
     def at_release(self, release: str) -> ContextLibrary:

@@ -149,8 +149,10 @@ class LossReport:
         """Return the contexts that are missing or broken."""
         losses = []
         for problem in self._record.problems.values():
+            unresolved = problem.kind == "UnresolvedContext"
             said = {
-                "context": problem.context, "reason": problem.reason, "resembles": problem.meant
+                "context": problem.context, "reason": problem.reason, "resembles": problem.meant,
+                "knownBelow": unresolved and self._compared.contexts_below(problem.context or ""),
             }  # fmt: skip
             details = text_details(**{name: text for name, text in said.items() if text})
             losses.append(Loss(problem.kind, problem.span, None, details))

@@ -102,6 +102,10 @@ class ReleaseComparison:
             ]
         return self._releases
 
+    def contexts_below(self, iri: str) -> str:
+        """Return the names of known contexts in the folder that the unknown *iri* is called as."""
+        return ", ".join(self._options.contexts.below(iri))
+
     def nearest_property(self, drop: DroppedKey) -> str | None:
         """Return the property that a lost key resembles, unless its object has that already.
 
