@@ -104,8 +104,10 @@ class LinkTrees:
 
     @property
     def bases(self) -> Iterator[Term]:
-        """Roots that nothing moves, since readers fix them to the world."""
-        return (body for robot in self._fixed for body in self.roots[robot])
+        """Bodies that nothing moves: roots that readers fix to the world, and the world itself."""
+        for robot in self._fixed:
+            links = self.links.get(robot, ())
+            yield from (each for each in links if each not in self.above and not is_repeated(each))
 
     def _name(self, node: Term) -> str | None:
         """Return the name of the element that *node* was made of."""

@@ -17,6 +17,7 @@ MJCF = Format(
     namespace=NAMESPACE,
     roots=("mujoco", "mujocoinclude"),
     robot_path=("mujoco",),
+    fixed_root=True,
     schema="formats/mjcf.ttl",
     block_comment=("<!--", "-->"),
     includes=True,

@@ -25,6 +25,10 @@ SAME_KIND = {"xbody": "body"}
 CLASS = "default"
 _IN_MODEL = frozenset(f"<{ATTRIBUTE}{name}>" for name in ("body", "frame"))
 """Attributes of what attaches a model, with names of that model."""
+MAKERS = frozenset({"composite", "flexcomp"})
+"""Elements of which the compiler makes others, with names of its own."""
+MADE = frozenset({"body", "geom", "joint", "site", "tendon", "flex", "skin"})
+"""The kinds of those."""
 STEMS = frozenset({"mesh", "texture", "hfield"})
 """Kinds of what is called after its file without a name."""
 
@@ -92,9 +96,12 @@ def references(
     """Yield what leads from the elements below *root* to what they name, there or not.
 
     With each statement comes the one that has the name. What dangles is left out unless it is
-    *certain* that all names are known; then what *model* cannot attach does, too.
+    *certain* that all names are known; then what *model* cannot attach does, too. Beside an element
+    of `MAKERS`, names of the kinds that it makes are not.
     """
     alike: dict[tuple[str, ...], str | None] = {}
+    makers = any(each.tag in MAKERS for each in root.below())
+    uncertain = MADE if makers else frozenset[str]()
     for element in root.below():
         # A class may name what only the files have that include it.
         is_certain = certain and not _is_default(element)
@@ -105,7 +112,7 @@ def references(
             if target is not None:
                 if use.element == element.node:  # Classes lead to what they name themselves.
                     yield (element.node, use.reference.predicate, target.node), source
-            elif is_certain and (name, *kinds) != (MAIN, CLASS):
+            elif is_certain and uncertain.isdisjoint(kinds) and (name, *kinds) != (MAIN, CLASS):
                 names = [each for kind in kinds for each in known.named.get(kind, ())]
                 key = (name, *kinds)
                 if key not in alike and len(alike) < LOOKED_UP:
