@@ -1,20 +1,77 @@
-"""Statements about the indices of meshes in COLLADA."""
+"""Statements about the indices of meshes in COLLADA.
+
+The arrays themselves are bulk data, of which nothing else is stated.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from kinlint.document import NodeSpans
 from kinlint.formats.collada.collada_elements import ColladaElement
 from kinlint.formats.derived_statements import DerivedStatements
+from kinlint.terms import Term
 
-PRIMITIVES = ("triangles", "lines")
+PRIMITIVES = ("triangles", "lines", "polylist")
+LONGEST = 8_000_000
+"""Most characters of a list of indices that is looked into."""
 
 
-def state_meshes(root: ColladaElement, said: DerivedStatements) -> None:
-    """State how many indices each corner has: one for each offset of the inputs."""
+def state_meshes(
+    root: ColladaElement, text: str, places: Mapping[Term, NodeSpans], said: DerivedStatements
+) -> None:
+    """State what the primitives of *root* take, of which the *text* has nodes at *places*.
+
+    It is how many indices each corner has, one for each offset of the inputs, the greatest index
+    of each input with the number of entries that it has, and how many corners polygons have.
+    """
+    known = {id_: each for each in root.below() if (id_ := each.text("id"))}
     for each in root.below():
         if each.tag not in PRIMITIVES:
             continue
-        offsets = [
-            int(text) for one in each.all("input") if (text := one.text("offset")).isdecimal()
+        inputs = [
+            (one, int(offset))
+            for one in each.all("input")
+            if (offset := one.text("offset")).isdecimal()
         ]
-        if offsets:
-            said.number(each.node, "indicesEach", max(offsets) + 1)
+        if not inputs:
+            continue
+        step = max(offset for _, offset in inputs) + 1
+        said.number(each.node, "indicesEach", step)
+        listed = each.first("p")
+        indices = _integers(listed, text, places)
+        for one, offset in inputs:
+            entries = _entries(one, known)
+            if listed is not None and entries is not None and (taken := indices[offset::step]):
+                said.state(one.node, "indexList", listed.node)
+                said.number(one.node, "greatestIndex", max(taken))
+                said.number(one.node, "entries", entries)
+        if corners := _integers(each.first("vcount"), text, places):
+            said.number(each.node, "corners", sum(corners))
+
+
+def _entries(given: ColladaElement, known: Mapping[str, ColladaElement]) -> int | None:
+    """Return how many entries the input *given* has; None if that is not said."""
+    source = known.get(given.text("source")[1:])
+    if source is not None and source.tag == "vertices":
+        places = (each for each in source.all("input") if each.text("semantic") == "POSITION")
+        return next((_entries(each, known) for each in places), None)
+    accessor = source.first("technique_common", "accessor") if source is not None else None
+    count = accessor.text("count") if accessor is not None else ""
+    return int(count) if count.isdecimal() else None
+
+
+def _integers(
+    element: ColladaElement | None, text: str, places: Mapping[Term, NodeSpans]
+) -> list[int]:
+    """Return the numbers in *element*; none if they are too many, or no integers."""
+    if element is None or not element.words:
+        return []
+    start = text.find(">", places[element.node].whole.start) + 1
+    end = text.find("<", start)
+    if not 0 < start < end <= start + LONGEST:
+        return []
+    try:
+        return [*map(int, text[start:end].split())]
+    except ValueError:
+        return []

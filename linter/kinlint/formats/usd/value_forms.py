@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from kinlint.formats.usd.prim_paths import absolute_path
 from kinlint.formats.usd.usda_syntax import Property, Value
 from kinlint.formats.usd.value_types import MATRICES, TRUTHS, value_type
 from kinlint.light_dataclasses import dataclass
@@ -86,6 +87,20 @@ def relationship_flaws(given: Property) -> Iterator[Flaw]:
     """Yield the targets of *given* that are no paths; nothing for an attribute."""
     if given.is_relationship and given.value is not None:
         yield from _listed_flaws(given.value, "path")
+
+
+def repeated_items(value: Value, around: str) -> Iterator[Flaw]:
+    """Yield the paths and files in the list *value*, of the prim at *around*, that stand before.
+
+    OpenUSD rejects a layer with such a list.
+    """
+    before = set[tuple[str, ...]]()
+    for each in value.items if value.kind == "list" else ():
+        text = absolute_path(each.text, around) if each.kind == "path" else each.text
+        key = each.kind, text, *(item.text for item in each.items)
+        if key in before and not each.fields:
+            yield Flaw(each.span, _written(each), "each item once", "it is listed before")
+        before.add(key)
 
 
 def _listed_flaws(value: Value, base: str) -> Iterator[Flaw]:
