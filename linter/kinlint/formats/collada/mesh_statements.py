@@ -1,4 +1,4 @@
-"""Statements about the indices of meshes in COLLADA.
+"""Statements about the indices and materials of meshes in COLLADA.
 
 The arrays themselves are bulk data, of which nothing else is stated.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from kinlint.document import NodeSpans
+from kinlint.formats.collada.addressing import Addressing
 from kinlint.formats.collada.collada_elements import ColladaElement
 from kinlint.formats.derived_statements import DerivedStatements
 from kinlint.terms import Term
@@ -48,6 +49,23 @@ def state_meshes(
                 said.number(one.node, "entries", entries)
         if corners := _integers(each.first("vcount"), text, places):
             said.number(each.node, "corners", sum(corners))
+
+
+def state_materials(
+    root: ColladaElement, addressing: Addressing, said: DerivedStatements
+) -> None:
+    """State the geometry of each primitive, and of what binds a material where one is drawn."""
+    for each in root.below():
+        if each.tag == "geometry":
+            for primitive in each.below():
+                if "material" in primitive.said:
+                    said.state(primitive.node, "shownWith", each.node)
+        elif each.tag == "instance_geometry":
+            geometry = addressing.instanced(each)
+            bound = each.first("bind_material", "technique_common")
+            for material in bound.all("instance_material") if bound is not None else ():
+                if geometry is not None:
+                    said.state(material.node, "bindsFor", geometry.node)
 
 
 def _entries(given: ColladaElement, known: Mapping[str, ColladaElement]) -> int | None:
