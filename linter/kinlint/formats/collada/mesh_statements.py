@@ -14,6 +14,8 @@ from kinlint.formats.derived_statements import DerivedStatements
 from kinlint.terms import Term
 
 PRIMITIVES = ("triangles", "lines", "polylist")
+TOO_LONG = 10
+"""Digits of a count that is none."""
 LONGEST = 8_000_000
 """Most characters of a list of indices that is looked into."""
 
@@ -31,9 +33,9 @@ def state_meshes(
         if each.tag not in PRIMITIVES:
             continue
         inputs = [
-            (one, int(offset))
+            (one, offset)
             for one in each.all("input")
-            if (offset := one.text("offset")).isdecimal()
+            if (offset := _count(one, "offset")) is not None
         ]
         if not inputs:
             continue
@@ -51,9 +53,7 @@ def state_meshes(
             said.number(each.node, "corners", sum(corners))
 
 
-def state_materials(
-    root: ColladaElement, addressing: Addressing, said: DerivedStatements
-) -> None:
+def state_materials(root: ColladaElement, addressing: Addressing, said: DerivedStatements) -> None:
     """State the geometry of each primitive, and of what binds a material where one is drawn."""
     for each in root.below():
         if each.tag == "geometry":
@@ -73,10 +73,16 @@ def _entries(given: ColladaElement, known: Mapping[str, ColladaElement]) -> int 
     source = known.get(given.text("source")[1:])
     if source is not None and source.tag == "vertices":
         places = (each for each in source.all("input") if each.text("semantic") == "POSITION")
-        return next((_entries(each, known) for each in places), None)
+        place = next(places, None)
+        source = known.get(place.text("source")[1:]) if place is not None else None
     accessor = source.first("technique_common", "accessor") if source is not None else None
-    count = accessor.text("count") if accessor is not None else ""
-    return int(count) if count.isdecimal() else None
+    return _count(accessor, "count") if accessor is not None else None
+
+
+def _count(element: ColladaElement, attribute: str) -> int | None:
+    """Return the number that *attribute* is; None for none, or one of more than nine digits."""
+    written = element.text(attribute)
+    return int(written) if written.isdecimal() and len(written) < TOO_LONG else None
 
 
 def _integers(

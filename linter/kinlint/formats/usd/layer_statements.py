@@ -29,8 +29,6 @@ PATHS = {"inherits": "inherit", "specializes": "specialize"}
 """Tags of the items of metadata that lead to prims of the same stage."""
 NAMES = {"apiSchemas": "apiSchema", "variantSets": "variantSetName"}
 """Tags of the items of metadata that are names."""
-ONCE = frozenset({*ARCS, *PATHS, "variantSets"})
-"""Metadata whose lists have each item once."""
 SUBLAYERS = "subLayers"
 SELECTIONS = "variants"
 LONGEST_ADDRESS = 8_000
@@ -126,9 +124,7 @@ class LayerStatements:
     def _metadata(self, node: Term, fields: Iterable[Field], path: str) -> None:
         self._repeated(node, fields)
         for each in fields:
-            self._flaws(node, each.name, metadata_flaws(each.name, each.value))
-            if each.name in ONCE:
-                self._flaws(node, each.name, repeated_items(each.value, path))
+            self._flaws(node, each.name, metadata_flaws(each.name, each.value, path))
             if each.name in ARCS:
                 self._arcs(node, each, ARCS[each.name], path)
             elif each.name in PATHS:

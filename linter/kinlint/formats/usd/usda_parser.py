@@ -144,8 +144,6 @@ class _Parser(Scanner):
         variability = self._taken(VARIABILITIES)
         if self.kind != "name":
             self.fail("expected the type of a property")
-        if operation or custom or variability:
-            self.unbroken()
         type_name, type_start, type_end = self.word, self.at, self.stop
         self.advance()
         if self.word == "[":
@@ -184,10 +182,11 @@ class _Parser(Scanner):
         return found
 
     def _taken(self, words: Collection[str]) -> str:
-        """Return the current token and go on, if it is one of *words*; else nothing."""
+        """Return the current token and go on in its line, if it is one of *words*; else nothing."""
         found = self.word if self.word in words else ""
         if found:
             self.advance()
+            self.unbroken()
         return found
 
     def _metadata(self, into: list[Field]) -> None:
@@ -216,8 +215,6 @@ class _Parser(Scanner):
         operation = "" if self.follows("=") else self._taken(OPERATIONS)
         if self.kind != "name":
             self.fail("expected the name of metadata")
-        if operation:
-            self.unbroken()
         name, span = self.word, Span(self.at, self.stop)
         self.advance()
         return Field(name, span, self._assigned(), operation)

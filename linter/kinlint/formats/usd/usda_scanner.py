@@ -48,7 +48,9 @@ _TOKEN = re.compile(
     | (?P<number>-?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?(?![\w.])|-?(?:inf|nan)(?!\w))
     | (?P<name>[^\W\d]\w*+(?:::?\w++)*+(?:\.[^\W\d]\w*+)?+)
     | (?P<mark>[()\[\]{}=,;:.])
-    """.replace("ELEMENT", _ELEMENT).replace("COMMA", _COMMA).replace("GAP", _GAP),
+    """.replace("ELEMENT", _ELEMENT)
+    .replace("COMMA", _COMMA)
+    .replace("GAP", _GAP),
     re.VERBOSE,
 )
 """Tokens. A long array of numbers is one, up to its end or to the member that is no such thing."""

@@ -59,6 +59,8 @@ _KINDS = {
     "dictionary": "in braces",
     "samples": "in braces",
 }
+_ONCE = frozenset({"references", "payload", "payloads", "inherits", "specializes", "variantSets"})
+"""Metadata whose lists have each item once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +77,14 @@ class Flaw:
     """Clause that says why this is none."""
 
 
-def metadata_flaws(name: str, value: Value) -> Iterator[Flaw]:
-    """Yield how *value* departs from the form of the metadata *name*."""
+def metadata_flaws(name: str, value: Value, around: str) -> Iterator[Flaw]:
+    """Yield how *value* departs from the form of the metadata *name* of the prim at *around*."""
+    if name in _ONCE:
+        yield from repeated_items(value, around)
     listed = _LISTED.get(name)
-    if listed is not None:
-        return _listed_flaws(value, listed)
-    return flaws(value, _METADATA.get(name, ""))
+    yield from (
+        flaws(value, _METADATA.get(name, "")) if listed is None else _listed_flaws(value, listed)
+    )
 
 
 def relationship_flaws(given: Property) -> Iterator[Flaw]:
