@@ -37,6 +37,8 @@ NO_MODELS = {
 GOOD = sorted(
     folder.name for folder in SAMPLES.iterdir() if folder.is_dir() and folder.name not in NO_MODELS
 )
+SUFFIXES = {".dae", ".jsonld", ".py", ".rviz", ".sdf", ".srdf", ".urdf", ".usda", ".yaml"}
+"""Suffixes of the files that are read."""
 FAULTY = {f"{KIN}LeftHanded": "no frame of a good model is left-handed"}
 ALGORITHMS = (
     "kinematic-chain/operators#ForwardPositionKinematics",
@@ -51,11 +53,7 @@ ALGORITHMS = (
 
 
 def files(name):
-    return sorted(
-        path
-        for path in (SAMPLES / name).rglob("*")
-        if path.suffix in {".jsonld", ".urdf", ".srdf", ".sdf", ".yaml", ".rviz", ".py"}
-    )
+    return sorted(path for path in (SAMPLES / name).rglob("*") if path.suffix in SUFFIXES)
 
 
 def sources(*models):

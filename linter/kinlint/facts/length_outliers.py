@@ -20,14 +20,15 @@ FACTOR = 50.0
 
 
 def outlying_lengths(placements: Placements, geometries: BodyShapes) -> Iterator[Triple]:
-    """Yield each length in m of XML robots above `FACTOR` times the median of its model.
+    """Yield the median length in m of each robot, and each length above `FACTOR` times of it.
 
-    With each comes the median. Lengths of zero do not count.
+    With each of these comes the median, too. Lengths of zero do not count.
     """
-    for lengths in _by_model(placements, geometries).values():
+    for model, lengths in _by_model(placements, geometries).items():
         if len(lengths) < LEAST:
             continue
         typical = _median([size for _, size in lengths])
+        yield from numbers(model, [("median-length", typical)])
         for node, size in sorted(lengths):
             if size > FACTOR * typical:
                 yield from numbers(node, [("outlying-length", size), ("typical-length", typical)])

@@ -122,6 +122,13 @@ def test_words_of_truth_are_those_of_openusd(written, meant):
         ("float x = 1", "expected 'def', 'over' or 'class'"),
         ('def "a" { float x = (1, 2 }', "expected ',' or ')'"),
         ('def "a" { rel x = "/b" }', "expected the path of a target"),
+        ('def "a" {};', "';' stands behind a block"),
+        ('def "a" { def "b" {}; }', "';' stands behind a block"),
+        ('def "a" {\n float x = 1\n ; }', "';' stands at the start of a line"),
+        ('def "a" { float x = 1 /* \n */ float y = 2\n }', "expected a line break or ';'"),
+        ('def "a" { rel x =\n </b>\n }', "a line break stands in the middle of a statement"),
+        ('def "a" { float[] x = [1\n , 2]\n }', "a line break stands in the middle"),
+        ('def "a" { float2 x = ()\n }', "expected a number, found ')'"),
     ],
 )
 def test_a_text_that_is_no_layer_states_only_that(content, reason):
@@ -131,6 +138,19 @@ def test_a_text_that_is_no_layer_states_only_that(content, reason):
     assert told.startswith(reason)
     assert values(layer, "unread")
     assert not values(layer, "specifier")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        'def Xform "a"\n(\n kind = "b"\n)\n\n{\n}\n',
+        'def "a" { float x = 1; # comment\n }\n',
+        'def "a" { float[] x = [\n 1, # comment\n 2\n ]\n float2 y = (1,\n 2)\n }\n',
+        'def "a" {\n variantSet "v" =\n {\n "w"\n {\n }\n }\n}\n',
+    ],
+)
+def test_lines_are_broken_where_openusd_lets_them_be(content):
+    assert not values(read(content), "unread")
 
 
 @pytest.mark.parametrize("head", ["", "#sdf 1.4.32\n", "#usda 9.0\n", "\n#usda 1.0\n"])

@@ -19,7 +19,7 @@ from kinlint.formats.collada.coupling_statements import CouplingStatements
 from kinlint.formats.collada.drawn_links import state_open_loops
 from kinlint.formats.collada.joint_statements import JointStatements
 from kinlint.formats.collada.kinematics import models
-from kinlint.formats.collada.mesh_statements import state_meshes
+from kinlint.formats.collada.mesh_statements import state_materials, state_meshes
 from kinlint.formats.collada.physics import PhysicsStatements
 from kinlint.formats.collada.structure_statements import state_empty, state_models, state_rings
 from kinlint.formats.collada.transform_statements import state_transforms
@@ -75,7 +75,8 @@ def _derived(document: Document, root: ColladaElement) -> Document:
     state_empty(root, said_)
     state_assets(root, said_)
     state_transforms(root, said_)
-    state_meshes(root, said_)
+    state_materials(root, addressing, said_)
+    state_meshes(root, document.source.text, document.map.nodes, said_)
     PhysicsStatements(root, found, addressing, said_).state()
     places = document.map.nodes
     for node, element_ in said_.made_of.items():

@@ -10,7 +10,13 @@ from kinlint.errors import SourceError
 from kinlint.formats.source_layer import SourceLayer, src
 from kinlint.formats.usd.prim_paths import absolute_path, prim_address
 from kinlint.formats.usd.usda_syntax import Field, Prim, Property, Value, Variant
-from kinlint.formats.usd.value_forms import Flaw, flaws, metadata_flaws, relationship_flaws
+from kinlint.formats.usd.value_forms import (
+    Flaw,
+    flaws,
+    metadata_flaws,
+    relationship_flaws,
+    repeated_items,
+)
 from kinlint.formats.usd.value_terms import terms
 from kinlint.terms import XSD, Term, Triple, iri, literal
 from kinlint.text import SourceText, Span
@@ -118,7 +124,7 @@ class LayerStatements:
     def _metadata(self, node: Term, fields: Iterable[Field], path: str) -> None:
         self._repeated(node, fields)
         for each in fields:
-            self._flaws(node, each.name, metadata_flaws(each.name, each.value))
+            self._flaws(node, each.name, metadata_flaws(each.name, each.value, path))
             if each.name in ARCS:
                 self._arcs(node, each, ARCS[each.name], path)
             elif each.name in PATHS:
@@ -227,9 +233,13 @@ class LayerStatements:
             return
         self._flaws(node, given.name, relationship_flaws(given))
         if tag != "attribute":
+            self._flaws(node, given.name, repeated_items(given.value, path))
             self._targets(element, given.value, given.operation, "target", path)
         elif counts and not given.suffix:
             self._values(node, given.name, given.value, given.type_name)
+            if given.value.kind == "asset" and given.value.text:
+                file = literal(given.value.text)
+                self.triples[element, iri(f"{_AT}asset"), file] = given.value.content
 
     def _values(self, node: Term, name: str, value: Value, type_name: str) -> None:
         """State the value of an attribute or of metadata *name* of *node*."""

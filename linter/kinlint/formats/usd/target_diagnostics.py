@@ -1,4 +1,4 @@
-"""Targets of relationships that lead nowhere, as statements without judgement.
+"""Targets of relationships and connections that lead nowhere, as statements without judgement.
 
 A layer tells that a prim is not there only if nothing else can make it: no layer is weaker, none
 is stronger, and nothing is referred to or inherited from above the place.
@@ -31,20 +31,21 @@ def state_dangling(
     missing = 0
     for path, prim in specs(root):
         for name, item in _targets(prim):
-            target = absolute_path(item.text, path).partition(".")[0]
+            target, dot, way = absolute_path(item.text, path).partition(".")
             if _is_missing(target, opinions):
                 missing += 1
                 words = {"property": name, "written": item.text}
-                if missing <= MOST_EXPLAINED:
-                    words["resembles"] = _resembling(target, opinions)
+                if missing <= MOST_EXPLAINED and (near := _resembling(target, opinions)):
+                    words["resembles"] = f"{near}{dot}{way}"
                 said = ((key, literal(text)) for key, text in words.items() if text)
                 layer.add_node("DanglingTarget", item.content, ("node", node_of[prim]), *said)
 
 
 def _targets(prim: Prim) -> Iterator[tuple[str, Value]]:
-    """Yield the paths in the relationships of *prim*, with the names of these."""
+    """Yield the paths in relationships and connections of *prim*, with the names of these."""
     for each in prim.properties:
-        if each.is_relationship and each.value is not None:
+        leads = each.is_relationship or each.suffix == "connect"
+        if leads and each.value is not None:
             for item in each.value.scalars():
                 if item.kind == "path":
                     yield each.name, item

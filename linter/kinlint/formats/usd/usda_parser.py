@@ -38,13 +38,14 @@ class _Parser(Scanner):
         if self.word == "(":
             self._metadata(root.metadata)
         while self.kind:
+            block = self.word in SPECIFIERS
             if self.word == "reorder":
                 self._skip_reorder()
-            elif self.word in SPECIFIERS:
+            elif block:
                 root.children.append(self._prim())
             else:
                 self.fail("expected 'def', 'over' or 'class'")
-            self.separate("")
+            self.separate("", block=block)
         return root
 
     def _prim(self) -> Prim:
@@ -53,6 +54,7 @@ class _Parser(Scanner):
         self.bound(self.prims, "the layer", "prims")
         start, specifier = self.at, self.word
         self.advance()
+        self.unbroken()
         type_name, type_span = "", None
         if self.kind == "name":
             type_name, type_span = self.word, Span(self.at, self.stop)
@@ -60,6 +62,7 @@ class _Parser(Scanner):
                 self.joints += 1
                 self.bound(self.joints, "the layer", "joints")
             self.advance()
+            self.unbroken()
         name, span = self.name("the name of a prim")
         if not name.isidentifier():
             raise MalformedLayer(span, f"'{name}' is no name: prims have letters, digits and _")
@@ -75,8 +78,9 @@ class _Parser(Scanner):
         while self.word != "}" or self.kind != "mark":
             if not self.kind:
                 self.fail("expected '}'")
+            block = self.word in SPECIFIERS or self.word == "variantSet"
             self._statement(prim)
-            self.separate("")
+            self.separate("", block=block)
         prim.span = Span(start, self.stop)
         self.advance()
         self.depth -= 1
@@ -96,18 +100,27 @@ class _Parser(Scanner):
 
     def _skip_reorder(self) -> None:
         self.advance()
+        self.unbroken()
         if self.kind != "name":
             self.fail("expected what to reorder")
         self.advance()
+        self._assigned()
+
+    def _assigned(self) -> Value:
+        """Return the value behind a '=', both on the line of what they are for."""
+        self.unbroken()
         self.expect("=")
-        self._value()
+        self.unbroken()
+        return self._value()
 
     def _variant_set(self) -> Variant:
         self.enter()
         start = self.at
         self.advance()
+        self.unbroken()
         name, span = self.name("the name of a variant set")
         found = Variant(name, span, span)
+        self.unbroken()
         self.expect("=")
         self.expect("{")
         while self.word != "}":
@@ -140,6 +153,7 @@ class _Parser(Scanner):
             type_name += "[]"
         if self.kind != "name":
             self.fail("expected the name of a property")
+        self.unbroken()
         name, _, suffix = self.word.partition(".")
         if suffix and suffix not in SUFFIXES:
             self.fail(f"expected one of {', '.join(sorted(SUFFIXES))} behind the '.'")
@@ -149,7 +163,9 @@ class _Parser(Scanner):
         )  # fmt: skip
         self.advance()
         if self.word == "=":
+            self.unbroken()
             self.advance()
+            self.unbroken()
             if found.type_name == "rel" and self.kind != "path" and self.word not in ("[", "None"):
                 self.fail("expected the path of a target, such as </robot/link>")
             found.value = self._value()
@@ -159,16 +175,18 @@ class _Parser(Scanner):
         elif suffix or operation:
             self.fail("expected '='")
         if self.word == "(":
+            self.unbroken()
             self._metadata(found.metadata)
         found.span = Span(start, self.end)
         self.depth -= 1
         return found
 
     def _taken(self, words: Collection[str]) -> str:
-        """Return the current token and go on, if it is one of *words*; else nothing."""
+        """Return the current token and go on in its line, if it is one of *words*; else nothing."""
         found = self.word if self.word in words else ""
         if found:
             self.advance()
+            self.unbroken()
         return found
 
     def _metadata(self, into: list[Field]) -> None:
@@ -199,8 +217,7 @@ class _Parser(Scanner):
             self.fail("expected the name of metadata")
         name, span = self.word, Span(self.at, self.stop)
         self.advance()
-        self.expect("=")
-        return Field(name, span, self._value(), operation)
+        return Field(name, span, self._assigned(), operation)
 
     def _value(self) -> Value:
         start, kind = self.at, self.kind
@@ -235,12 +252,15 @@ class _Parser(Scanner):
         found = Value(kind, "", Span(self.at, self.at))
         is_cut = self.kind == "bulk"
         self.advance()
+        if kind == "tuple" and self.word == closing:
+            self.fail("expected a number")
         while self.word != closing or self.kind != "mark":
             if is_cut and self.kind not in ("number", "mark"):
                 self.fail("expected a number")
             found.items.append(self._value())
             self.bound(len(found.items), "a list", "members other than numbers")
             if self.word == ",":
+                self.unbroken()
                 self.advance()
             elif self.word != closing:
                 self.fail(f"expected ',' or '{closing}'")
@@ -256,15 +276,20 @@ class _Parser(Scanner):
                 found.kind = "samples"
                 type_name, name, span = "", self.word, Span(self.at, self.stop)
                 self.advance()
+                self.unbroken()
                 self.expect(":")
+                self.unbroken()
+                value = self._value()
             else:
                 type_name, name, span = self._entry()
-            found.fields.append(Field(name, span, self._value(), type_name=type_name))
+                value = self._assigned()
+            found.fields.append(Field(name, span, value, type_name=type_name))
             if found.kind == "dictionary":
                 self.separate("}")
                 continue
             self.bound(len(found.fields), "an attribute", "samples")
             if self.word == ",":
+                self.unbroken()
                 self.advance()
             elif self.word != "}":
                 self.fail("expected ',' or '}'")
@@ -283,10 +308,10 @@ class _Parser(Scanner):
             type_name += "[]"
         if self.kind not in ("name", "string"):
             self.fail("expected the name of an entry")
+        self.unbroken()
         name = unquoted(self.word) if self.kind == "string" else self.word
         span = Span(self.at, self.stop)
         self.advance()
-        self.expect("=")
         return type_name, name, span
 
 

@@ -32,13 +32,15 @@ LATEST = (1, 4)
 """Version of the text format that is read."""
 
 _SPACE = re.compile(r"(?:[ \t\r\n]++|#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/)*+")
+_COMMENT = re.compile(r"#[^\n]*+|//[^\n]*+|/\*(?s:.*?)\*/")
 _GAP = r"\s*+(?:\#[^\n]*+\s*+)*+"
+_COMMA = rf"[ \t]*+,{_GAP}"
 _PLAIN = r"-?+(?:\d++(?:\.\d*+)?+(?:[eE][-+]?\d++)?+|\.\d++(?:[eE][-+]?\d++)?+|inf|nan)"
-_ROW = rf"\({_GAP}{_PLAIN}(?:{_GAP},{_GAP}{_PLAIN})*+{_GAP}\)"
-_ELEMENT = rf"(?:{_PLAIN}|{_ROW}|\({_GAP}{_ROW}(?:{_GAP},{_GAP}{_ROW})*+{_GAP}\))"
+_ROW = rf"\({_GAP}{_PLAIN}(?:{_COMMA}{_PLAIN})*+{_GAP}\)"
+_ELEMENT = rf"(?:{_PLAIN}|{_ROW}|\({_GAP}{_ROW}(?:{_COMMA}{_ROW})*+{_GAP}\))"
 _TOKEN = re.compile(
     r"""
-      (?P<bulk>\[(?=[\d\s.,()+\-einfa]{40})GAP(?:ELEMENT GAP(?:,GAP|(?=\])))*+\]?+)
+      (?P<bulk>\[(?=[\d\s.,()+\-einfa]{40})GAP(?:ELEMENT(?:COMMA|GAP(?=\])))*+\]?+)
     | (?P<string>\"{3}(?:[^"\\]++|\\(?s:.)|"(?!""))*+\"{3}|'{3}(?:[^'\\]++|\\(?s:.)|'(?!''))*+'{3}
         |"(?!"")(?:[^"\\\n]|\\(?s:.))*+"|'(?!'')(?:[^'\\\n]|\\(?s:.))*+'|""(?!")|''(?!'))
     | (?P<asset>@@@(?s:.*?)@@@(?!@)|@(?!@@)[^@\n]*+@)
@@ -46,7 +48,9 @@ _TOKEN = re.compile(
     | (?P<number>-?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?(?![\w.])|-?(?:inf|nan)(?!\w))
     | (?P<name>[^\W\d]\w*+(?:::?\w++)*+(?:\.[^\W\d]\w*+)?+)
     | (?P<mark>[()\[\]{}=,;:.])
-    """.replace("ELEMENT", _ELEMENT).replace("GAP", _GAP),
+    """.replace("ELEMENT", _ELEMENT)
+    .replace("COMMA", _COMMA)
+    .replace("GAP", _GAP),
     re.VERBOSE,
 )
 """Tokens. A long array of numbers is one, up to its end or to the member that is no such thing."""
@@ -99,7 +103,8 @@ class Scanner:
         text = self.text
         self.end = self.stop
         start = _SPACE.match(text, self.stop).end()  # type: ignore[union-attr]
-        self.fresh = "\n" in text[self.stop : start]
+        gap = text[self.stop : start]
+        self.fresh = "\n" in (_COMMENT.sub("", gap) if "/*" in gap else gap)
         self.at = start
         found = _TOKEN.match(text, start)
         if found is None:
@@ -138,9 +143,21 @@ class Scanner:
             self.fail(f"expected {what or repr(mark)}")
         self.advance()
 
-    def separate(self, closing: str) -> None:
-        """Go beyond what separates two statements: a line break or a semicolon."""
+    def unbroken(self) -> None:
+        """Refuse a line break before the current token, in the middle of a statement."""
+        if self.fresh and self.kind:
+            where = "a line break stands in the middle of a statement"
+            raise MalformedLayer(Span(self.at, self.stop), where)
+
+    def separate(self, closing: str, *, block: bool = False) -> None:
+        """Go beyond what separates two statements: a line break, or a semicolon.
+
+        A *block* ends in a line break alone.
+        """
         if self.kind == "mark" and self.word == ";":
+            if self.fresh or block:
+                place = "behind a block" if block else "at the start of a line"
+                raise MalformedLayer(Span(self.at, self.stop), f"';' stands {place}")
             self.advance()
             return
         if self.kind and not self.fresh and self.word != closing:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from kinlint.formats.usd.prim_paths import absolute_path
 from kinlint.formats.usd.usda_syntax import Property, Value
 from kinlint.formats.usd.value_types import MATRICES, TRUTHS, value_type
 from kinlint.light_dataclasses import dataclass
@@ -58,6 +59,8 @@ _KINDS = {
     "dictionary": "in braces",
     "samples": "in braces",
 }
+_ONCE = frozenset({"references", "payload", "payloads", "inherits", "specializes", "variantSets"})
+"""Metadata whose lists have each item once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,18 +77,34 @@ class Flaw:
     """Clause that says why this is none."""
 
 
-def metadata_flaws(name: str, value: Value) -> Iterator[Flaw]:
-    """Yield how *value* departs from the form of the metadata *name*."""
+def metadata_flaws(name: str, value: Value, around: str) -> Iterator[Flaw]:
+    """Yield how *value* departs from the form of the metadata *name* of the prim at *around*."""
+    if name in _ONCE:
+        yield from repeated_items(value, around)
     listed = _LISTED.get(name)
-    if listed is not None:
-        return _listed_flaws(value, listed)
-    return flaws(value, _METADATA.get(name, ""))
+    yield from (
+        flaws(value, _METADATA.get(name, "")) if listed is None else _listed_flaws(value, listed)
+    )
 
 
 def relationship_flaws(given: Property) -> Iterator[Flaw]:
     """Yield the targets of *given* that are no paths; nothing for an attribute."""
     if given.is_relationship and given.value is not None:
         yield from _listed_flaws(given.value, "path")
+
+
+def repeated_items(value: Value, around: str) -> Iterator[Flaw]:
+    """Yield the paths and files in the list *value*, of the prim at *around*, that stand before.
+
+    OpenUSD rejects a layer with such a list.
+    """
+    before = set[tuple[str, ...]]()
+    for each in value.items if value.kind == "list" else ():
+        text = absolute_path(each.text, around) if each.kind == "path" else each.text
+        key = each.kind, text, *(item.text for item in each.items)
+        if key in before and not each.fields:
+            yield Flaw(each.span, _written(each), "each item once", "it is listed before")
+        before.add(key)
 
 
 def _listed_flaws(value: Value, base: str) -> Iterator[Flaw]:
