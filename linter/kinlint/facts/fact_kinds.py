@@ -158,7 +158,7 @@ KINDS = (
     ),
     FactKind(
         "length_outliers",
-        {"outlying-length": (*inputs.PLACED, *inputs.SHAPES)},
+        dict.fromkeys(("outlying-length", "outlying-place"), (*inputs.PLACED, *inputs.SHAPES)),
         lambda own: outlying_lengths(own.placements, own.geometries),
         ("geometries", "placements"),
         ("typical-length",),
