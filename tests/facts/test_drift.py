@@ -193,3 +193,99 @@ def test_each_composable_mechanism_is_compared_by_itself():
     assert drifts({**two, **urdf}) == upper
     few = {"a.jsonld": model("one", 2.0, 2), "b.jsonld": model("two", 3.0, 2)}
     assert drifts({**few, **urdf}) == []
+
+
+CRANE = """<mujoco model="crane"><compiler angle="radian"/><worldbody><body name="mast">
+  <geom type="box" size="0.1 0.1 1" mass="9"/>
+  <body name="boom" pos="0 0 1"><joint name="slew"/>
+    <geom type="box" size="0.5 0.1 0.1" mass="4"/>
+    <body name="trolley" pos="0.2 0 0"><joint name="travel" type="slide" axis="1 0 0"/>
+      <geom type="box" size="0.1 0.1 0.05" mass="1"/>
+      <body name="rope" pos="0 0 -0.1"><joint name="hoist" type="slide" axis="0 0 1"/>
+        <geom type="box" size="0.01 0.01 0.4" mass="0.5"/>
+        {hook}</body></body></body></body></worldbody></mujoco>"""
+HOOK = '<body name="hook"><joint name="swivel"/><geom type="sphere" size="0.02" mass="0.1"/></body>'
+
+
+def crane_differences(text: str) -> list[tuple[str, str, str]]:
+    """What differs of the crane with a hook from *text*, by aspect."""
+    store = closed({"a.sdf": SDF_CRANE, "a.xml": text})
+    said: dict[str, dict[str, str]] = {}
+    for subject, predicate, value in facts(store):
+        if "urn:kinlint:fact:drift:" in subject:
+            said.setdefault(subject, {})[predicate[1:-1].removeprefix(FACT)] = literal_value(value)
+    return sorted((each["aspect"], each["here"], each["there"]) for each in said.values())
+
+
+def _sdf_crane() -> str:
+    parts = (
+        ("mast", "0 0 0", 9, "0.2 0.2 2"),
+        ("boom", "0 0 1", 4, "1 0.2 0.2"),
+        ("trolley", "0.2 0 1", 1, "0.2 0.2 0.1"),
+        ("rope", "0.2 0 0.9", 0.5, "0.02 0.02 0.8"),
+        ("hook", "0.2 0 0.9", 0.1, ""),
+    )
+    joints = (
+        ("slew", "revolute", "0 0 1"),
+        ("travel", "prismatic", "1 0 0"),
+        ("hoist", "prismatic", "0 0 1"),
+        ("swivel", "revolute", "0 0 1"),
+    )
+    links = [
+        f'<link name="{name}"><pose>{place} 0 0 0</pose><inertial><mass>{mass}</mass></inertial>'
+        f'<collision name="c"><geometry>{_sdf_shape(edges)}</geometry></collision></link>'
+        for name, place, mass, edges in parts
+    ]
+    ends = itertools.pairwise(name for name, *_ in parts)
+    moving = [
+        f'<joint name="{name}" type="{kind}"><parent>{parent}</parent><child>{child}</child>'
+        f"<axis><xyz>{axis}</xyz></axis></joint>"
+        for (name, kind, axis), (parent, child) in zip(joints, ends, strict=True)
+    ]
+    return f'<sdf version="1.9"><model name="crane">{"".join(links + moving)}</model></sdf>'
+
+
+def _sdf_shape(edges: str) -> str:
+    if edges:
+        return f"<box><size>{edges}</size></box>"
+    return "<sphere><radius>0.02</radius></sphere>"
+
+
+SDF_CRANE = _sdf_crane()
+
+
+def test_what_one_description_lacks_is_told():
+    """A joint that is fixed or not there, and a shape; a part that is there twice as large."""
+    whole = CRANE.format(hook=HOOK)
+    assert crane_differences(whole) == []
+    held = CRANE.format(hook=HOOK.replace('<joint name="swivel"/>', ""))
+    assert crane_differences(held) == [("joint", "revolute", "fixed")]
+    assert crane_differences(CRANE.format(hook="")) == [("missing", "revolute", "none")]
+    bare = whole.replace(
+        'type="sphere" size="0.02" mass="0.1"',
+        'type="sphere" size="0.02" mass="0.1" contype="0" conaffinity="0"',
+    )
+    assert crane_differences(bare) == [("shape", "1 sphere", "none")]
+    halved = whole.replace('"0.1 0.1 0.05"', '"0.2 0.2 0.1"')
+    assert crane_differences(halved) == [("halved", "0.2", "0.4")]
+
+
+def test_other_names_are_told_where_most_are_the_same():
+    """Another part in the same place has more that differs than its name."""
+    whole = CRANE.format(hook=HOOK)
+    assert crane_differences(whole.replace('"hoist"', '"lift"')) == [("name", "hoist", "lift")]
+    assert crane_differences(whole.replace('"boom"', '"jib"')) == [("name", "boom", "jib")]
+    others = whole
+    for name in ("mast", "boom", "trolley", "rope", "hook"):
+        others = others.replace(f'"{name}"', f'"{name}_link"')
+    assert crane_differences(others) == []
+    gripper = (
+        HOOK.replace("swivel", "open")
+        .replace("hook", "jaw")
+        .replace("joint ", 'joint type="slide" ')
+    )
+    assert not [
+        each
+        for each in crane_differences(CRANE.format(hook=gripper))
+        if each[0] in {"name", "missing"}
+    ]

@@ -9,6 +9,7 @@ from kinlint.facts.comparison.described_robot import DescribedRobot
 from kinlint.facts.comparison.extraction import RobotExtraction, RobotParts
 from kinlint.facts.comparison.measured import Measured
 from kinlint.facts.comparison.tolerances import EXPORTED
+from kinlint.facts.comparison.unmatched_parts import unmatched_parts
 from kinlint.facts.description_pairs import Description, DescriptionPairs
 from kinlint.facts.fact_statements import fact, fact_node, numbers
 from kinlint.terms import Term, Triple, literal
@@ -17,6 +18,8 @@ MATCHED = 2.0 / 3.0
 """Least share of common joints in two descriptions that nothing but their numbers connects."""
 TELLING = 4
 """Least number of equal masses, centres and origins that show two such to be of one robot."""
+NOTHING = 1e-12
+"""Values below are what rounding leaves of zero."""
 UNLIMITED = "unlimited"
 """Word for a bound that there is not."""
 ENTRIES = {"moments": ("ixx", "iyy", "izz"), "products": ("ixy", "ixz", "iyz")}
@@ -34,7 +37,7 @@ class DescriptionDrifts:
         """Yield each difference: the part, the quantity, both values, and why they are compared."""
         number = 0
         for comparison, evidence in self._compared():
-            for each in comparison.differences:
+            for each in (*comparison.differences, *unmatched_parts(comparison)):
                 node = fact_node("drift", number := number + 1)
                 yield each.at, fact("drift"), node
                 yield node, fact("from"), each.there
@@ -89,7 +92,8 @@ def _told(node: Term, each: Measured) -> Iterator[Triple]:
         if isinstance(value, tuple):
             value = value[at or 0]  # noqa: PLW2901  the component that differs most
         if isinstance(value, float):
-            yield from numbers(node, [(name, float(f"{value:.12g}"))])
+            shown = 0.0 if abs(value) < NOTHING else float(f"{value:.12g}")
+            yield from numbers(node, [(name, shown)])
         else:
             yield node, fact(name), literal(UNLIMITED if value is None else value)
 

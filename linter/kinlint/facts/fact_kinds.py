@@ -158,7 +158,10 @@ KINDS = (
     ),
     FactKind(
         "length_outliers",
-        dict.fromkeys(("outlying-length", "median-length"), (*inputs.PLACED, *inputs.SHAPES)),
+        dict.fromkeys(
+            ("outlying-length", "outlying-place", "median-length"),
+            (*inputs.PLACED, *inputs.SHAPES),
+        ),
         lambda own: outlying_lengths(own.placements, own.geometries),
         ("geometries", "placements"),
         ("typical-length",),

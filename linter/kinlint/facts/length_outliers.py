@@ -22,16 +22,32 @@ FACTOR = 50.0
 def outlying_lengths(placements: Placements, geometries: BodyShapes) -> Iterator[Triple]:
     """Yield the median length in m of each robot, and each length above `FACTOR` times of it.
 
-    With each of these comes the median, too. Lengths of zero do not count.
+    With each of these comes the median, too. Lengths of zero do not count, and those of shapes from
+    the frames of their bodies are none of which the median is.
     """
+    away = _shapes_away(placements, geometries)
     for model, lengths in _by_model(placements, geometries).items():
         if len(lengths) < LEAST:
             continue
         typical = _median([size for _, size in lengths])
         yield from numbers(model, [("median-length", typical)])
-        for node, size in sorted(lengths):
-            if size > FACTOR * typical:
-                yield from numbers(node, [("outlying-length", size), ("typical-length", typical)])
+        for what, sizes in (("outlying-length", lengths), ("outlying-place", away.get(model, []))):
+            for node, size in sorted(sizes):
+                if size > FACTOR * typical:
+                    yield from numbers(node, [(what, size), ("typical-length", typical)])
+
+
+def _shapes_away(
+    placements: Placements, geometries: BodyShapes
+) -> Mapping[str, list[tuple[Term, float]]]:
+    """Return how far the shapes of each model are from the frames of their bodies."""
+    found: dict[str, list[tuple[Term, float]]] = defaultdict(list)
+    for body, shapes in geometries.references.items():
+        for node in shapes if is_address(body) else ():
+            placed = placements.shape_placement(node)
+            if placed is not None and placed.point is not None:
+                found[model_of(body)].append((node, length(placed.point)))
+    return found
 
 
 def _median(sizes: list[float]) -> float:

@@ -43,10 +43,6 @@ def body_pairs(here: Group, there: Group, pose: Pose) -> BodyPairs:
             pairs.append((body, same))
             gone.remove(body)
             come.remove(same)
-    if len(gone) == len(come) == 1 and not any(_is_solid(each) for each in (*gone, *come)):
+    if len(gone) == len(come) == 1 and not any(each.is_solid for each in (*gone, *come)):
         return BodyPairs([*pairs, (gone[0], come[0])], [], [])
     return BodyPairs(pairs, gone, come)
-
-
-def _is_solid(body: Body) -> bool:
-    return bool(body.mass or body.shapes)

@@ -57,6 +57,11 @@ class Body:
     shapes: tuple[Shape, ...] = ()
     """Collision shapes."""
 
+    @property
+    def is_solid(self) -> bool:
+        """Tell whether the body has a mass or a shape."""
+        return bool(self.mass or self.shapes)
+
 
 @dataclass(frozen=True)
 class Group:
@@ -66,10 +71,15 @@ class Group:
     """Bodies of the group."""
 
     @property
-    def name(self) -> str:
-        """Name of the first body that has a mass or a shape, else of the first."""
+    def main(self) -> Body:
+        """The first body that has a mass or a shape, else the first."""
         solid = (body for body in self.bodies if body.mass is not None or body.shapes)
-        return next(solid, self.bodies[0]).name
+        return next(solid, self.bodies[0])
+
+    @property
+    def name(self) -> str:
+        """Name of the main body."""
+        return self.main.name
 
     def body(self, node: Term | None) -> Body | None:
         """Return the body with this node."""

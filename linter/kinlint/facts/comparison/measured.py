@@ -43,7 +43,7 @@ class Measured:
     sides: tuple[Term, Term] | None = None
     """Nodes that state the values, where they are not the parts themselves."""
     aspect: str = "joint"
-    """Kind of quantity: `joint`, `placement`, `mass` or `shape`."""
+    """Kind of quantity: `joint`, `placement`, `mass`, `shape`, `halved`, `missing` or `name`."""
 
     @property
     def component(self) -> int | None:
@@ -71,7 +71,7 @@ class Parts:
     sides: tuple[Term, Term] | None = None
     """Nodes that state the values, where they are not the parts themselves."""
     aspect: str = "joint"
-    """Kind of the quantities: `joint`, `placement`, `mass` or `shape`."""
+    """Kind of the quantities, as of one `Measured`."""
 
     def measured(  # noqa: PLR0913
         self,

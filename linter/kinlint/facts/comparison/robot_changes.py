@@ -88,7 +88,7 @@ def _is_weighed(group: Group) -> bool:
 
 
 def _change(each: Measured, old: Side, new: Side) -> Change:
-    kind = "link" if each.aspect in {"mass", "shape"} else "joint"
+    kind = "link" if each.aspect in {"mass", "shape", "halved"} else "joint"
     at, there = each.sides or (each.at, each.there)
     return Change(
         kind,

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from operator import or_
 
 from kinlint.facts.comparison.described_robot import Group, Shape
 from kinlint.facts.comparison.measured import Measured, Parts
 from kinlint.facts.comparison.pose import Pose
-from kinlint.facts.comparison.tolerances import Tolerances
+from kinlint.facts.comparison.tolerances import EXPORTED, Tolerances
 from kinlint.facts.linear_algebra import Vector, angle, cross, length, product, subtract, transpose
 from kinlint.light_dataclasses import replace
 
@@ -28,9 +29,9 @@ def shape_differences(
     yours = [each._replace(pose=pose.of(each.pose)) for each in there.shapes]
     if not here.shapes or not yours or max(len(here.shapes), len(yours)) > FEW:
         return
-    ends = here.bodies[0].node, there.bodies[0].node
+    ends = here.main.node, there.main.node
     parts = Parts(here.name, there.name, *ends, tolerances, aspect="shape")
-    kinds = [_listed(each) for each in (here.shapes, yours)]
+    kinds = [listed(each) for each in (here.shapes, yours)]
     yield parts.measured(
         "collision geometry", "", kinds[0], kinds[1], differs=kinds[0] != kinds[1], individual=False
     )
@@ -46,10 +47,10 @@ def shape_differences(
         yield from _placed(sided, _ordered(one), _ordered(other))
 
 
-def _listed(shapes: Sequence[Shape]) -> str:
-    """Return the kinds of *shapes* with their numbers, such as `2 box, 1 mesh`."""
+def listed(shapes: Sequence[Shape]) -> str:
+    """Return the kinds of *shapes* with their numbers, such as `2 box, 1 mesh`, or `none`."""
     kinds = sorted(each.kind for each in shapes)
-    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
+    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)) or "none"
 
 
 def _paired(mine: Sequence[Shape], yours: Sequence[Shape]) -> Iterator[tuple[Shape, Shape]]:
@@ -86,10 +87,24 @@ def _sizes(parts: Parts, one: Shape, other: Shape) -> Iterator[Measured]:
         pairs = zip(_edges(one), _edges(other), strict=True)
         differs = any(parts.tolerances.apart(a, b) for a, b in pairs)
         here, there = ((x, y, z) for x, y, z in (one.sizes, other.sizes))
-        yield parts.measured(what, unit, here, there, differs=differs, individual=False)
+        told = replace(parts, aspect=_aspect(one, other))
+        yield told.measured(what, unit, here, there, differs=differs, individual=False)
         return
+    parts = replace(parts, aspect=_aspect(one, other))
     for what, a, b in zip(("radius", "length"), one.sizes, other.sizes, strict=False):
         yield parts.number(f"{what} of the {one.kind}", "m", a, b, individual=False)
+
+
+def _aspect(one: Shape, other: Shape) -> str:
+    """Return `halved` if sizes of primitives are twice those of the other, and none is else."""
+    if one.kind == "mesh":
+        return "shape"
+    pairs = [sorted(each) for each in zip(_edges(one), _edges(other), strict=True)]
+    halves = [not EXPORTED.apart(2.0 * small, large) for small, large in pairs]
+    equal = [not EXPORTED.apart(*each) for each in pairs]
+    if one.kind == "box":
+        return "halved" if all(halves) else "shape"
+    return "halved" if any(halves) and all(map(or_, halves, equal)) else "shape"
 
 
 def _placed(parts: Parts, one: Shape, other: Shape) -> Iterator[Measured]:

@@ -176,11 +176,10 @@ class Diagnostics:
             return
         if known := type_.choices.get(key):
             if written not in known:
-                folded = {each.casefold(): each for each in known}
                 self.note(
                     "UnknownChoice", number, key,
                     tag=type_.tag, written=written, choices=", ".join(filter(None, known)),
-                    resembles=folded.get(written.casefold()),
+                    resembles=nearest(written, filter(None, known)),
                 )  # fmt: skip
         elif meant := _misspelt(written, type_.usual.get(key, ())):
             self.note("UnusualChoice", number, key, tag=type_.tag, written=written, resembles=meant)
