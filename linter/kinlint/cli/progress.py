@@ -21,8 +21,11 @@ PATIENCE = 1.0
 class ProgressBar:
     """Counts the files that are read and linted; shown, if at all, on standard error."""
 
-    def __init__(self, files: int, *, wanted: bool, color: When = "auto") -> None:
+    def __init__(
+        self, files: int, *, wanted: bool, color: When = "auto", title: str = "Linting"
+    ) -> None:
         self._steps = 2 * files
+        self._title = title
         self._color = color
         self._wanted = wanted and sys.stderr.isatty()
         self._done = 0
@@ -83,7 +86,7 @@ class ProgressBar:
         if console.is_dumb_terminal:
             self._wanted = False
             return
-        columns = TextColumn("Linting"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
+        columns = TextColumn(self._title), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
         self._shown = Progress(*columns, console=console, transient=True)
         self._shown.add_task("", total=self._steps, completed=self._done)
         self._shown.start()
