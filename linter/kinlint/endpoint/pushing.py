@@ -42,7 +42,11 @@ def concerned(
     the code of each rule before its queries are asked.
     """
     queries = dict(_queries(book, codes))
-    if None in queries.values():
+    if unasked := [code for code, wheres in queries.items() if wheres is None]:
+        some = f"{unasked[0] or 'shapes'}" + (
+            f" and {len(unasked) - 1} more" if unasked[1:] else ""
+        )
+        tell(f"{some}: no pattern says where anything is found, so all models are read")
         return None
     found = set[Term]()
     for code, wheres in queries.items():
