@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 import signal
+from contextlib import contextmanager
+from pathlib import Path
 from threading import Thread
 from time import sleep
 
@@ -16,6 +18,22 @@ pytestmark = pytest.mark.slow
 
 ROBOT = '<robot name="{0}"><link name="a"/><joint name="j"><parent link="a"/></joint></robot>'
 COUNT = 20
+DEADLY = """
+import os, signal
+
+def dask_setup(worker):
+    from kinlint.formats import registry
+
+    read = registry.read
+
+    def deadly(source, options):
+        if source.name == "poison.urdf":
+            os.kill(os.getpid(), signal.SIGKILL)
+        return read(source, options)
+
+    registry.read = deadly
+"""
+"""Has the worker that reads `poison.urdf` end at once."""
 
 
 def said(capsys, *arguments: str) -> tuple[int, str]:
@@ -36,17 +54,26 @@ def robots(tmp_path, monkeypatch, rules_cache):
         (directory / f"r{number}.urdf").write_text(ROBOT.format(f"r{number}"))
 
 
-@pytest.fixture
-def cluster(robots):
+@contextmanager
+def workers(**more):
     """Two workers, each in a process that is started again when it ends, however long it takes."""
     distributed = pytest.importorskip("distributed")
-    patient = {"distributed.deploy.lost-worker-timeout": "1 hour"}
+    patient = {
+        "distributed.deploy.lost-worker-timeout": "1 hour",
+        "distributed.scheduler.allowed-failures": 1,
+    }
     with (
         pytest.importorskip("dask").config.set(patient),
         distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, dashboard_address=":0"
+            n_workers=2, threads_per_worker=1, dashboard_address=":0", **more
         ) as found,
     ):
+        yield found
+
+
+@pytest.fixture
+def cluster(robots):
+    with workers() as found:
         yield found
 
 
@@ -79,3 +106,23 @@ def test_what_lost_workers_were_at_is_done_by_others(cluster, capsys):
 
     assert said(capsys, "--no-cache", "--executor", address(cluster)) == alone
     killer.join()
+
+
+def test_a_file_that_ends_its_workers_is_reported_and_no_other(robots, tmp_path, capsys):
+    """What was judged beside it is judged again: once, as one process does."""
+    lines = "json-lines"
+    _, alone = said(capsys, "--no-cache", "--output-format", lines)
+    Path("poison.urdf").write_text(ROBOT.format("poison"))
+    preload = tmp_path / "deadly.py"
+    preload.write_text(DEADLY)
+
+    with workers(preload=[str(preload)]) as found:
+        code, told = said(
+            capsys, "--no-cache", "--output-format", lines, "--executor", address(found)
+        )
+
+    error, *left = sorted(told.splitlines(), key=lambda each: '"poison.urdf"' not in each)
+    assert '"message": "each worker that linted it was lost"' in error
+    assert code == 2
+    assert left == alone.splitlines()
+    assert len(left) >= COUNT

@@ -84,3 +84,23 @@ def test_lost_workers_lose_nothing(monkeypatch):
     assert report.files == alone.files
     assert len(workers.lost) > 2
     assert workers.given.count([POISON]) == 1
+
+
+@pytest.mark.slow
+def test_a_file_for_which_a_worker_lacks_memory_is_reported_and_no_other(monkeypatch):
+    texts = [source(ROBOT.format(f"r{n}"), f"r{n}.urdf") for n in range(5)]
+    alone = ParallelRunner(Job(Settings(), book())).report(texts, ())
+
+    class Narrow(Workers):
+        def submit(self, function, workplace, models, errors):  # type: ignore[override]
+            if POISON not in [each.name for model in models for each in model]:
+                return super().submit(function, workplace, models, errors)
+            full: Future = Future()
+            full.set_exception(MemoryError())
+            return full
+
+    report = lint_with(Narrow(), [source(ROBOT.format("p"), POISON), *texts], monkeypatch)
+    assert [str(each) for each in report.errors] == [
+        f"{POISON}: the worker that linted it has too little memory"
+    ]
+    assert report.findings == alone.findings

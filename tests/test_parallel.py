@@ -22,6 +22,10 @@ pytestmark = pytest.mark.slow
 XMLNS = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 JOINT = '<joint name="j{0}" type="revolute"><parent link="base"/><child link="hed"/></joint>'
 MEMBERS = '<link name="base"/>\n' + "\n".join(map(JOINT.format, range(3)))
+WRONG = """<robot name="{0}"><link name="l">
+<visual><geometry><sphere radius="1.3"/></geometry></visual><inertial><mass value="16"/>
+<inertia ixx="0.087" iyy="0.763" izz="0.908" ixy="0.14" ixz="0.912" iyz="0.0012"/>
+</inertial></link></robot>"""
 FORMATS = ("full", "concise", "json", "json-lines", "sarif", "github")
 
 
@@ -53,6 +57,21 @@ def _said(capsys, *arguments):
     code = main(["--isolated", *arguments])
     out, err = capsys.readouterr()
     return code, *(re.sub(r"\d+\.\d+ s|\d{4}-\d\d-\d\dT[\d:.]+Z", "…", text) for text in (out, err))
+
+
+def test_a_fix_does_not_depend_on_what_is_linted_beside(tmp_path, monkeypatch, capsys, rules_cache):
+    """Numbers of computed nodes, which count in a whole share, order nothing by their digits."""
+    monkeypatch.chdir(tmp_path)
+    names = [f"r{number}" for number in range(8)]
+    for name in names:
+        Path(f"{name}.urdf").write_text(WRONG.format(name))
+    told = ["--no-cache", "--select=INE002", "--output-format=json-lines"]
+    beside = _said(capsys, *told, "--jobs=1", ".")[1].splitlines()
+    alone = [
+        line for each in names for line in _said(capsys, *told, f"{each}.urdf")[1].splitlines()
+    ]
+    assert "DELETE DATA" in alone[0]
+    assert beside == alone
 
 
 def test_every_report_is_that_of_one_process(robots, capsys):

@@ -74,6 +74,16 @@ def test_a_bar_comes_late_and_goes(clock, monkeypatch):
     assert sys.stderr.getvalue().rstrip().endswith("\x1b[2K")
 
 
+def test_a_bar_says_what_is_done(clock, monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    with ProgressBar(2, wanted=True, title="Loading") as bar:
+        clock[0] += 2 * PATIENCE
+        bar.advance(1)
+        assert "Loading" in sys.stderr.getvalue()
+        bar.advance(1, "Asking for SRC003")
+    assert "Asking for SRC003" in sys.stderr.getvalue()
+
+
 @pytest.mark.parametrize("reason", ["unwanted", "no terminal", "dumb", "quick"])
 def test_nobody_sees_a_bar_who_has_no_use_for_it(clock, monkeypatch, reason):
     """Who reads a file, asked for silence, or does not wait."""

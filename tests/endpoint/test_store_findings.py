@@ -104,6 +104,9 @@ def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
     book = rulebook.load()
     assert concerned(store, book, {"SRC003"}, str) == {"<urn:kinlint:document:bad.urdf>"}
     assert concerned(store, book, {"TOP001"}, str) is None
+    begun = []
+    concerned(store, book, {"SRC003", "SRC002"}, str, begun.append)
+    assert sorted(begun) == ["SRC002", "SRC003"]
     chosen = _findings(capsys, "bad.urdf", "good.urdf", "--select", "SRC003")
     assert _stored(capsys, store, "--select", "SRC003") == chosen
     main(["check", "--isolated", "--endpoint", store.query_url, "--select", "SRC003"])

@@ -5,14 +5,19 @@ import shutil
 from pathlib import Path
 
 import pytest
+from data import locate_data
 from support.triple_store import virtuoso
 
 from kinlint.cli.main import main
+from kinlint.endpoint.connection import Endpoint
+from kinlint.endpoint.stored_graphs import FILE
+from kinlint.terms import literal_value
 
 pytestmark = pytest.mark.external
 
 COUNT = 40
 """Number of samples of a format."""
+SUFFIXES = ("urdf", "sdf", "srdf", "xml", "xacro", "dae", "usda", "jsonld")
 SAMPLES = Path(__file__).parents[2] / "samples"
 
 
@@ -33,7 +38,7 @@ def _findings(capsys, *arguments):
     return sorted(json.dumps({**one, "fix": None, "fixes": []}, sort_keys=True) for one in lines)
 
 
-@pytest.mark.parametrize("suffix", ["urdf", "sdf", "srdf", "jsonld"])
+@pytest.mark.parametrize("suffix", SUFFIXES)
 def test_findings_are_those_of_the_files(suffix, address, capsys, monkeypatch, rules_cache):
     monkeypatch.chdir(SAMPLES)
     every = sorted((SAMPLES / "broken").glob(f"*.{suffix}"))
@@ -45,6 +50,24 @@ def test_findings_are_those_of_the_files(suffix, address, capsys, monkeypatch, r
     names = [f"--graph=urn:kinlint:document:{each}" for each in paths]
 
     assert _findings(capsys, "--endpoint", address, *names) == _findings(capsys, *paths)
+
+
+def test_public_robots_have_the_findings_of_the_files(address, capsys, rules_cache):
+    """Robots that others made, with names and numbers of all kinds."""
+    home = locate_data("robots")
+    robots = (*home.rglob("*.urdf"), *home.rglob("*.sdf"))
+    paths = list(map(str, sorted(robots, key=lambda one: one.stat().st_size)[: 5 * COUNT : 2]))
+    assert main(["load", "--isolated", "--endpoint", address, *paths]) in {0, 2}
+    names = [f"--graph=urn:kinlint:document:{each}" for each in _loaded(address, paths)]
+
+    found = [each for each in _findings(capsys, *paths) if json.loads(each)["code"]]
+    assert found
+    assert _findings(capsys, "--endpoint", address, *names) == found
+
+
+def _loaded(address, paths):
+    rows = Endpoint(address, address).select(f"SELECT ?file {{ GRAPH ?g {{ ?g {FILE} ?file }} }}")
+    return {literal_value(row["file"]) for row in rows}.intersection(paths)
 
 
 def test_a_revision_tells_what_changed(address, capsys, tmp_path, monkeypatch, rules_cache):

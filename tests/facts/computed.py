@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -22,6 +23,7 @@ OF_MODELS = frozenset(
 """All facts but the features of files, which runs with targets ask for (`tests/targets`)."""
 EX = "https://example.org/arm#"
 CONTEXT = ["https://w3id.org/kinlint/composable.json", {"ex": EX}]
+FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):0*")
 Node = dict[str, Any]
 
 
@@ -75,7 +77,7 @@ def _plain(term: Term) -> Any:
         number = literal_datatype(term).endswith(("#double", "#integer"))
         return float(literal_value(term)) if number else literal_value(term)
     value = iri_value(term) if term[0] == "<" else term
-    return value.replace(EX, "ex:").replace(FACT, "fact:").removeprefix("urn:kinlint:fact:")
+    return FACT_NODE.sub(r"\1:", value.replace(EX, "ex:").replace(FACT, "fact:"))
 
 
 def frame(name: str) -> list[Node]:

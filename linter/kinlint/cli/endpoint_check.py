@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import ExitStack
 from datetime import UTC, datetime
 from functools import partial
@@ -13,6 +13,7 @@ from pathlib import Path
 from time import perf_counter
 
 from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.gathered_outputs import GatheredOutputs
 from kinlint.cli.lint_run import (
     THRESHOLD,
@@ -74,7 +75,7 @@ def check_store(options: Namespace) -> int:
     Policies(settings, book.rules).check_selectors()
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
     asked = Policies(settings, book.rules).enabled([each.name for each in inputs] or [""])
-    graphs = concerned(store, book, asked, partial(_tell, verbose=bool(options.verbose)))
+    graphs = _concerned(store, book, asked, outputs, options)
     rules = tuple(each for each in book.rules if each.code in asked)
     left, idle = _divided(found, graphs, rules)
     with ExitStack() as ending:
@@ -97,6 +98,19 @@ def check_store(options: Namespace) -> int:
     written = {name for _, early in told for name in early}
     outputs.emit(report, sys.stdout, written)
     return exit_code(report)
+
+
+def _concerned(
+    store: Endpoint, book: Rulebook, asked: Collection[str], outputs: Outputs, options: Namespace
+) -> frozenset[Term] | None:
+    """Return the graphs in which rules *asked* for may find anything, with progress by rule."""
+
+    def begin(code: str) -> None:
+        bar.advance(2, f"Asking the store for {code}")
+
+    tell = partial(_tell, verbose=bool(options.verbose))
+    with ProgressBar(len(asked), wanted=outputs.watched, color=options.color) as bar:
+        return concerned(store, book, asked, tell, begin)
 
 
 def _divided(

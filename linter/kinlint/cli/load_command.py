@@ -9,18 +9,24 @@ from typing import TYPE_CHECKING
 
 from kinlint.addresses import document_of
 from kinlint.catalogue import rulebook
+from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.argument_parser import Parser, add_store
 from kinlint.cli.model_inputs import add_input_options, find_inputs
+from kinlint.cli.progress import ProgressBar
 from kinlint.cli.xacro_arguments import take_arguments
 from kinlint.configuration.settings import Settings
-from kinlint.errors import SourceError, UsageError
+from kinlint.errors import InternalError, KinlintError, SourceError, UsageError
+from kinlint.files.url_mirror import mirrored
 from kinlint.phases import Phases
+from kinlint.project.discovery import Found
 from kinlint.project.layers import cache_directory
 from kinlint.terms import Term, Triple
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
+    from kinlint.document import Document
     from kinlint.endpoint.source_record import StoredDocument
+    from kinlint.formats.options import ReadOptions
 
 DESCRIPTION = """\
 Put models into a triple store: each document as one named graph, with the text
@@ -55,43 +61,62 @@ def run(arguments: Sequence[str]) -> int:
     if not options.endpoint or not (options.paths or options.stdin_filename):
         raise UsageError("expected files and --endpoint URL")
 
-    from kinlint.cli.lint_run import LintRun  # noqa: PLC0415  help does without
-    from kinlint.endpoint.connection import Endpoint  # noqa: PLC0415
+    from kinlint.endpoint.connection import Endpoint, EndpointError  # noqa: PLC0415
     from kinlint.endpoint.loading import Loader  # noqa: PLC0415
 
     found, settings = find_inputs(options)
     cache = cache_directory(os.environ, options.cache_dir)
     book = rulebook.load(settings.rules, settings.shapes, cache)
-    sources, errors = LintRun(settings, found, book, Phases()).read_sources()
     loader = Loader(Endpoint.from_options(options, os.environ))
-    count = sum(loader.load(_models(sources, settings, errors)))
-    for error in errors:
-        sys.stderr.write(f"kinlint: error: {error}\n")
-    noun = "document" if count == 1 else "documents"
-    sys.stdout.write(f"Loaded {count:,} {noun}; the store is at revision {loader.newest()}.\n")
+    count, errors = 0, list[SourceError]()
+    try:
+        with ProgressBar(len(found.inputs), wanted=True, title="Loading") as bar:
+            sources = _sources(found, settings, book, bar, errors)
+            for more in loader.load(_models(sources, settings, errors, bar), errors.append):
+                count += more
+    except EndpointError as error:
+        raise EndpointError(f"{error} ({_counted(count)} before)") from None
+    finally:
+        for each in errors:
+            sys.stderr.write(f"kinlint: error: {each}\n")
+    sys.stdout.write(
+        f"{_counted(count).capitalize()}; the store is at revision {loader.newest()}.\n"
+    )
     return 2 if errors else 0
 
 
+def _counted(documents: int) -> str:
+    return f"loaded {documents:,} document{'s' * (documents != 1)}"
+
+
+def _sources(
+    found: Found, settings: Settings, book: Rulebook, bar: ProgressBar, errors: list[SourceError]
+) -> Sequence[SourceText]:
+    """Return the files *found*, unread where no other file has to be found for one of them."""
+    from kinlint.cli.lint_run import LintRun  # noqa: PLC0415  help does without
+    from kinlint.parallel.shard import Job  # noqa: PLC0415
+    from kinlint.parallel.survey import survey_found  # noqa: PLC0415
+
+    job = Job(settings, book, roots=mirrored())
+    unread = survey_found(found, job, 1, "", bar.advance, [])
+    sources, failed = unread or LintRun(settings, found, book, Phases()).read_sources()
+    errors.extend(failed)
+    return sources
+
+
 def _models(
-    sources: Sequence[SourceText], settings: Settings, errors: list[SourceError]
+    sources: Sequence[SourceText], settings: Settings, errors: list[SourceError], bar: ProgressBar
 ) -> Iterator[list[StoredDocument]]:
     """Yield the documents of *sources*, model by model; what cannot be read goes to *errors*."""
     from kinlint.endpoint.source_record import StoredDocument  # noqa: PLC0415
     from kinlint.endpoint.storable import refused  # noqa: PLC0415  loads the engine
     from kinlint.formats.options import ReadOptions  # noqa: PLC0415
-    from kinlint.formats.registry import read  # noqa: PLC0415
     from kinlint.missing_files import references  # noqa: PLC0415
     from kinlint.parallel.partition import partition  # noqa: PLC0415
 
     options = ReadOptions.from_settings(settings)
     for model in partition(sources, settings):
-        documents = []
-        for source in model:
-            try:
-                documents.append(read(source, options))
-            except SourceError as error:
-                if not source.companion:
-                    errors.append(error)
+        documents = [*_documents(model, options, errors)]
         own = [each for each in documents if not each.source.companion]
         looked_up: dict[Term, list[Triple]] = {each.graph: [] for each in documents}
         for triple in references(own, options.packages_of):
@@ -101,3 +126,24 @@ def _models(
                 StoredDocument(each, refused(each.statements), looked_up[each.graph])
                 for each in documents
             ]
+        bar.advance(len(model))
+
+
+def _documents(
+    model: Sequence[SourceText], options: ReadOptions, errors: list[SourceError]
+) -> Iterator[Document]:
+    """Yield what the files of *model* state."""
+    from kinlint.formats.registry import read  # noqa: PLC0415  help does without
+    from kinlint.parallel.unread import texts  # noqa: PLC0415
+
+    for source in model:
+        try:
+            (text,) = texts([source])
+            yield read(text, options)
+        except SourceError as error:
+            if not source.companion:
+                errors.append(error)
+        except KinlintError:
+            raise
+        except Exception as error:  # noqa: BLE001  the other files are loaded all the same
+            errors.append(InternalError.from_exception(source.name, error))

@@ -21,8 +21,11 @@ PATIENCE = 1.0
 class ProgressBar:
     """Counts the files that are read and linted; shown, if at all, on standard error."""
 
-    def __init__(self, files: int, *, wanted: bool, color: When = "auto") -> None:
+    def __init__(
+        self, files: int, *, wanted: bool, color: When = "auto", title: str = "Linting"
+    ) -> None:
         self._steps = 2 * files
+        self._title = title
         self._color = color
         self._wanted = wanted and sys.stderr.isatty()
         self._done = 0
@@ -47,15 +50,17 @@ class ProgressBar:
             yield one
             self.advance(1)
 
-    def advance(self, files: int) -> None:
-        """Count *files* as read, or linted."""
+    def advance(self, files: int, title: str = "") -> None:
+        """Count *files* as read, or linted; from now on with *title*, if any."""
         if not self._wanted:
             return
         self._done += files
+        self._title = title or self._title
         if self._shown is None and time.monotonic() - self._began >= PATIENCE:
             self._show()
         if self._shown is not None:
-            self._shown.update(self._shown.task_ids[0], completed=self._done)
+            task = self._shown.task_ids[0]
+            self._shown.update(task, completed=self._done, description=self._title)
 
     def step_aside(self, tell: Callable[[T], None], findings: T) -> None:
         """Tell *findings* while nothing is shown."""
@@ -83,7 +88,12 @@ class ProgressBar:
         if console.is_dumb_terminal:
             self._wanted = False
             return
-        columns = TextColumn("Linting"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
+        columns = (
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeRemainingColumn(),
+        )
         self._shown = Progress(*columns, console=console, transient=True)
-        self._shown.add_task("", total=self._steps, completed=self._done)
+        self._shown.add_task(self._title, total=self._steps, completed=self._done)
         self._shown.start()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import gc
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from datetime import UTC, datetime
 
-from kinlint.endpoint.connection import Endpoint
+from kinlint.endpoint.connection import Endpoint, QueryRefused
 from kinlint.endpoint.source_record import StoredDocument, written
 from kinlint.endpoint.storable import line
 from kinlint.endpoint.stored_graphs import (
@@ -20,6 +21,7 @@ from kinlint.endpoint.stored_graphs import (
     SIZE,
     homes,
 )
+from kinlint.errors import SourceError
 from kinlint.light_dataclasses import dataclass
 from kinlint.terms import XSD, Term, literal, literal_value
 
@@ -34,23 +36,27 @@ class Loader:
     endpoint: Endpoint
     """The store."""
 
-    def load(self, models: Iterable[Sequence[StoredDocument]]) -> Iterator[int]:
+    def load(
+        self, models: Iterable[Sequence[StoredDocument]], failed: Callable[[SourceError], None]
+    ) -> Iterator[int]:
         """Load *models*; yield the number of documents of each update that was made.
 
         The documents of one update are replaced together, and those of a model are in one update,
-        as far as they fit.
+        as far as they fit. Documents that the store refuses are told *failed*, and the others
+        loaded. Raises `EndpointError` if it refuses all documents of the first update.
         """
-        parts, letters = list[_Part](), 0
-        for model in models:
-            for each in model:
-                part = _Part(each, model, statements(each))
-                if parts and letters + part.letters > MOST_LETTERS:
-                    yield self._make(parts)
-                    parts, letters = [], 0
-                parts.append(part)
-                letters += part.letters
-        if parts:
-            yield self._make(parts)
+        tried, loaded = 0, 0
+        for parts in _updates(models):
+            every = {each.graph: each for each in parts}
+            refusals: list[tuple[str, QueryRefused]] = []
+            made = self._make(every, refusals)
+            tried, loaded = tried + len(every), loaded + made
+            if not loaded and tried > 1:
+                raise refusals[0][1]
+            for name, error in refusals:
+                failed(SourceError(name, str(error)))
+            gc.collect()  # documents are circles of objects
+            yield made
 
     def newest(self) -> int:
         """Return the number of the newest loading."""
@@ -58,13 +64,22 @@ class Loader:
         numbers = (literal_value(row["r"]) for row in self.endpoint.select(query))
         return max((int(each) for each in numbers if each.isdecimal()), default=0)
 
-    def _make(self, parts: Sequence[_Part]) -> int:
-        every = {each.graph: each for each in parts}
-        alone = [each.graph for each in every.values() if each.home is None]
+    def _make(self, parts: Mapping[Term, _Part], refusals: list[tuple[str, QueryRefused]]) -> int:
+        """Load *parts*, half by half if the store refuses them; return how many it takes."""
+        alone = [graph for graph, each in parts.items() if each.home is None]
         known = homes(self.endpoint, alone) if alone else {}
-        texts = [each.replacement(known.get(graph)) for graph, each in every.items()]
-        self.endpoint.update(" ;\n".join((*texts, _counted(every))))
-        return len(every)
+        texts = [each.replacement(known.get(graph)) for graph, each in parts.items()]
+        try:
+            self.endpoint.update(" ;\n".join((*texts, _counted(parts))))
+        except QueryRefused as error:
+            if len(parts) == 1:
+                refusals.extend((each.name, error) for each in parts.values())
+                return 0
+        else:
+            return len(parts)
+        every = [*parts.items()]
+        half = len(every) // 2
+        return sum(self._make(dict(each), refusals) for each in (every[:half], every[half:]))
 
 
 @dataclass(frozen=True)
@@ -82,6 +97,11 @@ class _Part:
     def letters(self) -> int:
         """The length of its statements."""
         return len(self.lines)
+
+    @property
+    def name(self) -> str:
+        """The name of its file."""
+        return self.stored.document.source.name
 
     @property
     def graph(self) -> Term:
@@ -111,6 +131,21 @@ class _Part:
         more = "".join(f"{self.graph} {name} {value} .\n" for name, value in told)
         said = f"GRAPH {self.graph} {{\n{self.lines}{more}}}"
         return f"DROP SILENT GRAPH {self.graph} ;\nINSERT DATA {{ {said} }}"
+
+
+def _updates(models: Iterable[Sequence[StoredDocument]]) -> Iterator[list[_Part]]:
+    """Yield the documents of *models* as updates replace them together."""
+    parts, letters = list[_Part](), 0
+    for model in models:
+        for each in model:
+            part = _Part(each, model, statements(each))
+            if parts and letters + part.letters > MOST_LETTERS:
+                yield parts
+                parts, letters = [], 0
+            parts.append(part)
+            letters += part.letters
+    if parts:
+        yield parts
 
 
 def statements(stored: StoredDocument) -> str:

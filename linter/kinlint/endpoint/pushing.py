@@ -34,16 +34,23 @@ def concerned(
     book: Rulebook,
     codes: Collection[str],
     tell: Callable[[str], None],
+    begin: Callable[[str], None] = lambda _: None,
 ) -> frozenset[Term] | None:
     """Return the graphs in which the rules with *codes* may find anything; None for all of them.
 
-    *tell* is told what was found for each rule, and which query is refused.
+    *tell* is told what was found for each rule, and which query is refused; *begin* is called with
+    the code of each rule before its queries are asked.
     """
     queries = dict(_queries(book, codes))
-    if None in queries.values():
+    if unasked := [code for code, wheres in queries.items() if wheres is None]:
+        some = f"{unasked[0] or 'shapes'}" + (
+            f" and {len(unasked) - 1} more" if unasked[1:] else ""
+        )
+        tell(f"{some}: no pattern says where anything is found, so all models are read")
         return None
     found = set[Term]()
     for code, wheres in queries.items():
+        begin(code)
         graphs = set[Term]()
         for where in wheres or ():
             try:

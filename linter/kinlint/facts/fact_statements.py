@@ -19,8 +19,11 @@ MEMBER = fact("member")
 
 
 def fact_node(kind: str, number: int) -> Term:
-    """Return the name of the fact node of *kind* with *number*, the same in every run."""
-    return iri(f"urn:kinlint:fact:{kind}:{number}")
+    """Return the name of the fact node of *kind* with *number*, the same in every run.
+
+    Names are sorted as the numbers are: which is first does not depend on what else is judged.
+    """
+    return iri(f"urn:kinlint:fact:{kind}:{number:06}")
 
 
 def double(value: float) -> Term:

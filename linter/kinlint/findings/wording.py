@@ -37,7 +37,7 @@ KINDS = frozenset(
 )
 """Elements that are spoken of by kind and name: joint 'elbow'."""
 
-FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):(\d+)")
+FACT_NODE = re.compile(r"urn:kinlint:fact:([\w-]+):0*(\d+)")
 """The IRI of a computed node: its kind and number."""
 
 PART = "<urn:kinlint:fact:component:"

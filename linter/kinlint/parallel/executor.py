@@ -131,7 +131,10 @@ class WorkerPool:
             waiting = len(tasks)
             task.done("each worker that linted it was lost")
             return [tasks.pop() for _ in range(len(tasks) - waiting)]
-        except (KinlintError, MemoryError):
+        except MemoryError:
+            task.done("the worker that linted it has too little memory")
+            return ()
+        except KinlintError:
             raise
         except Exception as error:  # noqa: BLE001  of the executor: a worker raises no others
             raise KinlintError(f"--executor: {type(error).__name__}: {error}") from None
