@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinlint.facts.comparison.comparison import COMPOSED, Comparison
@@ -42,10 +43,13 @@ def _alone(
     """Yield the *joints* that *twin* has fixed, or not at all.
 
     *groups* are the groups of *twin* that correspond. Those at one that has other joints instead,
-    as with another gripper, and those further out are no omissions.
+    as with another gripper, those further out, and several at an end, as with an arm without its
+    gripper, are no omissions.
     """
     robot = comparison.one if twin is comparison.other else comparison.other
     homes = {body.name: (index, body) for index, body in twin.bodies()}
+    further = Counter(groups.get(each.parent) for each in joints)
+    inner = {each.parent for each in twin.joints}
     for joint in joints:
         carrier = groups.get(joint.parent)
         if carrier is None or not joint.is_complete or joint.closes:
@@ -57,7 +61,9 @@ def _alone(
             yield parts.measured(
                 "movement", "", joint.kind, "fixed", differs=True, individual=False
             )
-        elif home is None and carrier not in changed:
+        elif (
+            home is None and carrier not in changed and (carrier in inner or further[carrier] == 1)
+        ):
             group = twin.groups[carrier]
             ends = joint.node, group.main.node
             parts = Parts(joint.name, group.name, *ends, comparison.tolerances, aspect="missing")
