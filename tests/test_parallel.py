@@ -1,5 +1,6 @@
 """Several processes: what they report is what one reports."""
 
+import gc
 import json
 import os
 import re
@@ -11,10 +12,17 @@ from pathlib import Path
 
 import pytest
 from support.interrupts import accept_interrupts
+from support.linting import book, source
 
 from kinlint.cli.main import main
+from kinlint.configuration.settings import Settings
+from kinlint.document import Document
 from kinlint.formats.dependencies.file_groups import group_sources
-from kinlint.parallel import processes
+from kinlint.parallel import processes, shard
+from kinlint.parallel.early_findings import counted
+from kinlint.parallel.runner import ParallelRunner
+from kinlint.parallel.shard import Job
+from kinlint.reporters.fixability import fixable
 from kinlint.text import SourceText
 
 pytestmark = pytest.mark.slow
@@ -72,6 +80,30 @@ def test_a_fix_does_not_depend_on_what_is_linted_beside(tmp_path, monkeypatch, c
     ]
     assert "DELETE DATA" in alone[0]
     assert beside == alone
+
+
+def test_one_process_keeps_no_document_of_the_models_before(
+    tmp_path, monkeypatch, capsys, rules_cache
+):
+    """With whatever else makes memory grow with the number of files."""
+    monkeypatch.chdir(tmp_path)
+    for number in range(40):
+        Path(f"r{number}.urdf").write_text(WRONG.format(f"r{number}"))
+    lint, kept = shard.lint_shard, []
+
+    def counting(*given):
+        kept.append(sum(isinstance(each, Document) for each in gc.get_objects()))
+        return lint(*given)
+
+    monkeypatch.setattr(shard, "lint_shard", counting)
+    gc.collect()
+    gc.disable()
+    try:
+        _said(capsys, ".", "--no-cache", "--jobs=1", "--output-format=json-lines", "-q")
+    finally:
+        gc.enable()
+    assert len(kept) > 3
+    assert max(kept) == kept[0]
 
 
 def test_every_report_is_that_of_one_process(robots, capsys):
@@ -261,3 +293,15 @@ def test_the_samples(capsys, monkeypatch, rules_cache):
     monkeypatch.chdir(Path(__file__).parents[1])
     arguments = ["samples/urdf", "samples/sdf", "--output-format", "concise"]
     assert _said(capsys, *arguments, "-j", "2") == _said(capsys, *arguments, "-j", "1")
+
+
+def test_what_is_told_is_counted_without_its_texts():
+    """A summary says the same of it, and no text is kept for it."""
+    job = Job(Settings(), book(), fixing=True)
+    whole = ParallelRunner(job).report([source(WRONG.format("r"), "r.urdf")], ())
+    few = counted(whole)
+    assert fixable(few.findings) == fixable(whole.findings) != (0, 0)
+    assert [each.rule.code for each in few.findings] == [each.rule.code for each in whole.findings]
+    assert not any(each.edits or each.update for one in few.findings for each in one.fixes)
+    assert not any(one.location.source.text for one in few.findings)
+    assert few.unfixed == ()

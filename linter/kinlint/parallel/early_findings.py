@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from kinlint.finding import Finding
+from kinlint.finding import Finding, Fix
 from kinlint.light_dataclasses import replace
 from kinlint.parallel.merge_reports import once
 from kinlint.parallel.partition import Model, first_name
@@ -18,6 +18,7 @@ def counted(report: Report) -> Report:
         report,
         findings=tuple(map(_counted, report.findings)),
         suppressed=tuple(map(_counted, report.suppressed)),
+        unfixed=(),
         structures=(),
     )
 
@@ -31,6 +32,7 @@ def _counted(finding: Finding) -> Finding:
         because=(),
         consequences=(),
         members=(),
+        fixes=tuple(Fix("", each.applicability, (), "") for each in finding.fixes),
     )
 
 

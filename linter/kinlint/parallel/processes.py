@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import signal
@@ -95,4 +96,6 @@ def _end(pool: ProcessPoolExecutor) -> None:
 
 def _one(models: Sequence[Model]) -> list[Outcome]:
     job, errors = _jobs[-1]
-    return shard.lint_shard(models, errors, job)
+    outcomes = shard.lint_shard(models, errors, job)
+    gc.collect()  # documents are circles of objects
+    return outcomes

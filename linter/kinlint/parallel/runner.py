@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from time import perf_counter
@@ -192,6 +193,8 @@ class ParallelRunner:
         for number, each in enumerate(left):
             if number not in finished:
                 done(number, shard.lint_shard(each, failed, self.job, self.phases))
+                if number < len(left) - 1:
+                    gc.collect()  # documents are circles of objects
 
     def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
         if not failed:  # What is linted anew was counted before.
