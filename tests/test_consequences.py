@@ -75,6 +75,10 @@ CASCADES: dict[str, tuple[Edit, str]] = {
         ("skeleton", '"@id": "arm:elbow-seat",', '"@id": "arm:upper-arm-root",'),
         "ID004",
     ),
+    "identifier misspelt where it is defined": (
+        ("skeleton", '"@id": "arm:elbow-seat-origin"', '"@id": "arm:elbow-seat-orign"'),
+        "LD040",
+    ),
     "identifier of another joint": (
         ("chain", '"@id": "arm:elbow",', '"@id": "arm:shoulder",'),
         "ID004",
@@ -204,3 +208,68 @@ def test_other_mistakes_are_not_hidden(
     report = lint_edited(cause[0], other[0])
     codes = [each.rule.code for each in report.findings]
     assert sorted(codes) == sorted([cause[1], other[1]])
+
+
+def _arm(side: str, y: float) -> str:
+    """Three links of an arm, with the joints between them."""
+    shape = '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
+    links = "".join(f'<link name="{side}_{part}">{shape}</link>' for part in ("upper", "lower"))
+    limit = '<limit lower="-1" upper="1" effort="9" velocity="2"/>'
+    joints = "".join(
+        f'<joint name="{side}_{name}" type="revolute"><parent link="{parent}"/>'
+        f'<child link="{side}_{child}"/><origin xyz="0 {y} {z}"/><axis xyz="0 1 0"/>{limit}</joint>'
+        for name, parent, child, z in (
+            ("shoulder", "base", "upper", 0.5),
+            ("elbow", f"{side}_upper", "lower", -0.3),
+        )
+    )
+    return links + joints
+
+
+ARMS = f'<robot name="arms"><link name="base"/>{_arm("left", 0.2)}{_arm("right", -0.2)}</robot>'
+GROUPS = """<robot name="arms">
+<group name="left_arm"><chain base_link="base" tip_link="left_lower"/></group>
+<group name="right_arm"><chain base_link="base" tip_link="right_lower"/></group>
+<group_state name="home" group="left_arm"><joint name="left_shoulder" value="0"/>
+<joint name="left_elbow" value="0"/></group_state>
+<group_state name="rest" group="right_arm"><joint name="right_shoulder" value="0"/>
+<joint name="right_elbow" value="0"/></group_state>
+<disable_collisions link1="left_upper" link2="left_lower" reason="Adjacent"/>
+<disable_collisions link1="right_upper" link2="right_lower" reason="Adjacent"/>
+</robot>"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        ('<link name="left_lower"', '<link name="left_lowr"', "TOP001"),
+        ('<child link="right_lower"/>', '<child link="left_lower"/>', "TOP004"),
+        ('<parent link="left_upper"/>', '<parent link="right_upper"/>', "TOP062"),
+        ('<parent link="base"/><child link="left_', '<parent link="left_lower"/><child link="left_',
+         "TOP003"),
+        ('tip_link="right_lower"', 'tip_link="left_lower"', "CMP095"),
+    ],
+)  # fmt: skip
+def test_one_mistake_in_a_robot_is_one_finding(old: str, new: str, code: str) -> None:
+    """What its planning groups, states and collision pairs lack follows from it."""
+    texts = {"arms.urdf": ARMS, "arms.srdf": GROUPS}
+    sources = [SourceText(name, text.replace(old, new, 1)) for name, text in texts.items()]
+    found = [
+        each
+        for each in lint.run(sources, (), Settings(), rulebook.load()).findings
+        if each.severity.label != "info"
+    ]
+
+    assert [each.rule.code for each in found] == [code]
+    assert found[0].consequences
+
+
+@pytest.mark.slow
+def test_a_robot_without_mistakes_has_no_findings() -> None:
+    sources = [SourceText("arms.urdf", ARMS), SourceText("arms.srdf", GROUPS)]
+    assert [
+        each
+        for each in lint.run(sources, (), Settings(), rulebook.load()).findings
+        if each.severity.label != "info"
+    ] == []

@@ -171,6 +171,23 @@ def test_what_a_macro_writes_is_told_once(tmp_path, calls, end):
     assert told.message.startswith("<mass> of link 'w0'")
 
 
+def test_what_a_macro_writes_is_told_once_of_several_groups(tmp_path):
+    """Each joint has a group of two angles, and all of them are written at one place."""
+    space = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    limit = '<limit lower="-90" upper="90" effort="1" velocity="1"/>'
+    ends = '<parent link="base"/><child link="w${n}"/>'
+    joint = f'<link name="w${{n}}"/><joint name="j${{n}}" type="revolute">{ends}{limit}</joint>'
+    macro = f'<xacro:macro name="wheel" params="n">{joint}</xacro:macro>'
+    uses = "".join(f'<xacro:wheel n="{number}"/>' for number in range(3))
+    text = f'<robot name="r" {space}>{macro}<link name="base"/>{uses}</robot>'
+    findings = lint(text, str(tmp_path / "car.xacro")).findings
+    (told,) = (each for each in findings if each.rule.code == "UNI003")
+
+    assert "joint 'j0'" in told.message
+    assert told.message.endswith("(2 such places). This text is used 3 times.")
+    assert len(told.members) == 6
+
+
 def test_a_group_counts_as_the_worst_in_it():
     """A value that is malformed in a drawing and in a shape to hit is told once, of the shape."""
     mesh = '<geometry><mesh filename="a.stl" scale="1 1 1 1"/></geometry>'

@@ -27,6 +27,15 @@ def test_a_rule_is_explained_by_code_and_by_name(kinlint, word):
     assert "\x1b[" not in out
 
 
+def test_an_antipattern_is_said_before_its_rules(kinlint):
+    """In a sentence; a single rule needs none."""
+    out = kinlint("rule", "AP5")[1]
+
+    assert out.startswith("AP5 incomplete metamodel. What a term means, requires or permits is not")
+    assert "\n\nUNI002 " in out
+    assert "What a term means" not in kinlint("rule", "UNI002")[1]
+
+
 def test_a_rule_in_markdown(kinlint):
     """With a heading."""
     assert kinlint("rule", "LD001", "--output-format", "markdown")[1].startswith("# LD001 ")

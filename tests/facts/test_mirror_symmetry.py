@@ -125,3 +125,30 @@ def test_bodies_of_several_shapes_that_share_an_inertia():
     wheels = ("left_front", "left_rear", "right_front")
     turned = [each.replace(f"link{n}", f"{wheels[n - 1]}_wheel") for n, each in enumerate(same, 1)]
     assert found("shapes", *turned) == []
+
+
+def arms(*sides):
+    """Links of arms, each with the distances of its centres of mass to the left in m."""
+    return tuple(
+        link(
+            f"{side}_{number}",
+            inertial().replace("<mass", f'<origin xyz="0.1 {aside} 0.3"/><mass', 1),
+        )
+        for number, pair in enumerate(sides)
+        for side, aside in zip(("left", "right"), pair, strict=True)
+    )
+
+
+@pytest.mark.parametrize(
+    ("sides", "odd"),
+    [
+        ([(0.1, -0.1), (0.2, -0.2), (0.05, 0.05)], ["link/left_2/inertia-frame/pose/position"]),
+        ([(0.1, -0.1), (0.2, -0.2), (0.05, -0.05)], []),
+        ([(0.1, -0.1), (0.2, -0.2), (0.001, 0.001)], []),
+        ([(0.1, -0.1), (0.05, 0.05)], []),
+        ([(0.1, -0.1), (0.2, -0.2), (0.05, 0.05), (0.04, 0.04)], []),
+    ],
+)
+def test_one_centre_of_mass_is_not_mirrored(sides, odd):
+    """Two other pairs are, and no other is not; on the plane of symmetry signs mean nothing."""
+    assert [node for node, _ in found("unlike-centre", link("base"), *arms(*sides))] == odd

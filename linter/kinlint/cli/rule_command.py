@@ -8,6 +8,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from textwrap import fill
 
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.shacl_export import shacl
@@ -19,6 +20,7 @@ from kinlint.files.atomic_write import replacement
 from kinlint.files.pathglob import absolute
 from kinlint.findings.message_of_result import SHAPE
 from kinlint.project.layers import cache_directory
+from kinlint.reporters.antipatterns import ANTIPATTERNS
 from kinlint.reporters.reporter_registry import put
 from kinlint.reporters.rule_page import markdown, rule_object, text
 from kinlint.reporters.rule_pages import catalogue, pages
@@ -109,6 +111,10 @@ def _write(rules: Sequence[Rule], directory: Path) -> int:
 def _pages(rules: Sequence[Rule], options: Namespace) -> Iterator[str]:
     form = options.output_format
     style = detect_style(sys.stdout, options.color)
+    for each in ANTIPATTERNS:
+        if each.id in map(str.upper, options.names):
+            said = f"{each.id} {each.name.lower()}. {each.description}"
+            yield f"{fill(said, 80)}\n\n" if form == "text" else f"{said}\n\n"
     for number, rule in enumerate(rules):
         if number:
             yield "\n" if form == "markdown" else "\n" + "-" * 80 + "\n\n"

@@ -277,6 +277,7 @@ KINDS = (
         {"undescribed-in": ()},
         ("described", "first", "subject", "property", "beside", *NODES),
     ),
+    _identifier_slip("slip-for", lambda own: own.identifiers.resemblances()),
     _alone("compared_units", "shared_units", {"shares-unit-with": (qudt("unit"),)}),
     _alone("namesakes", "namesakes", {"namesake": ()}),
     _alone("query_terms", "query_terms", {"query-term": (SELECT,)}),
@@ -285,7 +286,6 @@ KINDS = (
 """All kinds of facts that rules may ask for."""
 
 HINTS = (
-    _identifier_slip("slip-for", lambda own: own.identifiers.resemblances()),
     _identifier_slip("free-name", lambda own: own.identifiers.free_names()),
     _alone("schedule_order", "reordered", {"reordered": inputs.DATA}, ("cell", "due")),
     FactKind(

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Container, Iterable, Iterator, Mapping
 from itertools import product
+from typing import NamedTuple
 from urllib.parse import unquote
 
 from kinlint.facts.assembly import Assemblies
@@ -13,7 +14,7 @@ from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.fact_statements import derived, fact, integer
 from kinlint.facts.inertia import Inertias
 from kinlint.facts.laterality import twin, without_side
-from kinlint.facts.linear_algebra import IDENTITY, Matrix, Vector, length
+from kinlint.facts.linear_algebra import IDENTITY, Matrix, length
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex
 from kinlint.facts.spatial_relations import RelativePosition, SpatialRelations
@@ -22,6 +23,12 @@ from kinlint.terms import Term, Triple, is_iri
 LETTERED = re.compile(r"[_-][lL]$")
 """End that the names of twins and of axes have in common."""
 LIMITS = tuple(kin(f"Actuator{name}Limit") for name in ("Force", "Velocity", "Acceleration"))
+ASIDE = 2e-3
+"""Distance in m from the plane of symmetry that tells a point from its mirror image."""
+MIRRORED = 2
+"""Fewest mirrored pairs that one unlike them is compared with."""
+NEGLIGIBLE = 1e-3
+"""Distance in m whose sign tells nothing."""
 SEVERAL = 3
 """Fewest bodies of different shapes, or names, whose common inertia is no coincidence."""
 
@@ -183,10 +190,42 @@ def unmirrored_centres(
 
     Where the moments about each axis agree, as many components of both may have other signs as
     frames have that are mirrored; their sizes agree, and products of inertia have the signs of
-    theirs. It is the coordinates of their positions that are told.
+    theirs, unless they have a frame of their own. Nor is one pair equal along an axis that all
+    others are mirrored along. It is the coordinates of their positions that are told.
     """
+    found = dict(_centres(inertias, assemblies, relations))
+    pairs: dict[str, list[tuple[RelativePosition, RelativePosition]]] = {}
+    for body, here in found.items():
+        if (other := twin_of(body, found)) is None:
+            continue
+        there = found[other]
+        if all(_near(here.tensor[at][at], there.tensor[at][at]) for at in range(3)):
+            if here.framed or _is_image(here, there):
+                pairs.setdefault(split_name(body)[0], []).append((here.shift, there.shift))
+            else:
+                yield here.shift.source, fact("unlike-centre"), there.shift.source
+    for mirrored in pairs.values():
+        for left, right in _copies(mirrored):
+            yield left.source, fact("unlike-centre"), right.source
+
+
+class _Centre(NamedTuple):
+    """Centre of mass of a body."""
+
+    tensor: Matrix
+    """Inertia about it in kg m²."""
+    shift: RelativePosition
+    """Its position, along the axes that the inertia is about."""
+    framed: bool
+    """Sign that the inertia has a frame of its own, parallel to that of the position."""
+
+
+def _centres(
+    inertias: Inertias, assemblies: Assemblies, relations: SpatialRelations
+) -> Iterator[tuple[Term, _Centre]]:
+    """Yield the centre of mass of each body whose position and inertia are along the same axes."""
     shifts = {each.of: each for each in relations.shifts}
-    found: dict[Term, tuple[Matrix, RelativePosition]] = {}
+    parallel = {each.of: each.base for each in relations.turns if each.matrix == IDENTITY}
     for node, tensor in sorted(inertias.central.items()):
         body = assemblies.body(node)
         point = assemblies.companions.point(node)
@@ -194,18 +233,37 @@ def unmirrored_centres(
         seen_by = assemblies.companions.frames.get(node)
         if body is None or shift is None or seen_by is None:
             continue
-        if relations.axes(seen_by) == shift.seen_by:
-            found[body] = tensor, shift
-    for body, (tensor, shift) in found.items():
-        if (other := twin_of(body, found)) is not None:
-            across, there = found[other]
-            alike = all(_near(tensor[at][at], across[at][at]) for at in range(3))
-            if alike and not _is_image(shift.vector, there.vector, tensor, across):
-                yield shift.source, fact("unlike-centre"), there.source
+        axes = relations.axes(seen_by)
+        if parallel.get(axes, axes) == shift.seen_by:
+            yield body, _Centre(tensor, shift, axes != shift.seen_by)
 
 
-def _is_image(left: Vector, right: Vector, tensor: Matrix, across: Matrix) -> bool:
-    """Tell whether some axes exist along which *right* and *across* are *left* and *tensor*."""
+def _copies(
+    pairs: list[tuple[RelativePosition, RelativePosition]],
+) -> Iterator[tuple[RelativePosition, RelativePosition]]:
+    """Yield the only pair that is equal along an axis that all others are mirrored along."""
+    for at in range(3):
+        aside = [pair for pair in pairs if abs(pair[0].vector[at]) > ASIDE]
+        equal = [pair for pair in aside if pair[0].vector[at] * pair[1].vector[at] > 0]
+        if len(equal) == 1 and len(aside) > MIRRORED:
+            others = [pair for pair in aside if pair not in equal]
+            if all(_only_along(at, left, right) for left, right in others):
+                yield from equal
+
+
+def _only_along(at: int, left: RelativePosition, right: RelativePosition) -> bool:
+    """Tell whether no other component than *at* has another sign on the right."""
+    return all(
+        one * two > 0 or abs(one) <= NEGLIGIBLE
+        for axis, (one, two) in enumerate(zip(left.vector, right.vector, strict=True))
+        if axis != at
+    )
+
+
+def _is_image(here: _Centre, there: _Centre) -> bool:
+    """Tell whether some axes exist along which *there* is the mirror image of *here*."""
+    left, right = here.shift.vector, there.shift.vector
+    tensor, across = here.tensor, there.tensor
     slack = 1e-3 + 0.02 * length(left)
     least = 0.01 * max(tensor[at][at] for at in range(3))
     return any(

@@ -36,9 +36,33 @@ def grouped(
     for finding in findings:
         groups.setdefault(_sameness(finding, reused), []).append(finding)
     tell = detailed or _brief
-    return [
+    told = [
         tell(group[0]) if len(group) == 1 else _merged(group, tell) for group in groups.values()
     ]
+    return _once_each(told, reused) if reused else told
+
+
+def _once_each(findings: Iterable[Finding], reused: Collection[str]) -> list[Finding]:
+    """Return *findings* with all groups of one rule at one place of a reused text as one."""
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for finding in findings:
+        text = finding.location.source.name
+        key: tuple[object, ...] = (id(finding),)
+        if text in reused and finding.rule.group_by:
+            key = finding.rule.code, finding.suppressed, text, finding.location.span
+        groups.setdefault(key, []).append(finding)
+    return [group[0] if len(group) == 1 else _of_one_text(group) for group in groups.values()]
+
+
+def _of_one_text(group: Collection[Finding]) -> Finding:
+    first = min(group, key=lambda each: (each.sort_key, each.message))
+    return replace(
+        first,
+        message=f"{first.message} This text is used {len(group)} times.",
+        template="",
+        members=tuple(member for each in group for member in each.members or (each,)),
+        consequences=tuple(one for each in group for one in each.consequences),
+    )
 
 
 def _brief(finding: Finding) -> Finding:

@@ -7,7 +7,7 @@ which sends trajectories to controllers of the same names.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import yaml
 
@@ -46,12 +46,13 @@ def controllers(table: yaml.MappingNode) -> Iterator[Entry]:
             continue
         given = said(value).get(PARAMETERS, value)
         if isinstance(given, yaml.MappingNode) and name[0] != PARAMETERS:
-            yield from _controller(*name, said(given), is_section=given is not value)
+            yield from _controller(*name, given, is_section=given is not value)
 
 
 def _controller(
-    name: str, span: Span, given: Mapping[str, yaml.Node], *, is_section: bool
+    name: str, span: Span, table: yaml.MappingNode, *, is_section: bool
 ) -> Iterator[Entry]:
+    given = said(table)
     kind = _type(given.get("type"))
     lists = {role: given[key] for key, role in CLAIMING.items() if key in given}
     if any(key in given for key in CHAINED) or not (lists or kind or is_section):
@@ -65,9 +66,11 @@ def _controller(
         *(("interface", each[0]) for each in interfaces if each is not None),
         *([("controllerType", kind)] if kind else []),
         *([("drives", only[0])] if (only := name_of(given.get(ONLY))) else []),
-        *(("parameter", key) for key in given if is_section),
     ]
-    yield Entry("controller", name.lstrip("/"), span, tuple(floats(sizes)), -1, tuple(told))
+    keys = [name_of(key) for key, _ in table.value if is_section]
+    parameters = tuple(key for key in keys if key is not None)
+    sized = tuple(floats(sizes))
+    yield Entry("controller", name.lstrip("/"), span, sized, -1, tuple(told), parameters)
 
 
 def _type(node: yaml.Node | None) -> str:

@@ -47,6 +47,8 @@ def read(source: SourceText, _options: ReadOptions) -> Document:
         for name, value in each.told:
             told = _list(root, value) if isinstance(value, int) else literal(value)
             layer.triples[element, src(name), told] = each.span
+        for key, span in each.parameters:
+            layer.triples[element, src("parameter"), literal(key)] = span
         for number in each.numbers:
             size = literal(repr(number.value), f"{XSD}double")
             stated[element, iri(f"{ATTRIBUTE}{number.name}"), size] = number.span

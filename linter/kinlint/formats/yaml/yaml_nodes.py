@@ -36,6 +36,8 @@ class Entry(NamedTuple):
     """Offset of the list or table that it is a member of; -1 if it is none."""
     told: tuple[tuple[str, str | int], ...] = ()
     """Facts that are said of it besides, by the names of properties."""
+    parameters: tuple[tuple[str, Span], ...] = ()
+    """Keys of the parameters of a controller, with their places."""
 
 
 def said(table: yaml.MappingNode) -> dict[str, yaml.Node]:
