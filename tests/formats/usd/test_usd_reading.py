@@ -141,6 +141,27 @@ def test_a_text_that_is_no_layer_states_only_that(content, reason):
 
 
 @pytest.mark.parametrize(
+    ("content", "repeated"),
+    [
+        ('def "a" { rel x = [</b>, <../b>]; }', "<../b>"),
+        ('def "a" { float x.connect = [</b.x>, </b.x>]; }', "</b.x>"),
+        ('def "a" ( inherits = [</b>, </c>, </b>] ) {}', "</b>"),
+        ('def "a" ( variantSets = ["b", "b"] ) {}', '"b"'),
+    ],
+)
+def test_an_item_that_openusd_finds_twice_in_a_list_is_no_value(content, repeated):
+    layer = read(content)
+
+    assert [told for _, told, _ in said(layer, "reason")] == ["it is listed before"]
+    (place,) = (
+        spans.best
+        for node, spans in layer.map.nodes.items()
+        if node in {node for node, way, _ in layer.statements if way.endswith("#reason>")}
+    )
+    assert layer.source.text[place.start :].startswith(repeated)
+
+
+@pytest.mark.parametrize(
     "content",
     [
         'def Xform "a"\n(\n kind = "b"\n)\n\n{\n}\n',

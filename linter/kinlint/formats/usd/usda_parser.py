@@ -33,7 +33,7 @@ class _Parser(ValueParser):
         root = Prim("", "", Span(0, self.stop), Span(0, len(self.text)))
         self.advance()
         if self.word == "(":
-            self._metadata(root.metadata)
+            self.metadata(root.metadata)
         while self.kind:
             block = self.word in SPECIFIERS
             if self.word == "reorder":
@@ -70,7 +70,7 @@ class _Parser(ValueParser):
     def _body(self, prim: Prim, start: int, what: str) -> None:
         """Read metadata and block of *prim*, of which the text began at *start*."""
         if self.word == "(":
-            self._metadata(prim.metadata)
+            self.metadata(prim.metadata)
         self.expect("{", f"'{{' of {what}")
         while self.word != "}" or self.kind != "mark":
             if not self.kind:
@@ -101,7 +101,7 @@ class _Parser(ValueParser):
         if self.kind != "name":
             self.fail("expected what to reorder")
         self.advance()
-        self._assigned()
+        self.assigned()
 
     def _variant_set(self) -> Variant:
         self.enter()
@@ -129,9 +129,9 @@ class _Parser(ValueParser):
     def _property(self) -> Property:
         self.enter()
         start = self.at
-        operation = self._taken(OPERATIONS)
-        custom = bool(self._taken({"custom"}))
-        variability = self._taken(VARIABILITIES)
+        operation = self.taken(OPERATIONS)
+        custom = bool(self.taken({"custom"}))
+        variability = self.taken(VARIABILITIES)
         if self.kind != "name":
             self.fail("expected the type of a property")
         type_name, type_start, type_end = self.word, self.at, self.stop
@@ -158,7 +158,7 @@ class _Parser(ValueParser):
             self.unbroken()
             if found.type_name == "rel" and self.kind != "path" and self.word not in ("[", "None"):
                 self.fail("expected the path of a target, such as </robot/link>")
-            found.value = self._value()
+            found.value = self.value()
             names = found.type_name == "rel" or found.name == "xformOpOrder"
             if names:
                 self.bound(len(found.value.items), f"'{found.name}'", "targets or operations")
@@ -166,7 +166,7 @@ class _Parser(ValueParser):
             self.fail("expected '='")
         if self.word == "(":
             self.unbroken()
-            self._metadata(found.metadata)
+            self.metadata(found.metadata)
         found.span = Span(start, self.end)
         self.depth -= 1
         return found

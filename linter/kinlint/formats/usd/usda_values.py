@@ -1,4 +1,7 @@
-"""Parses values and metadata of text layers of USD."""
+"""Parses values and metadata of text layers of USD, which may hold each other.
+
+Values keep their spelling.
+"""
 
 from __future__ import annotations
 
@@ -10,20 +13,19 @@ from kinlint.text import Span
 
 BODY = "PhysicsRigidBodyAPI"
 OPERATIONS = frozenset({"add", "prepend", "append", "delete", "reorder"})
-"""Words before the name of a list that say what is done to it."""
 
 
 class ValueParser(Scanner):
-    """A scanner that reads what stands behind a '=' or in parentheses."""
+    """Values and metadata, each from the current token on."""
 
-    def _assigned(self) -> Value:
+    def assigned(self) -> Value:
         """Return the value behind a '=', both on the line of what they are for."""
         self.unbroken()
         self.expect("=")
         self.unbroken()
-        return self._value()
+        return self.value()
 
-    def _taken(self, words: Collection[str]) -> str:
+    def taken(self, words: Collection[str]) -> str:
         """Return the current token and go on in its line, if it is one of *words*; else nothing."""
         found = self.word if self.word in words else ""
         if found:
@@ -31,7 +33,7 @@ class ValueParser(Scanner):
             self.unbroken()
         return found
 
-    def _metadata(self, into: list[Field]) -> None:
+    def metadata(self, into: list[Field]) -> None:
         """Read what stands in parentheses, and append it to *into*."""
         self.enter()
         self.expect("(")
@@ -40,7 +42,7 @@ class ValueParser(Scanner):
             if not self.kind:
                 self.fail("expected ')'")
             if self.kind == "string":
-                value = self._value()
+                value = self.value()
                 into.append(Field("documentation", value.span, value))
             else:
                 into.append(self._field())
@@ -54,14 +56,15 @@ class ValueParser(Scanner):
         self.depth -= 1
 
     def _field(self) -> Field:
-        operation = "" if self.follows("=") else self._taken(OPERATIONS)
+        operation = "" if self.follows("=") else self.taken(OPERATIONS)
         if self.kind != "name":
             self.fail("expected the name of metadata")
         name, span = self.word, Span(self.at, self.stop)
         self.advance()
-        return Field(name, span, self._assigned(), operation)
+        return Field(name, span, self.assigned(), operation)
 
-    def _value(self) -> Value:
+    def value(self) -> Value:
+        """Return the value."""
         start, kind = self.at, self.kind
         is_cut = kind == "bulk" and self.word[-1] != "]"
         if is_cut or (kind == "mark" and self.word in _BRACKETS):
@@ -88,7 +91,7 @@ class ValueParser(Scanner):
             value.items.append(Value("path", self.word[1:-1], Span(self.at, self.stop)))
             self.advance()
         if self.word == "(" and not self.fresh:
-            self._metadata(value.fields)
+            self.metadata(value.fields)
 
     def _sequence(self, kind: str, closing: str) -> Value:
         found = Value(kind, "", Span(self.at, self.at))
@@ -99,7 +102,7 @@ class ValueParser(Scanner):
         while self.word != closing or self.kind != "mark":
             if is_cut and self.kind not in ("number", "mark"):
                 self.fail("expected a number")
-            found.items.append(self._value())
+            found.items.append(self.value())
             self.bound(len(found.items), "a list", "members other than numbers")
             if self.word == ",":
                 self.unbroken()
@@ -121,10 +124,10 @@ class ValueParser(Scanner):
                 self.unbroken()
                 self.expect(":")
                 self.unbroken()
-                value = self._value()
+                value = self.value()
             else:
                 type_name, name, span = self._entry()
-                value = self._assigned()
+                value = self.assigned()
             found.fields.append(Field(name, span, value, type_name=type_name))
             if found.kind == "dictionary":
                 self.separate("}")
