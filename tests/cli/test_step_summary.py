@@ -11,12 +11,12 @@ JOINT = """  <joint name="j{n}" type="fixed"><parent link="base"/><child link="l
   <link name="l{n}"/>
 """
 ROBOT = '<robot name="{name}">\n  <link name="base"/>\n{more}</robot>\n'
-FAULT = '  <joint name="elbow" type="revolute"><parent link="base"/><child link="no"/></joint>\n'
+FAULT = '  <joint name="e{n}" type="revolute"><parent link="base"/><child link="no{n}"/></joint>\n'
 
 
 def robot(name, *, faults=0, joints=0):
-    more = "".join(FAULT.replace("elbow", f"e{n}") for n in range(faults))
-    return ROBOT.format(name=name, more=more + "".join(JOINT.format(n=n) for n in range(joints)))
+    parts = [FAULT.format(n=n) for n in range(faults)] + [JOINT.format(n=n) for n in range(joints)]
+    return ROBOT.format(name=name, more="".join(parts))
 
 
 @pytest.fixture(autouse=True)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 from computed import Computed, Node, store_of
 
-from kinlint.facts.computation import hints
+from kinlint.facts.computation import facts, hints
 from kinlint.facts.fact_statements import fact
 
 
 def hinted(*nodes: Node) -> Computed:
-    """What repairs are told of a file with these nodes."""
-    wanted = (fact("slip-for"), fact("free-name"))
-    return Computed(hints(store_of(*nodes), wanted))
+    """What rules and repairs are told of a file with these nodes."""
+    store, wanted = store_of(*nodes), frozenset({fact("slip-for"), fact("free-name")})
+    return Computed([*facts(store, wanted), *hints(store, wanted)])
 
 
 def frame(origin: str, *points: str) -> Computed:
