@@ -63,7 +63,7 @@ def found():
     ]
     together = [source for _, files in examples if len(files) == 1 for source in files]
     for run in (together, *(files for _, files in examples if len(files) > 1)):
-        for finding in lint(run, default=chosen()).findings:
+        for finding in lint(run, default=chosen()).with_consequences().findings:
             codes[int(finding.location.source.name.split("/")[0])].add(finding.rule.code)
     return codes
 
