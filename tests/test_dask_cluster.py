@@ -55,12 +55,15 @@ def robots(tmp_path, monkeypatch, rules_cache):
 
 
 @contextmanager
-def workers(**more):
-    """Two workers, each in a process that is started again when it ends, however long it takes."""
+def workers(failures=3, **more):
+    """Two workers, each in a process that is started again when it ends, however long it takes.
+
+    What more than so many *failures* of workers were at is given up.
+    """
     distributed = pytest.importorskip("distributed")
     patient = {
         "distributed.deploy.lost-worker-timeout": "1 hour",
-        "distributed.scheduler.allowed-failures": 1,
+        "distributed.scheduler.allowed-failures": failures,
     }
     with (
         pytest.importorskip("dask").config.set(patient),
@@ -116,7 +119,7 @@ def test_a_file_that_ends_its_workers_is_reported_and_no_other(robots, tmp_path,
     preload = tmp_path / "deadly.py"
     preload.write_text(DEADLY)
 
-    with workers(preload=[str(preload)]) as found:
+    with workers(1, preload=[str(preload)]) as found:
         code, told = said(
             capsys, "--no-cache", "--output-format", lines, "--executor", address(found)
         )

@@ -235,7 +235,7 @@ async def test_pushed_for_the_newest_version_only(stranger):
 
 async def test_the_same_as_the_command_finds(editor):
     """In all files of a folder that says something of each other."""
-    editor.write("leg.urdf", LEG.replace('<link name="shin">', '<link name="tibia">'))
+    editor.write("leg.urdf", LEG.replace("shin", "tibia").replace('lower="-1"', 'lower="2"'))
     editor.write("leg.srdf", SRDF)
     command = [KINLINT, "--output-format", "concise", "--isolated", str(editor.here)]
     process = await asyncio.create_subprocess_exec(*command, cwd=editor.here, stdout=PIPE)
