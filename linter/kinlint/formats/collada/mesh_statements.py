@@ -21,15 +21,14 @@ LONGEST = 8_000_000
 
 
 def state_meshes(
-    root: ColladaElement, text: str, places: Mapping[Term, NodeSpans], said: DerivedStatements
+    addressing: Addressing, text: str, places: Mapping[Term, NodeSpans], said: DerivedStatements
 ) -> None:
-    """State what the primitives of *root* take, of which the *text* has nodes at *places*.
+    """State what the primitives of a document take, of which the *text* has nodes at *places*.
 
     It is how many indices each corner has, one for each offset of the inputs, the greatest index
     of each input with the number of entries that it has, and how many corners polygons have.
     """
-    known = {id_: each for each in root.below() if (id_ := each.text("id"))}
-    for each in root.below():
+    for each in addressing.root.below():
         if each.tag not in PRIMITIVES:
             continue
         inputs = [
@@ -44,7 +43,7 @@ def state_meshes(
         listed = each.first("p")
         indices = _integers(listed, text, places)
         for one, offset in inputs:
-            entries = _entries(one, known)
+            entries = _entries(one, addressing)
             if listed is not None and entries is not None and (taken := indices[offset::step]):
                 said.state(one.node, "indexList", listed.node)
                 said.number(one.node, "greatestIndex", max(taken))
@@ -53,9 +52,9 @@ def state_meshes(
             said.number(each.node, "corners", sum(corners))
 
 
-def state_materials(root: ColladaElement, addressing: Addressing, said: DerivedStatements) -> None:
+def state_materials(addressing: Addressing, said: DerivedStatements) -> None:
     """State the geometry of each primitive, and of what binds a material where one is drawn."""
-    for each in root.below():
+    for each in addressing.root.below():
         if each.tag == "geometry":
             for primitive in each.below():
                 if "material" in primitive.said:
@@ -68,14 +67,16 @@ def state_materials(root: ColladaElement, addressing: Addressing, said: DerivedS
                     said.state(material.node, "bindsFor", geometry.node)
 
 
-def _entries(given: ColladaElement, known: Mapping[str, ColladaElement]) -> int | None:
+def _entries(given: ColladaElement, addressing: Addressing) -> int | None:
     """Return how many entries the input *given* has; None if that is not said."""
-    source = known.get(given.text("source")[1:])
-    if source is not None and source.tag == "vertices":
+    source = addressing.by_uri(given.text("source"))
+    if isinstance(source, ColladaElement) and source.tag == "vertices":
         places = (each for each in source.all("input") if each.text("semantic") == "POSITION")
         place = next(places, None)
-        source = known.get(place.text("source")[1:]) if place is not None else None
-    accessor = source.first("technique_common", "accessor") if source is not None else None
+        source = addressing.by_uri(place.text("source")) if place is not None else None
+    if not isinstance(source, ColladaElement):
+        return None
+    accessor = source.first("technique_common", "accessor")
     return _count(accessor, "count") if accessor is not None else None
 
 

@@ -75,8 +75,8 @@ def _derived(document: Document, root: ColladaElement) -> Document:
     state_empty(root, said_)
     state_assets(root, said_)
     state_transforms(root, said_)
-    state_materials(root, addressing, said_)
-    state_meshes(root, document.source.text, document.map.nodes, said_)
+    state_materials(addressing, said_)
+    state_meshes(addressing, document.source.text, document.map.nodes, said_)
     PhysicsStatements(root, found, addressing, said_).state()
     places = document.map.nodes
     for node, element_ in said_.made_of.items():
