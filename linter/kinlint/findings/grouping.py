@@ -57,12 +57,16 @@ def _once_each(findings: Iterable[Finding], reused: Collection[str]) -> list[Fin
 def _of_one_text(group: Collection[Finding]) -> Finding:
     first = min(group, key=lambda each: (each.sort_key, each.message))
     return replace(
-        first,
-        message=f"{first.message} This text is used {len(group)} times.",
-        template="",
+        _used(first, len(group)),
         members=tuple(member for each in group for member in each.members or (each,)),
         consequences=tuple(one for each in group for one in each.consequences),
     )
+
+
+def _used(finding: Finding, count: int) -> Finding:
+    """Return *finding* with a word on how often its text is used."""
+    said = f"{finding.message} This text is used {count} times."
+    return replace(finding, message=said, template="")
 
 
 def _brief(finding: Finding) -> Finding:
@@ -94,9 +98,7 @@ def _merged(group: Iterable[Finding], detailed: Callable[[Finding], Finding]) ->
     first = replace(first, members=tuple(members), consequences=consequences)
     count = 1 + len(others)
     if not first.rule.group_by:
-        return replace(
-            first, message=f"{first.message} This text is used {count} times.", template=""
-        )
+        return _used(first, count)
     known = {first.location, *(related.location for related in first.related)}
     places = dict.fromkeys(other.location for other in others if other.location not in known)
     names = dict.fromkeys(match[3] for match in VARIABLE.finditer(first.template))
