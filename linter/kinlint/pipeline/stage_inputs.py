@@ -114,13 +114,15 @@ class Demand:
             from kinlint.facts.robot_structures import ASKED  # noqa: PLC0415  few outputs draw
 
             terms |= ASKED
+        any_by_name = terms is None and not browsed
+        named = named_by(constraints, selection.repairs) if any_by_name else None
         lifted = None if terms is None else behind(axioms, terms)
         spoken = spoken_of(constraints, selection.repairs)
         if lifted and spoken is not None and all(document.format.is_tree for document in documents):
             lifted -= UNNAMED - spoken
         return cls(
             terms=terms,
-            named=None if browsed else named_by(constraints, selection.repairs),
+            named=named,
             lifted=lifted,
             axioms=axioms if browsed else axioms_for(documents, axioms, terms),
             hints=frozenset(term for each in selection.repairs for term in each.terms),
