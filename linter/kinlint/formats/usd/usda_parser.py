@@ -50,16 +50,14 @@ class _Parser(ValueParser):
         self.prims += 1
         self.bound(self.prims, "the layer", "prims")
         start, specifier = self.at, self.word
-        self.advance()
-        self.unbroken()
+        self.onward()
         type_name, type_span = "", None
         if self.kind == "name":
             type_name, type_span = self.word, Span(self.at, self.stop)
             if type_name.endswith(JOINT):
                 self.joints += 1
                 self.bound(self.joints, "the layer", "joints")
-            self.advance()
-            self.unbroken()
+            self.onward()
         name, span = self.name("the name of a prim")
         if not name.isidentifier():
             raise MalformedLayer(span, f"'{name}' is no name: prims have letters, digits and _")
@@ -96,8 +94,7 @@ class _Parser(ValueParser):
             self.bound(len(prim.properties), "a prim", "properties")
 
     def _skip_reorder(self) -> None:
-        self.advance()
-        self.unbroken()
+        self.onward()
         if self.kind != "name":
             self.fail("expected what to reorder")
         self.advance()
@@ -106,8 +103,7 @@ class _Parser(ValueParser):
     def _variant_set(self) -> Variant:
         self.enter()
         start = self.at
-        self.advance()
-        self.unbroken()
+        self.onward()
         name, span = self.name("the name of a variant set")
         found = Variant(name, span, span)
         self.unbroken()
@@ -154,8 +150,7 @@ class _Parser(ValueParser):
         self.advance()
         if self.word == "=":
             self.unbroken()
-            self.advance()
-            self.unbroken()
+            self.onward()
             if found.type_name == "rel" and self.kind != "path" and self.word not in ("[", "None"):
                 self.fail("expected the path of a target, such as </robot/link>")
             found.value = self.value()

@@ -149,6 +149,11 @@ class Scanner:
             where = "a line break stands in the middle of a statement"
             raise MalformedLayer(Span(self.at, self.stop), where)
 
+    def onward(self) -> None:
+        """Go to the next token, which stands in the same line."""
+        self.advance()
+        self.unbroken()
+
     def separate(self, closing: str, *, block: bool = False) -> None:
         """Go beyond what separates two statements: a line break, or a semicolon.
 

@@ -29,8 +29,7 @@ class ValueParser(Scanner):
         """Return the current token and go on in its line, if it is one of *words*; else nothing."""
         found = self.word if self.word in words else ""
         if found:
-            self.advance()
-            self.unbroken()
+            self.onward()
         return found
 
     def metadata(self, into: list[Field]) -> None:
@@ -120,8 +119,7 @@ class ValueParser(Scanner):
             if self.kind in ("number", "path") or (self.kind == "string" and self.follows(":")):
                 found.kind = "samples"
                 type_name, name, span = "", self.word, Span(self.at, self.stop)
-                self.advance()
-                self.unbroken()
+                self.onward()
                 self.expect(":")
                 self.unbroken()
                 value = self.value()
