@@ -20,7 +20,8 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
 
     Of two as common, it is the one in which more nodes are described, else the first by name. The
     empty prefix is each file's own. It comes with the names that would meet if all files defined it
-    alike; if there are none, with a prefix by which other files describe most of the namespace.
+    alike; if there are none, with a prefix by which other files describe most of the namespace, or
+    which the same file defines as it, too.
     """
     terms, documents = scan.table(src("term")), scan.table(src("document"))
     prefixes: dict[Term, dict[Term, list[Term]]] = {}
@@ -50,11 +51,16 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
             if met:
                 continue
             for other in sorted(each for each in prefixes if meaning in prefixes[each]):
+                if other == prefix:
+                    continue
                 own, theirs = (
                     missed.described_by(prefixes[each][meaning], meaning)
                     for each in (prefix, other)
                 )
-                if theirs > 2 * own > 0:
+                beside = {home for one in prefixes[other][meaning] for home in documents.values(one)}
+                if theirs > 2 * own > 0 or not beside.isdisjoint(
+                    home for one in found for home in documents.values(one)
+                ):
                     yield from ((one, fact("called-elsewhere"), other) for one in sorted(found))
 
 
