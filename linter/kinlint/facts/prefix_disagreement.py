@@ -51,16 +51,7 @@ def disagreements(scan: PredicateIndex) -> Iterator[Triple]:
             if met:
                 continue
             for other in sorted(each for each in prefixes if meaning in prefixes[each]):
-                if other == prefix:
-                    continue
-                own, theirs = (
-                    missed.described_by(prefixes[each][meaning], meaning)
-                    for each in (prefix, other)
-                )
-                beside = {home for one in prefixes[other][meaning] for home in documents.values(one)}
-                if theirs > 2 * own > 0 or not beside.isdisjoint(
-                    home for one in found for home in documents.values(one)
-                ):
+                if other != prefix and missed.is_theirs(found, prefixes[other][meaning], meaning):
                     yield from ((one, fact("called-elsewhere"), other) for one in sorted(found))
 
 
@@ -92,9 +83,22 @@ class MissedNames:
                                 found.add(meant)
             yield from ((one, fact("meant-elsewhere"), name) for name in sorted(found))
 
-    def described_by(self, definitions: Iterable[Term], own: Term) -> int:
-        """Return how many names of the namespace *own* the files describe that define it so."""
-        homes = {each for one in definitions for each in self._homes.values(one)}
+    def is_theirs(self, own: Iterable[Term], their: Iterable[Term], meaning: Term) -> bool:
+        """Tell whether the namespace *meaning* is that of another prefix.
+
+        Files that define *their* prefix as it describe most of it, or a file with the *own* prefix
+        has that one, too.
+        """
+        homes, others = (
+            {each for one in definitions for each in self._homes.values(one)}
+            for definitions in (own, their)
+        )
+        if homes & others:
+            return True
+        return self._described_by(others, meaning) > 2 * self._described_by(homes, meaning) > 0
+
+    def _described_by(self, homes: Iterable[Term], own: Term) -> int:
+        """Return how many names of the namespace *own* the files *homes* describe."""
         return sum(
             is_iri(node) and split(node)[0] == literal_value(own)
             for home in homes
