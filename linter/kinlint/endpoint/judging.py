@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
 
 StoredModel: TypeAlias = Sequence[StoredGraph]
-OWN = 6
+OWN = 7
 """Number of statements that loading adds to a graph."""
 TURTLE = BY_NAME["turtle"]
 LABEL = re.compile(r"\W")
