@@ -166,14 +166,22 @@ def survey_at(workplace: Workplace, chunk: Sequence[Input]) -> Survey:
 
 @contextmanager
 def _at(workplace: Workplace) -> Iterator[None]:
-    """Work at *workplace*, alone."""
+    """Work at *workplace*, alone.
+
+    Garbage is looked for by this thread alone: iterators of the engine can only be freed by the
+    thread that made them, and any other thread of a worker may be the one that is due to look.
+    """
     job = workplace.job
     if not os.path.isdir(workplace.directory) and not job.roots:  # noqa: PTH112  no path of this run
         raise KinlintError(f"a worker has no directory {workplace.directory}: it needs the files")
     try:
         with _alone, chdir("." if job.roots else workplace.directory):
-            yield
-            gc.collect()  # what the engine made can be freed by its own thread alone
+            gc.disable()
+            try:
+                yield
+            finally:
+                gc.collect()
+                gc.enable()
     except (KinlintError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001  see above

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import count
 from typing import TYPE_CHECKING
 
@@ -136,7 +135,7 @@ def _may_stay(select: Select, prebound: tuple[str, ...]) -> bool:
     return found
 
 
-def _premises(group: Group, names: Iterator[int]) -> tuple[Triple, ...]:
+def _premises(group: Group, names: count[int]) -> tuple[Triple, ...]:
     """Return the patterns that every solution of *group* matches, with new variables by *names*."""
     found: list[Triple] = []
     for each in group.elements:
