@@ -26,12 +26,16 @@ def _repaired():
 
 
 def _told(code, suffix, *texts):
-    """What is said of the first of *texts*, beside the others."""
+    """What is said of the first of *texts*, beside the others; blank nodes are called anyhow."""
     sources = [SourceText(f"file{number}{suffix}", text) for number, text in enumerate(texts)]
     settings = Settings(default=FileSettings((Choice(select=(code,)),)))
     found = lint_texts(sources, (), settings, book()).report.findings
     return [
-        (each.message, each.location.span, each.fixes)
+        (
+            each.message,
+            each.location.span,
+            [(f.title, f.applicability, f.edits, f.update) for f in each.fixes],
+        )
         for each in found
         if each.location.source.name == sources[0].name
     ]
