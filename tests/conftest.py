@@ -27,7 +27,7 @@ settings.register_profile("thorough", settings.get_profile("default"), max_examp
 settings.load_profile("ci" if os.environ.get("CI") else "default")
 
 # What tests share stays: modules, catalogues, and what they compile of queries.
-gc.set_threshold(100_000, 20, 20)
+gc.set_threshold(50_000)
 
 # Tests start hundreds of processes: what one of them compiles of Python, the others load.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
