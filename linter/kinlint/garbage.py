@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 _frozen = False
@@ -27,6 +27,27 @@ def uncollected() -> Iterator[None]:
                 gc.freeze()
                 gc.unfreeze()
             gc.enable()
+
+
+@contextmanager
+def collected_often() -> Iterator[Callable[[], None]]:
+    """Give a function that collects garbage.
+
+    What its first call leaves, such as rules and modules, is not looked at again within the block.
+    """
+    frozen = _frozen
+
+    def collect() -> None:
+        if _frozen:
+            gc.collect()
+        else:
+            freeze()
+
+    try:
+        yield collect
+    finally:
+        if not frozen:
+            unfreeze()
 
 
 def freeze() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -45,6 +46,12 @@ def statement(triple: Triple) -> ox.Quad:
     except (SyntaxError, StopIteration) as error:
         raise ValueError(str(error)) from error
     return quad
+
+
+@lru_cache(maxsize=8192)
+def _term(term: Term) -> ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple:
+    """Return a token as a term of the store, as `statement` does."""
+    return statement(("<any:>", RDF_TYPE, term)).object
 
 
 def rank(solution: Mapping[str, Term]) -> tuple[tuple[str, Term], ...]:
@@ -206,9 +213,8 @@ class Store:
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
         """Yield the subjects of *predicate*, with *value* if one is given, in any graph."""
-        quad = statement(("<any:>", predicate, value or "<any:>"))
-        given = quad.object if value else None
-        for found in self.oxigraph.quads_for_pattern(None, quad.predicate, given, None):
+        given = None if value is None else _term(value)
+        for found in self.oxigraph.quads_for_pattern(None, _term(predicate), given, None):
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
