@@ -82,7 +82,9 @@ class Lifting:
 
         Nothing is made of *foreign* documents.
         """
-        return _update(self, None if wanted is None else self._decisive.intersection(wanted), foreign)
+        return _update(
+            self, None if wanted is None else self._decisive.intersection(wanted), foreign
+        )
 
     @cached_property
     def _decisive(self) -> frozenset[Term]:

@@ -213,8 +213,9 @@ class Store:
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
         """Yield the subjects of *predicate*, with *value* if one is given, in any graph."""
-        given = None if value is None else _term(value)
-        for found in self.oxigraph.quads_for_pattern(None, _term(predicate), given, None):
+        given, property_ = None if value is None else _term(value), _term(predicate)
+        assert isinstance(property_, ox.NamedNode)
+        for found in self.oxigraph.quads_for_pattern(None, property_, given, None):
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:

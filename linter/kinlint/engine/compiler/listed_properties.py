@@ -29,8 +29,8 @@ def _group(group: Group) -> Group:
     listed = dict(filter(None, map(_listed, group.elements)))
     elements: list[Element] = []
     for each in map(_element, group.elements):
-        for name in _predicates(each) & listed.keys():
-            elements.append(Given(("VALUES", name, "{", *listed.pop(name), "}")))
+        named = sorted(_predicates(each) & listed.keys())
+        elements += (Given(("VALUES", name, "{", *listed.pop(name), "}")) for name in named)
         elements.append(each)
     return Group(tuple(elements))
 

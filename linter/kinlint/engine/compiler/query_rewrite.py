@@ -1,7 +1,8 @@
 """Rewrites queries for Oxigraph, whose planner does not know what is bound around a group.
 
-Four rewrites, none needed for a right answer. They spare Oxigraph work, most of it such that grows
-with the square of the model (oxigraph#885). Whatever they do not fully understand stays as it stands.
+Four rewrites, none needed for a right answer. They spare Oxigraph work, most of it such
+that grows with the square of the model (oxigraph#885). Whatever they do not fully understand stays
+as it stands.
 """
 
 from __future__ import annotations

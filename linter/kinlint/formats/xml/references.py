@@ -43,7 +43,7 @@ class NameUse(NamedTuple):
 
 
 def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple, ElementType]]:
-    """Yield *statements* that may refer to other elements or to files, with types of their elements.
+    """Yield *statements* that may refer to other elements or to files, with the element's type.
 
     Elements are stated before what is in them.
     """
