@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 _frozen = False
@@ -29,27 +29,6 @@ def uncollected() -> Iterator[None]:
             gc.enable()
 
 
-@contextmanager
-def collected_often() -> Iterator[Callable[[], None]]:
-    """Give a function that collects garbage.
-
-    What its first call leaves, such as rules and modules, is not looked at again within the block.
-    """
-    frozen = _frozen
-
-    def collect() -> None:
-        if _frozen:
-            gc.collect()
-        else:
-            freeze()
-
-    try:
-        yield collect
-    finally:
-        if not frozen:
-            unfreeze()
-
-
 def freeze() -> None:
     """Collect garbage now, and look at nothing that is left until `unfreeze`."""
     global _frozen  # noqa: PLW0603  a process has one heap
@@ -57,6 +36,26 @@ def freeze() -> None:
     gc.collect()
     gc.freeze()
     _frozen = True
+
+
+def pass_over() -> None:
+    """Look at nothing that there is now until `unfreeze`: it stays, or is no large part of all."""
+    global _frozen  # noqa: PLW0603  see above
+    gc.freeze()
+    _frozen = True
+
+
+@contextmanager
+def only_new() -> Iterator[None]:
+    """Have collections look only at what is made meanwhile."""
+    frozen = _frozen
+    if not frozen:
+        pass_over()
+    try:
+        yield
+    finally:
+        if not frozen:
+            unfreeze()
 
 
 def unfreeze() -> None:

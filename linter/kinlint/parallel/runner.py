@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -190,12 +191,12 @@ class ParallelRunner:
 
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
-        with garbage.collected_often() as collect:
+        with garbage.only_new() if len(left) > 1 else nullcontext():
             for number, each in enumerate(left):
                 if number not in finished:
                     done(number, shard.lint_shard(each, failed, self.job, self.phases))
                     if number < len(left) - 1:
-                        collect()  # documents are circles of objects
+                        gc.collect()  # documents are circles of objects
 
     def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
         if not failed:  # What is linted anew was counted before.
