@@ -35,6 +35,7 @@ def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
     return text
 
 
+@lru_cache(maxsize=4096)
 def statement(triple: Triple) -> ox.Quad:
     """Return a triple of tokens as terms of the store, in its default graph.
 
@@ -46,12 +47,6 @@ def statement(triple: Triple) -> ox.Quad:
     except (SyntaxError, StopIteration) as error:
         raise ValueError(str(error)) from error
     return quad
-
-
-@lru_cache(maxsize=8192)
-def _term(term: Term) -> ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple:
-    """Return a token as a term of the store, as `statement` does."""
-    return statement(("<any:>", RDF_TYPE, term)).object
 
 
 def rank(solution: Mapping[str, Term]) -> tuple[tuple[str, Term], ...]:
@@ -213,9 +208,9 @@ class Store:
 
     def subjects(self, predicate: Term, value: Term | None = None) -> Iterator[Term]:
         """Yield the subjects of *predicate*, with *value* if one is given, in any graph."""
-        given, property_ = None if value is None else _term(value), _term(predicate)
-        assert isinstance(property_, ox.NamedNode)
-        for found in self.oxigraph.quads_for_pattern(None, property_, given, None):
+        quad = statement(("<any:>", predicate, value or "<any:>"))
+        given = quad.object if value else None
+        for found in self.oxigraph.quads_for_pattern(None, quad.predicate, given, None):
             yield token(found.subject)
 
     def values(self, subject: Term, predicate: Term) -> Iterator[Term]:
