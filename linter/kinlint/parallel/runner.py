@@ -166,7 +166,7 @@ class ParallelRunner:
         """
         least = self.jobs * SHARES if self.jobs > 1 or self.executor else 1
         split = split_in_order if in_order else split_into_shares
-        planned = split(models, least, self.job.settings)
+        planned = split(models, least, self.job.settings, recorded=self.memory is not None)
         left = [[models[number] for number in each] for each in planned]
         finished = set[int]()
 
