@@ -33,7 +33,7 @@ def digest(tmp_path):
 
         def make():
             computed.append(name)
-            return "".join(Path(one.path).read_text("utf-8") for one in found.files)
+            return "".join(Path(path).read_text("utf-8") for path, *_ in found.files)
 
         found = Installation()
         return found.digest(name, tmp_path / "cache", make), bool(computed)

@@ -16,7 +16,7 @@ from contextlib import suppress
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, TypeAlias
 
 from kinlint import resources
 from kinlint.files.cache_file import UNDONE, write_cache_file
@@ -28,17 +28,12 @@ SETTLED = 2.0
 """Age in seconds from which files count as complete: changes within a tick of the clock of a file
 system cannot be told apart.
 """
+InstalledFile: TypeAlias = tuple[str, int, int, int, int]
+"""A file of the package, of `rules/` or of `shapes/`.
 
-
-class InstalledFile(NamedTuple):
-    """A file of the package, of `rules/` or of `shapes/`."""
-
-    path: str
-    """Absolute path."""
-    changed: int
-    """Time of modification or of change, the later, in nanoseconds."""
-    state: str
-    """Size in bytes, both times and number of the inode."""
+Its absolute path, the times of its last modification and change in nanoseconds, its size in bytes
+and the number of its inode.
+"""
 
 
 def _files_below(top: str) -> Iterator[InstalledFile]:
@@ -50,10 +45,8 @@ def _files_below(top: str) -> Iterator[InstalledFile]:
                     if each.name != "__pycache__":
                         directories.append(each.path)
                     continue
-                about = each.stat()
-                modified, changed = about.st_mtime_ns, about.st_ctime_ns
-                state = f"{about.st_size} {modified} {changed} {about.st_ino}"
-                yield InstalledFile(each.path, max(modified, changed), state)
+                now = each.stat()
+                yield each.path, now.st_mtime_ns, now.st_ctime_ns, now.st_size, now.st_ino
 
 
 @dataclass(frozen=True)
@@ -68,11 +61,10 @@ class Installation:
         outer = (top for top in tops if package not in top.parents)
         return tuple(sorted(each for top in outer for each in _files_below(str(top))))
 
-    def paths_below(self, directory: Path, suffix: str) -> list[Path]:
+    def paths_below(self, directory: Path, suffix: str) -> list[str]:
         """Return the paths of files below *directory* that end in *suffix*, sorted."""
         top = f"{directory}{os.sep}"
-        paths = (one.path for one in self.files)
-        return [Path(each) for each in paths if each.startswith(top) and each.endswith(suffix)]
+        return [each for each, *_ in self.files if each.startswith(top) and each.endswith(suffix)]
 
     def digest(self, name: str, cache: Path | None, make: Callable[[], str]) -> str:
         """Return the digest *name* of files, which *make* computes unless *cache* has it."""
@@ -83,7 +75,7 @@ class Installation:
         digests: dict[str, str] = kept["digests"] if kept.get("stamp") == self._stamp else {}
         if not isinstance(found := digests.get(name), str):
             found = make()
-            newest = max(one.changed for one in self.files)
+            newest = max(max(changes) for _, *changes, _, _ in self.files)
             if newest < (time.time() - SETTLED) * 1e9:
                 _write(place, {"stamp": self._stamp, "digests": {**digests, name: found}})
         return found
@@ -97,8 +89,7 @@ class Installation:
     @cached_property
     def _stamp(self) -> str:
         """A digest that changes whenever a file of the installation does."""
-        states = "\0".join(f"{path}\0{state}" for path, _, state in self.files)
-        return sha256(states.encode("utf-8", "surrogatepass")).hexdigest()
+        return sha256(repr(self.files).encode()).hexdigest()
 
 
 def _read(path: Path) -> dict[str, Any]:

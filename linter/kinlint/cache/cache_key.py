@@ -110,10 +110,10 @@ def _code(installed: Installation) -> str:
     """A digest of kinlint itself, which in a checkout changes without its version."""
     shapes = f"{resources.data('shapes')}{os.sep}"
     digest = sha256()
-    for one in installed.files:
-        if one.path.endswith(".py" if not one.path.startswith(shapes) else DATA):
-            digest.update(f"\0{os.path.basename(one.path)}\0".encode())  # noqa: PTH119  a text
-            digest.update(Path(one.path).read_bytes())
+    for path, *_ in installed.files:
+        if path.endswith(".py" if not path.startswith(shapes) else DATA):
+            digest.update(f"\0{os.path.basename(path)}\0".encode())  # noqa: PTH119  a text
+            digest.update(Path(path).read_bytes())
     return digest.hexdigest()
 
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache as memoised
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from kinlint import __version__, resources
 from kinlint.catalogue.compiled_store import CompiledCatalogue, newest
-from kinlint.catalogue.deferred import heads
+from kinlint.catalogue.deferred import Deferred, heads
 from kinlint.engine.axioms import Axiom
 from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.constraint import Constraint
@@ -47,7 +48,7 @@ class Rulebook:
     """The axioms of the vocabulary, in order of evaluation."""
     vocabulary: tuple[Path, ...]
     """The Turtle files that are loaded with the data."""
-    shapes: tuple[Path, ...]
+    shapes: Sequence[Path]
     """All files that hold constraints, with the prefixes that their queries use."""
     digest: str = ""
     """The digest of all that was compiled; empty where nothing was."""
@@ -98,22 +99,23 @@ def load(
     """
     ours = resources.data("shapes")
     installation = Installation()
-    files, extra, ontology, others, lifting, inputs = _parts(installation, rules, shapes)
+    parts = _parts(installation, rules, shapes)
     code = installation.digest("compiler", cache, _code)
     if rules or shapes:
-        digest = _digest(inputs, code)
+        digest = _digest(parts, code)
     else:
-        digest = installation.digest("catalogue", cache, lambda: _digest(inputs, code))
+        digest = installation.digest("catalogue", cache, lambda: _digest(parts, code))
     name = f"catalogue-{digest}.jsonl"
     places = [SHIPPED, *([cache] if cache is not None else [])]
     kept = (CompiledCatalogue.from_file(place / name) for place in places)
     compiled = next(filter(None, kept), None)
-    homes = {file.stem: str(file) for file in (*extra[::-1], *reversed(files))}
+    constrained = (*parts.files, *parts.extra)
+    homes = {_stem(file): file for file in (*parts.extra[::-1], *reversed(parts.files))}
     recalled = compiled is not None
     if compiled is None:
         if cache is not None and (rules or shapes):
             load(cache=cache)
-        units = _compile((*files, *extra), (ontology, others), lifting, places, code)
+        units = _compile(parts, places, code)
         compiled = CompiledCatalogue.from_units(units, code)
     found = compiled.rules(homes)
     if not recalled:
@@ -125,69 +127,66 @@ def load(
         rules=tuple(sorted(found, key=lambda rule: rule.code)),
         constraints=compiled.constraints,
         axioms=compiled.axioms,
-        vocabulary=(*ontology, *others),
-        shapes=(ours / PREFIXES, *files, *extra),
+        vocabulary=(*map(Path, parts.ontology), *map(Path, parts.others)),
+        shapes=Deferred(lambda: (ours / PREFIXES, *map(Path, constrained))),
         digest=digest,
         recalled=recalled,
         installation=installation,
     )
 
 
-class _Parts(NamedTuple):
-    """The files of a catalogue."""
+@dataclass(frozen=True)
+class _Parts:
+    """The paths of the files of a catalogue."""
 
-    files: tuple[Path, ...]
+    files: tuple[str, ...]
     """Rules."""
-    extra: tuple[Path, ...]
+    extra: tuple[str, ...]
     """Plain shapes."""
-    ontology: tuple[Path, ...]
+    ontology: tuple[str, ...]
     """Vocabulary of kinlint's own."""
-    others: tuple[Path, ...]
+    others: tuple[str, ...]
     """Further vocabulary: the files that are not kinlint's own."""
-    lifting: tuple[Path, ...]
+    lifting: tuple[str, ...]
     """Lifting queries."""
-    inputs: tuple[Path, ...]
-    """All files that decide what the catalogue is."""
+
+    @property
+    def inputs(self) -> Iterator[Path]:
+        """All files that decide what the catalogue is."""
+        yield resources.data("shapes") / PREFIXES
+        yield from map(Path, (*self.ontology, *self.files, *self.extra, *self.lifting))
 
 
 def _parts(installation: Installation, rules: Sequence[Path], shapes: Sequence[Path]) -> _Parts:
     ours = resources.data("shapes")
     shipped = installation.paths_below(resources.data("rules"), ".ttl")
-    given = tuple(_rule_files(rules))
-    files = (*_others(shipped, given), *given)
-    extra = tuple(_existing(shapes))
+    given = tuple(map(str, _rule_files(rules)))
+    extra = tuple(map(str, _existing(shapes)))
     own = (installation.paths_below(ours / name, ".ttl") for name in ("ontology", "units"))
-    ontology = tuple(file for files in own for file in files)
-    others = (*_others(given, shipped), *extra)
-    lifting = tuple(installation.paths_below(ours / "lifting", ".rq"))
-    inputs = (ours / PREFIXES, *ontology, *files, *extra, *lifting)
-    return _Parts(files, extra, ontology, others, lifting, inputs)
+    return _Parts(
+        files=(*_others(shipped, given), *given),
+        extra=extra,
+        ontology=tuple(file for files in own for file in files),
+        others=(*_others(given, shipped), *extra),
+        lifting=tuple(installation.paths_below(ours / "lifting", ".rq")),
+    )
 
 
 def built_in() -> tuple[str, int]:
     """Return the digest of the built-in catalogue, and the number of its rules."""
     parts = _parts(Installation(), (), ())
-    return _digest(parts.inputs, _code()), len(parts.files)
+    return _digest(parts, _code()), len(parts.files)
 
 
-def _compile(
-    files: Sequence[Path],
-    vocabulary: tuple[Sequence[Path], Sequence[Path]],
-    lifting: Sequence[Path],
-    places: Iterable[Path],
-    code: str,
-) -> dict[str, Any]:
-    """Return *files*, *vocabulary* and the queries *lifting* compiled by *code*.
-
-    What the catalogues in *places* have is taken from there.
-    """
+def _compile(parts: _Parts, places: Iterable[Path], code: str) -> dict[str, Any]:
+    """Return *parts* compiled by *code*, or as the catalogues in *places* have them."""
     from kinlint.catalogue.rule_compiler import Units  # noqa: PLC0415
 
     stored = [each for place in places for each in newest(place)[:ASKED]]
     kept = filter(None, map(CompiledCatalogue.from_file, stored))
     known = (unit for each in kept for unit in each.units(code))
     units = Units(known, code, resources.data("shapes") / PREFIXES)
-    made = units.compiled(files)
+    made = units.compiled([*map(Path, parts.files), *map(Path, parts.extra)])
     constraints = [Constraint.from_json(each) for unit in made for each in unit["constraints"]]
     owners = {rule["iri"] for unit in made for rule in unit["rules"]}
     found = {each.owner: number for number, each in reversed([*enumerate(constraints)])}
@@ -198,8 +197,8 @@ def _compile(
     return {
         "units": made,
         "shapes": {"rules": [asdict(each) for each in shapes]},
-        "axioms": units.axioms(*vocabulary),
-        "lifting": units.lifting(lifting),
+        "axioms": units.axioms([*map(Path, parts.ontology)], map(Path, parts.others)),
+        "lifting": units.lifting([*map(Path, parts.lifting)]),
     }
 
 
@@ -238,13 +237,21 @@ def _rule_files(given: Iterable[Path]) -> Iterator[Path]:
         yield from _turtle(path) if path.is_dir() else [path]
 
 
-def _others(files: Iterable[Path], given: Sequence[Path]) -> Iterator[Path]:
+def _others(files: Sequence[str], given: Sequence[str]) -> Iterator[str]:
     """Yield those *files* that are not *given* as well, by the same path or as a copy."""
-    named = {file.name: file for file in given}
+    if not given:
+        yield from files
+        return
+    named = {os.path.basename(file): file for file in given}  # noqa: PTH119  texts
     for file in files:
-        twin = named.get(file.name)
-        if twin is None or twin.read_bytes() != file.read_bytes():
+        twin = named.get(os.path.basename(file))  # noqa: PTH119
+        if twin is None or Path(twin).read_bytes() != Path(file).read_bytes():
             yield file
+
+
+def _stem(path: str) -> str:
+    """Return the name of the file *path* without its suffix."""
+    return os.path.splitext(os.path.basename(path))[0]  # noqa: PTH119, PTH122  texts
 
 
 def _existing(given: Iterable[Path]) -> Iterator[Path]:
@@ -254,10 +261,10 @@ def _existing(given: Iterable[Path]) -> Iterator[Path]:
         yield path
 
 
-def _digest(inputs: Iterable[Path], code: str) -> str:
-    """Return what decides the compiled catalogue: the files, and the *code* that compiles them."""
+def _digest(parts: _Parts, code: str) -> str:
+    """Return what decides the compiled catalogue: *parts*, and the *code* that compiles them."""
     digest = hashlib.sha256(code.encode())
-    for file in inputs:
+    for file in parts.inputs:
         name = f"{file.parent.name}/{file.name}" if file.suffix == ".rq" else file.name
         digest.update(f"\0{name}\0".encode())
         digest.update(file.read_bytes())

@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from itertools import islice
 from typing import TYPE_CHECKING, TypeAlias
 
+from kinlint import garbage
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.endpoint import source_record
@@ -226,6 +227,7 @@ _judges: list[Judge] = []
 
 def _begin(judge: Judge) -> None:
     depend_on_parent()
+    garbage.pass_over()
     _judges.append(judge)
 
 
