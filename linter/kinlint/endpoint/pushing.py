@@ -33,7 +33,7 @@ Found: TypeAlias = dict[str, frozenset[Term] | None]
 
 @dataclass(frozen=True)
 class Plan:
-    """What a store is asked about the documents of one format."""
+    """Questions to a store about the documents of one format."""
 
     conditions: Mapping[str, Sequence[Condition]]
     """The conditions of the constraints of rules, by code."""

@@ -41,8 +41,8 @@ class ScratchGraph:
     word: Term
     """The literal by which the run knows it."""
     interruptions: Interruptions
-    """The signals that come while a statement is inferred wait until the store has answered: what
-    it infers after the graph is dropped would stay."""
+    """The signals, which wait until the store has made an update: what it infers after the graph is
+    dropped would stay."""
 
     @property
     def is_ours(self) -> bool:
