@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable, Sequence
-from contextlib import nullcontext, suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from kinlint import garbage
 from kinlint.cache.report_cache import ReportCache
 from kinlint.errors import FileTimeout, InternalError, SourceError
 from kinlint.finding import Finding
@@ -191,7 +190,7 @@ class ParallelRunner:
 
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
-        with garbage.only_new() if len(left) > 1 else nullcontext():
+        with _collecting() if len(left) > 1 else nullcontext():
             for number, each in enumerate(left):
                 if number not in finished:
                     done(number, shard.lint_shard(each, failed, self.job, self.phases))
@@ -201,6 +200,12 @@ class ParallelRunner:
     def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
         if not failed:  # What is linted anew was counted before.
             self.advance(len(model))
+
+
+def _collecting() -> AbstractContextManager[None]:
+    from kinlint import garbage  # noqa: PLC0415  a recalled report makes none
+
+    return garbage.only_new()
 
 
 def _calls_unused(report: Report) -> bool:

@@ -13,7 +13,6 @@ from kinlint.document import Document
 from kinlint.errors import InternalError, KinlintError, SourceError
 from kinlint.files.tracked_io import Record, recorded
 from kinlint.finding import Finding, FindingKey
-from kinlint.findings.grouping import model_of
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.parallel.partition import Model
 from kinlint.parallel.unread import provided
@@ -193,6 +192,8 @@ def _sorted(
     findings: Sequence[Finding], homes: Mapping[str, int], count: int
 ) -> list[tuple[Finding, ...]]:
     """*findings* by the model that they are about; raises KeyError if that is unknown."""
+    from kinlint.findings.grouping import model_of  # noqa: PLC0415  a recalled report is sorted
+
     sorted_: list[list[Finding]] = [[] for _ in range(count)]
     for finding in findings:
         number = homes.get(model_of(finding))
