@@ -46,7 +46,7 @@ class ScratchGraph:
 
     @property
     def is_ours(self) -> bool:
-        """Whether no other run has taken the graph for its own meanwhile."""
+        """True if no other run has taken the graph for its own meanwhile."""
         return _has(self.endpoint, self.name, f"{self.name} {RUN} {self.word} ; ?p ?o")
 
     def begin(self) -> None:
