@@ -4,6 +4,7 @@ The catalogue is compiled once for all processes of a run, as a wheel brings it:
 loads it, or starts a process that does, would else spend most of its time on that.
 """
 
+import gc
 import os
 import shutil
 import sys
@@ -24,6 +25,9 @@ settings.register_profile(
 settings.register_profile("ci", settings.get_profile("default"), derandomize=True)
 settings.register_profile("thorough", settings.get_profile("default"), max_examples=1_000)
 settings.load_profile("ci" if os.environ.get("CI") else "default")
+
+# What tests share stays: modules, catalogues, and what they compile of queries.
+gc.set_threshold(50_000)
 
 # Tests start hundreds of processes: what one of them compiles of Python, the others load.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -15,11 +15,14 @@ from pathlib import Path
 from statistics import median
 
 from data import locate_data
-from support.linting import lint
+from support.linting import book
 
+from kinlint.configuration.settings import Settings
 from kinlint.finding import Finding
 from kinlint.formats.dependencies.companions import NONE
 from kinlint.formats.registry import decode
+from kinlint.parallel.runner import ParallelRunner
+from kinlint.parallel.shard import Job
 from kinlint.report import Report
 from kinlint.rule import Rule, Severity
 from kinlint.text import Pairing, SourceText
@@ -77,7 +80,8 @@ def report(form: str) -> Report:
     root = locate_data("robots")
     files = sorted(each for each in (root / form).rglob("*") if each.suffix in FORMATS[form])
     sources = [decode(str(file), file.read_bytes()) for file in files]
-    return lint(paired(sources, root) if form == "srdf" else sources)
+    texts = paired(sources, root) if form == "srdf" else sources
+    return ParallelRunner(Job(Settings(), book())).report(texts, ())
 
 
 def paired(sources: Iterable[SourceText], root: Path) -> list[SourceText]:

@@ -295,6 +295,37 @@ def test_the_samples(capsys, monkeypatch, rules_cache):
     assert _said(capsys, *arguments, "-j", "2") == _said(capsys, *arguments, "-j", "1")
 
 
+@pytest.mark.parametrize("cached", [False, True])
+def test_models_that_include_others_share_the_work_unless_it_is_recorded(
+    cached, tmp_path, monkeypatch, capsys, rules_cache
+):
+    """A fault of what both include is told once."""
+    (tmp_path / "lamps.xml").write_text(
+        '<mujocoinclude><light nmae="sun"/><geom size="0.1" tpye="box"/></mujocoinclude>'
+    )
+    for name in "ab":
+        (tmp_path / f"{name}.xml").write_text(
+            f'<mujoco model="{name}"><worldbody><include file="lamps.xml"/>'
+            f'<body><geom size="0.1" mas{name}="1"/></body></worldbody></mujoco>'
+        )
+    monkeypatch.chdir(tmp_path)
+    shares: list[int] = []
+    lint = shard.lint_shard
+
+    def counting(share, *others):
+        shares.append(len(share))
+        return lint(share, *others)
+
+    monkeypatch.setattr(shard, "lint_shard", counting)
+    options = ["a.xml", "b.xml", "--output-format", "concise", "--quiet"]
+    _, out, _ = _said(capsys, *options, *([] if cached else ["--no-cache"]))
+    alone = [_said(capsys, name, *options[2:], "--no-cache")[1] for name in ("a.xml", "b.xml")]
+
+    assert shares[0] == (1 if cached else 2)
+    assert set(out.splitlines()) == {line for text in alone for line in text.splitlines()}
+    assert out.count("lamps.xml") == 2
+
+
 def test_what_is_told_is_counted_without_its_texts():
     """A summary says the same of it, and no text is kept for it."""
     job = Job(Settings(), book(), fixing=True)

@@ -38,6 +38,26 @@ def freeze() -> None:
     _frozen = True
 
 
+def pass_over() -> None:
+    """Look at nothing that there is now until `unfreeze`: it stays, or is no large part of all."""
+    global _frozen  # noqa: PLW0603  see above
+    gc.freeze()
+    _frozen = True
+
+
+@contextmanager
+def only_new() -> Iterator[None]:
+    """Have collections look only at what is made meanwhile."""
+    frozen = _frozen
+    if not frozen:
+        pass_over()
+    try:
+        yield
+    finally:
+        if not frozen:
+            unfreeze()
+
+
 def unfreeze() -> None:
     """Have the garbage collector look at all objects again."""
     global _frozen  # noqa: PLW0603  see above

@@ -65,7 +65,7 @@ def iri_value(term: Term) -> str:
 
 def literal_value(term: Term) -> str:
     """Return the lexical form of a literal token, unescaped; nothing for any other term."""
-    if not is_literal(term):
+    if not term.startswith('"'):
         return ""
     text = term[1 : term.rindex('"')]
     if "\\" not in text:

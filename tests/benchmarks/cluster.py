@@ -6,6 +6,7 @@ one process judges it, and the memory of the run is not to grow with their numbe
 
 from __future__ import annotations
 
+import filecmp
 import json
 import os
 import random
@@ -20,7 +21,7 @@ from pathlib import Path
 from threading import Thread
 
 from benchmarks.processes import KINLINT, PYTHON
-from benchmarks.table import Row
+from benchmarks.table import Row, memory
 
 GROWN = 1.3
 """Most memory that a run over four times the files may take."""
@@ -75,9 +76,12 @@ def rows(robots: Path, count: int) -> Iterator[Row]:
             killer.start()
             took, found, large = _run(many, Path(made, "all"), "--executor", address)
             killer.join()
-    if found != single:
-        raise RuntimeError(f"{len(found)} findings on the cluster, {len(single)} of one process")
-    files = len({json.loads(each)["filename"] for each in found})
+            pids = [os.getpid(), *(each.pid for each in cluster.workers.values())]
+            sys.stderr.write(f"scheduler and workers: {', '.join(map(_peak, pids))}\n")
+        if not filecmp.cmp(found, single, shallow=False):
+            raise RuntimeError("the cluster finds something else than one process")
+        with found.open(encoding="utf-8") as lines:
+            files = len({json.loads(each)["filename"] for each in lines})
     title = f"{count} files on two workers, one of them killed ({files} with findings)"
     yield Row(title, "one process", (took, alone), "faster")
     yield Row(f"{title}, memory here", f"{count // 4} files", (large, small), "ratio", GROWN, "B")
@@ -88,12 +92,20 @@ def _kill(victim: int, seconds: float) -> None:
     os.kill(victim, signal.SIGKILL)
 
 
-def _run(directory: Path, out: Path, *more: str) -> tuple[float, list[str], int]:
-    """Return the seconds of a run, its findings, and the bytes of memory that it took here."""
+def _peak(pid: int) -> str:
+    """Return the most memory that the process *pid* has had."""
+    status = Path(f"/proc/{pid}/status")
+    peak = re.search(r"VmHWM:\s*(\d+)", status.read_text()) if status.exists() else None
+    return memory(int(peak[1]) * 1024) if peak else "unknown"
+
+
+def _run(directory: Path, out: Path, *more: str) -> tuple[float, Path, int]:
+    """Return the seconds of a run, the file of its findings, and the bytes of memory it took."""
     lint = [KINLINT, ".", "--isolated", "--no-cache", "--quiet", "--output=json-lines", *more]
     began = time.perf_counter()
     command = [PYTHON, "-c", WATCHED, str(out), *lint]
     told = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE, check=True)
     seconds = time.perf_counter() - began
-    sys.stderr.write(f"{directory.name}: {seconds:.1f} s {' '.join(more)}\n")
-    return seconds, out.read_text("utf-8").splitlines(), int(told.stdout)
+    used = int(told.stdout)
+    sys.stderr.write(f"{directory.name}: {seconds:.1f} s, {memory(used)} {' '.join(more)}\n")
+    return seconds, out, used

@@ -96,6 +96,13 @@ def _parser() -> argparse.ArgumentParser:
         "--store", type=int, metavar="N", help="only N robots in a triple store, and 100 N of them"
     )
     parser.add_argument(
+        "--store-joints",
+        type=int,
+        metavar="N",
+        default=store.JOINTS,
+        help="joints of those robots: 6 make 280 statements, 23 a thousand",
+    )
+    parser.add_argument(
         "--cluster",
         type=int,
         metavar="N",
@@ -120,7 +127,7 @@ def _rows(options: argparse.Namespace, catalogue: Rulebook) -> Iterator[Row]:
         return
     if options.store:
         with store.served() as url:
-            yield from store.rows(url, options.store)
+            yield from store.rows(url, options.store, options.store_joints)
         return
     if options.reading:
         yield from reading.rows(options.runs)

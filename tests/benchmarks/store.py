@@ -5,8 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from support import triple_store
@@ -14,8 +14,11 @@ from support import triple_store
 from benchmarks.processes import KINLINT, PYTHON
 from benchmarks.table import Row
 from benchmarks.urdf_robot import urdf_chain
+from kinlint.endpoint.connection import Endpoint
+from kinlint.terms import literal_value
 
 JOINTS = 6
+"""Joints of a robot of 280 statements; 23 make a thousand."""
 GROWN, TIMES = 120, 100
 """Most that so many times more robots may cost."""
 MEMORY = 2**30
@@ -29,35 +32,58 @@ print(used.ru_utime + used.ru_stime, used.ru_maxrss)
 """Tells the CPU time and the memory of a command."""
 
 
-def served() -> AbstractContextManager[str]:
-    """An empty store, as the tests use."""
+@contextmanager
+def served() -> Iterator[str]:
+    """The address of an empty store on disk."""
     server = triple_store.program()
     if server is None:
         raise RuntimeError("Oxigraph's server is not installed; the extra 'test' brings it")
-    return triple_store.served(server)
+    with (
+        tempfile.TemporaryDirectory() as directory,
+        triple_store.served(server, "--location", directory) as url,
+    ):
+        yield url
 
 
-def rows(url: str, robots: int) -> Iterator[Row]:
-    """Check *robots*, and a hundred times as many, in the empty store at *url*."""
+def rows(url: str, robots: int, joints: int) -> Iterator[Row]:
+    """Check *robots* of so many *joints*, and a hundred times as many, in the empty store at *url*.
+
+    What either took is told while it runs: the larger one may take long.
+    """
     made, costs = 0, []
     for count in (robots, TIMES * robots):
         with tempfile.TemporaryDirectory() as directory:
             for number in range(made, count):
-                text = urdf_chain(JOINTS).replace('"arm"', f'"arm{number:06}"')
+                text = urdf_chain(joints).replace('"arm"', f'"arm{number:06}"')
                 Path(directory, f"arm{number:06}.urdf").write_text(text, "utf-8")
             load = [KINLINT, "load", "--isolated", "--endpoint", url, directory]
-            subprocess.run(load, check=True, stdout=subprocess.DEVNULL)
+            _tell(f"loading {count - made} robots", _cost(load))
         made = count
-        costs.append(_cost(url))
+        check = [KINLINT, "check", "--isolated", "--jobs=1", "--output=json-lines"]
+        costs.append(_cost([*check, "--endpoint", url]))
+        _tell(f"checking {count} robots, {_statements(url)} statements", costs[-1])
     (few, small), (many, large) = costs
-    titles = [f"`kinlint check --endpoint`, {n} robots" for n in (TIMES * robots, robots)]
+    titles = [
+        f"`kinlint check --endpoint`, {n:,} robots of {joints} joints"
+        for n in (TIMES * robots, robots)
+    ]
     yield Row(f"{titles[0]}, CPU", titles[1], (many, few), target=GROWN)
     yield Row(f"{titles[0]}, memory", titles[1], (large, small), unit="B")
 
 
-def _cost(url: str) -> tuple[float, int]:
-    """Return the seconds of CPU and the bytes of memory that a check takes."""
-    check = [KINLINT, "check", "--isolated", "--jobs=1", "--output=json-lines", "--endpoint", url]
-    told = subprocess.run([PYTHON, "-c", WATCHED, *check], stdout=subprocess.PIPE, check=True)
+def _cost(command: Sequence[str]) -> tuple[float, int]:
+    """Return the seconds of CPU and the bytes of memory that *command* takes."""
+    told = subprocess.run([PYTHON, "-c", WATCHED, *command], stdout=subprocess.PIPE, check=True)
     seconds, memory = told.stdout.split()
     return float(seconds), int(memory) * (1 if sys.platform == "darwin" else 1024)
+
+
+def _statements(url: str) -> int:
+    query = "SELECT (COUNT(*) AS ?n) WHERE { GRAPH ?g { ?s ?p ?o } }"
+    (row,) = Endpoint.from_user(url, None, {}, 3600).select(query)
+    return int(literal_value(row["n"]))
+
+
+def _tell(what: str, cost: tuple[float, int]) -> None:
+    seconds, memory = cost
+    sys.stderr.write(f"{what}: {seconds:.1f} s of CPU, {memory / 1e6:.0f} MB\n")

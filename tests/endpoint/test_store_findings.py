@@ -11,7 +11,7 @@ from data import locate_data
 from kinlint.catalogue import rulebook
 from kinlint.cli.main import main
 from kinlint.endpoint import stored_graphs
-from kinlint.endpoint.pushing import concerned
+from kinlint.endpoint.pushing import Asking
 from kinlint.formats.options import ReadOptions
 from kinlint.formats.registry import decode, read
 
@@ -75,19 +75,25 @@ def test_every_sample_has_the_findings_of_the_file(store, capsys, suffix):
     assert _stored(capsys, store) == found
 
 
+def _asked(store, code, suffix):
+    form = "usd" if suffix == "usda" else suffix
+    return Asking(store, rulebook.load(), {code}).concerned([form])[form]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["urdf", "sdf", "usda"])
 def test_rules_that_the_store_is_asked_for_miss_nothing(store, capsys, suffix):
     """Each model in which such a rule finds something is among those that the store names."""
     for path in sorted((SAMPLES / "broken").glob(f"*.{suffix}")):
         main(["load", "--isolated", "--endpoint", store.query_url, f"broken/{path.name}"])
-    book = rulebook.load()
-    codes = {rule.code for rule in book.rules}
-    pushed = [code for code in sorted(codes) if concerned(store, book, {code}, str) is not None]
+    pushed = {
+        rule.code: graphs
+        for rule in rulebook.load().rules
+        if (graphs := _asked(store, rule.code, suffix)) is not None
+    }
     found = _stored(capsys, store, "--select", ",".join(pushed))
     for each in map(json.loads, found):
-        graphs = concerned(store, book, {each["code"]}, str)
-        assert graphs is not None
+        graphs = pushed[each["code"]]
         assert any(name.endswith(f":{each['filename']}>") for name in graphs), each
     assert found
 
@@ -101,11 +107,11 @@ def test_a_rule_about_what_is_written_streams_only_what_it_concerns(
     for name, part in (("good", ""), ("bad", "<lnik/>")):
         Path(f"{name}.urdf").write_text(f'<robot name="{name}"><link name="a"/>{part}</robot>')
         _load(store, f"{name}.urdf")
-    book = rulebook.load()
-    assert concerned(store, book, {"SRC003"}, str) == {"<urn:kinlint:document:bad.urdf>"}
-    assert concerned(store, book, {"TOP001"}, str) is None
+    assert _asked(store, "SRC003", "urdf") == {"<urn:kinlint:document:bad.urdf>"}
+    assert _asked(store, "TOP001", "urdf") is None
     begun = []
-    concerned(store, book, {"SRC003", "SRC002"}, str, begun.append)
+    asking = Asking(store, rulebook.load(), {"SRC003", "SRC002"}, begin=begun.append)
+    asking.concerned(["urdf"])
     assert sorted(begun) == ["SRC002", "SRC003"]
     chosen = _findings(capsys, "bad.urdf", "good.urdf", "--select", "SRC003")
     assert _stored(capsys, store, "--select", "SRC003") == chosen

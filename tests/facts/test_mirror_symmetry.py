@@ -2,6 +2,7 @@
 
 import pytest
 from described import BOX, found, inertial, joint, link
+from support.linting import findings
 
 from kinlint.facts.laterality import twin, without_side
 
@@ -152,3 +153,33 @@ def arms(*sides):
 def test_one_centre_of_mass_is_not_mirrored(sides, odd):
     """Two other pairs are, and no other is not; on the plane of symmetry signs mean nothing."""
     assert [node for node, _ in found("unlike-centre", link("base"), *arms(*sides))] == odd
+
+
+LEG = (
+    '<{frame}body name="{side}_hip"{place}><joint name="{side}_swing" axis="0 1 0" range="-1 1"/>'
+    '<geom size="0.1" mass="1"/><body name="{side}_calf" pos="0 0 -0.2">'
+    '<joint name="{side}_bend" axis="0 1 0" range="0 2"/><geom size="0.1" mass="{mass}"/></body>'
+    "</body>{end}"
+)
+
+
+@pytest.mark.parametrize("framed", [False, True])
+@pytest.mark.parametrize("mass", [0.2, 2])
+def test_twins_are_in_bodies_that_are_twins(framed, mass):
+    """In MJCF bodies lie in each other, or in frames without a name."""
+    legs = "".join(
+        LEG.format(
+            side=side,
+            mass=heavy,
+            frame=f'frame pos="0 {y} 0"><' if framed else "",
+            place="" if framed else f' pos="0 {y} 0"',
+            end="</frame>" if framed else "",
+        )
+        for side, y, heavy in (("left", 1, 0.2), ("right", -1, mass))
+    )
+    world = f'<body name="trunk"><freejoint/><geom size="0.3"/>{legs}</body>'
+    text = f'<mujoco><compiler angle="radian"/><worldbody>{world}</worldbody></mujoco>'
+    told = [each.message for each in findings(text, "robot.xml") if each.rule.code == "INE007"]
+
+    assert len(told) == (mass == 2)
+    assert all("Body 'left_" in each and "of body 'right_" in each for each in told)

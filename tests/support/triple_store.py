@@ -19,12 +19,12 @@ def program() -> str | None:
 
 
 @contextmanager
-def served(server: str) -> Iterator[str]:
-    """The address of an empty store in memory."""
+def served(server: str, *options: str) -> Iterator[str]:
+    """The address of an empty store, in memory unless *options* of the server say otherwise."""
     while True:
         port = _free_port()  # somebody else may take it before the server does
         process = subprocess.Popen(
-            [server, "serve", "--bind", f"127.0.0.1:{port}"],
+            [server, "serve", "--bind", f"127.0.0.1:{port}", *options],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )

@@ -225,6 +225,13 @@ def _store(made: Parser) -> None:
         metavar="REVISION|TIME",
         help="check only graphs that changed since this revision (kinlint load prints it) or time",
     )
+    add(
+        "--scratch-graph",
+        type=non_empty,
+        metavar="IRI",
+        help="let the store infer, into this graph for the time of the run, where rules about "
+        "composable models may find anything",
+    )
 
 
 def add_reading_options(add: Callable[..., object]) -> None:

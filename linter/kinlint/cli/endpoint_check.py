@@ -5,15 +5,13 @@ from __future__ import annotations
 import os
 import sys
 from argparse import Namespace
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from datetime import UTC, datetime
-from functools import partial
 from pathlib import Path
 from time import perf_counter
 
 from kinlint.catalogue import rulebook
-from kinlint.catalogue.rulebook import Rulebook
 from kinlint.cli.gathered_outputs import GatheredOutputs
 from kinlint.cli.lint_run import (
     THRESHOLD,
@@ -28,8 +26,8 @@ from kinlint.cli.report_outputs import Outputs
 from kinlint.configuration.selection import Policies
 from kinlint.endpoint.connection import Endpoint
 from kinlint.endpoint.judging import Judge, StoredModel, judge_all, together
-from kinlint.endpoint.pushing import concerned
-from kinlint.endpoint.stored_graphs import models
+from kinlint.endpoint.pushing import Asking, Found
+from kinlint.endpoint.stored_graphs import StoredGraph, graph_name, models
 from kinlint.errors import UsageError
 from kinlint.files.pathglob import absolute
 from kinlint.light_dataclasses import replace
@@ -38,7 +36,7 @@ from kinlint.project.discovery import Input
 from kinlint.project.layers import Layers, cache_directory
 from kinlint.report import Report
 from kinlint.rule import Rule
-from kinlint.terms import Term, iri
+from kinlint.terms import Term
 
 OF_FILES = (
     *("fix", "fix_only", "diff", "add_ignore", "watch", "in_project", "new_from_rev"),
@@ -53,7 +51,8 @@ def check_store(options: Namespace) -> int:
     _check(options)
     started = perf_counter()
     store = Endpoint.from_options(options, os.environ)
-    names = [iri(each) for each in options.graph or ()]
+    names = [graph_name(each, "--graph") for each in options.graph or ()]
+    scratch = options.scratch_graph and graph_name(options.scratch_graph, "--scratch-graph")
     found = models(store, names, _since(options.since))
     layers = Layers(configs(options), overrides(options))
     files = [Input(each.file, absolute(each.file)) for one in found for each in one if each.file]
@@ -75,7 +74,7 @@ def check_store(options: Namespace) -> int:
     Policies(settings, book.rules).check_selectors()
     judge = Judge(store, replace(settings, drawn=outputs.shows_structure), book, frozenset(names))
     asked = Policies(settings, book.rules).enabled([each.name for each in inputs] or [""])
-    graphs = _concerned(store, book, asked, outputs, options)
+    graphs = _concerned(Asking(store, book, asked), found, scratch, outputs, options)
     rules = tuple(each for each in book.rules if each.code in asked)
     left, idle = _divided(found, graphs, rules)
     with ExitStack() as ending:
@@ -101,39 +100,51 @@ def check_store(options: Namespace) -> int:
 
 
 def _concerned(
-    store: Endpoint, book: Rulebook, asked: Collection[str], outputs: Outputs, options: Namespace
-) -> frozenset[Term] | None:
-    """Return the graphs in which rules *asked* for may find anything, with progress by rule."""
-
-    def begin(code: str) -> None:
-        bar.advance(2, f"Asking the store for {code}")
-
-    tell = partial(_tell, verbose=bool(options.verbose))
-    with ProgressBar(len(asked), wanted=outputs.watched, color=options.color) as bar:
-        return concerned(store, book, asked, tell, begin)
+    asking: Asking,
+    found: Sequence[StoredModel],
+    scratch: Term | None,
+    outputs: Outputs,
+    options: Namespace,
+) -> Found:
+    """Return the graphs in which rules may find anything, with progress by rule."""
+    formats = {graph.format for one in found for graph in one[:1] if _is_alone(one)}
+    with ProgressBar(len(asking.codes), wanted=outputs.watched, color=options.color) as bar:
+        told = replace(
+            asking,
+            tell=_say if options.verbose else asking.tell,
+            warn=_say,
+            begin=lambda what: bar.advance(2, f"Asking the store for {what}"),
+        )
+        return told.concerned(sorted(formats), scratch)
 
 
 def _divided(
-    found: Sequence[StoredModel], graphs: frozenset[Term] | None, rules: tuple[Rule, ...]
+    found: Sequence[StoredModel], graphs: Found, rules: tuple[Rule, ...]
 ) -> tuple[Sequence[StoredModel], Report]:
-    """Return the models in which something may be found, and the report of the others.
-
-    Statements of models that are several graphs, or that kinlint did not load, may come of more
-    than what one graph states.
-    """
-    if graphs is None:
+    """Return the models in which something may be found, and the report of the others."""
+    sure, left = list[StoredGraph](), list[StoredModel]()
+    for one in found:
+        concerned = graphs.get(one[0].format) if _is_alone(one) else None
+        if concerned is None or one[0].name in concerned:
+            left.append(one)
+        else:
+            sure.append(one[0])
+    if not sure:
         return found, Report()
-    sure = [one for one in found if len(one) == 1 and one[0].whole and one[0].name not in graphs]
-    names = {one[0].name for one in sure}
-    left = [one for one in found if one[0].name not in names]
-    files = tuple(one[0].file for one in sure if one[0].file)
+    files = tuple(each.file for each in sure if each.file)
     return left, Report(files=files, rules=rules, applied=len(rules))
 
 
-def _tell(line: str, *, verbose: bool) -> None:
-    """Write *line* to standard error, if it is a warning or all are wanted."""
-    if verbose or "refuses" in line:
-        sys.stderr.write(f"kinlint: {line}\n")
+def _is_alone(model: StoredModel) -> bool:
+    """Tell whether all that a model states is what one graph states.
+
+    That is not so of models that are several graphs, or that kinlint did not load.
+    """
+    return len(model) == 1 and model[0].whole
+
+
+def _say(line: str) -> None:
+    sys.stderr.write(f"kinlint: {line}\n")
 
 
 def _check(options: Namespace) -> None:

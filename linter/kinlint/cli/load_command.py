@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from kinlint import garbage
 from kinlint.addresses import document_of
 from kinlint.catalogue import rulebook
 from kinlint.catalogue.rulebook import Rulebook
@@ -70,7 +71,8 @@ def run(arguments: Sequence[str]) -> int:
     loader = Loader(Endpoint.from_options(options, os.environ))
     count, errors = 0, list[SourceError]()
     try:
-        with ProgressBar(len(found.inputs), wanted=True, title="Loading") as bar:
+        bar = ProgressBar(len(found.inputs), wanted=True, title="Loading")
+        with bar, garbage.only_new():
             sources = _sources(found, settings, book, bar, errors)
             for more in loader.load(_models(sources, settings, errors, bar), errors.append):
                 count += more

@@ -9,6 +9,7 @@ from contextlib import ExitStack
 from itertools import islice
 from typing import TYPE_CHECKING, TypeAlias
 
+from kinlint import garbage
 from kinlint.catalogue.rulebook import Rulebook
 from kinlint.configuration.settings import Settings
 from kinlint.endpoint import source_record
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Future, ProcessPoolExecutor
 
 StoredModel: TypeAlias = Sequence[StoredGraph]
-OWN = 6
+OWN = 7
 """Number of statements that loading adds to a graph."""
 TURTLE = BY_NAME["turtle"]
 LABEL = re.compile(r"\W")
@@ -226,6 +227,7 @@ _judges: list[Judge] = []
 
 def _begin(judge: Judge) -> None:
     depend_on_parent()
+    garbage.pass_over()
     _judges.append(judge)
 
 

@@ -14,6 +14,7 @@ from kinlint.endpoint.stored_graphs import (
     COMPANION,
     COUNTER,
     FILE,
+    FORMAT,
     LOADED,
     MODEL,
     RECORD,
@@ -155,6 +156,7 @@ def statements(stored: StoredDocument) -> str:
     kept = [each for each in document.statements if each not in stored.apart]
     told = (
         (FILE, literal(document.source.name)),
+        (FORMAT, literal(document.format.name)),
         (LOADED, literal(now, f"{XSD}dateTime")),
         (SIZE, str(len(kept))),
         *((APART, str(len(each))) for each in (stored.apart,) if each),

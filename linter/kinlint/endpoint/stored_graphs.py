@@ -11,6 +11,7 @@ from kinlint.endpoint.storable import unskolemised
 from kinlint.errors import UsageError
 from kinlint.light_dataclasses import dataclass, replace
 from kinlint.terms import (
+    RDF_TYPE,
     XSD,
     Term,
     Triple,
@@ -22,14 +23,19 @@ from kinlint.terms import (
 )
 from kinlint.vocabulary import KINLINT, STORE
 
-FILE, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE, APART = (
+FILE, FORMAT, MODEL, COMPANION, REVISION, LOADED, RECORD, SIZE, APART = (
     iri(f"{STORE}{name}")
-    for name in ("file", "model", "companion", "revision", "loaded", "record", "size", "apart")
+    for name in (
+        *("file", "format", "model", "companion", "revision", "loaded", "record", "size", "apart"),
+    )
 )
-"""Properties of a graph that kinlint loaded: the name of its file; the model that it is a part of,
-by the name of one graph of it; graphs that are only read along with it; the number and the time of
-loading; what RDF loses of the file; how many statements it has, and how many no store accepts.
+"""Properties of a graph that kinlint loaded: the names of its file and format; the model that it is
+a part of, by the name of one graph of it; graphs that are only read along with it; the number and
+the time of loading; what RDF loses of the file; how many statements it has, and how many no store
+accepts.
 """
+SCRATCH = iri(f"{STORE}Scratch")
+"""Class of a graph in which a store infers for one run, also of one that a killed run left."""
 COUNTER = iri(f"{KINLINT}store")
 """The named graph that holds the number of the newest loading, and nothing else."""
 MODIFIED = "<http://purl.org/dc/terms/modified>"
@@ -69,6 +75,16 @@ class StoredGraph:
     """True if the graph has all that the document states."""
     companion: bool = False
     """True if it is only read along with others."""
+    format: str = ""
+    """The name of its format, if known."""
+
+
+def graph_name(said: str, option: str) -> Term:
+    """Return the name of a graph that *option* gives. Raises `UsageError` for what is no IRI."""
+    name = iri(said)
+    if not IRI.fullmatch(name) or ":" not in said:
+        raise UsageError(f"{option}: expected an IRI, got '{said}'")
+    return name
 
 
 def models(endpoint: Endpoint, names: Sequence[Term], since: str | None) -> list[list[StoredGraph]]:
@@ -99,9 +115,12 @@ def models(endpoint: Endpoint, names: Sequence[Term], since: str | None) -> list
 
 
 def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
-    rarely = f"OPTIONAL {{ ?g {MODEL} ?model }} OPTIONAL {{ ?g {APART} ?apart }}"
+    rarely = "".join(
+        f"OPTIONAL {{ ?g {each} ?{name} }} "
+        for each, name in ((MODEL, "model"), (APART, "apart"), (FORMAT, "format"))
+    )
     pattern = f"?g {FILE} ?file ; {SIZE} ?size {rarely}"
-    for row in pages(endpoint, "?g ?file ?model ?size ?apart", f"GRAPH ?g {{ {pattern} }}"):
+    for row in pages(endpoint, "?g ?file ?model ?size ?apart ?format", f"GRAPH ?g {{ {pattern} }}"):
         size = literal_value(row["size"])
         yield StoredGraph(
             row["g"],
@@ -109,6 +128,7 @@ def _loaded(endpoint: Endpoint) -> Iterator[StoredGraph]:
             literal_value(row["file"]),
             int(size) if size.isdecimal() else 0,
             "apart" not in row,
+            format=literal_value(row.get("format", '""')),
         )
 
 
@@ -117,9 +137,6 @@ def _named(endpoint: Endpoint, names: Sequence[Term], known: Container[Term]) ->
 
     A graph without statements is none (SPARQL 1.1 Update, section 3.2).
     """
-    for each in names:
-        if not IRI.fullmatch(each) or ":" not in each:
-            raise UsageError(f"--graph: expected an IRI, got '{each[1:-1]}'")
     asked = [each for each in names if each not in known]
     where = f"VALUES ?g {{ {' '.join(asked)} }} GRAPH ?g {{ ?s ?p ?o }}"
     there = {row["g"] for row in pages(endpoint, "DISTINCT ?g", where)} if asked else set()
@@ -140,7 +157,9 @@ def _foreign(endpoint: Endpoint, since: str | None) -> Iterator[Term]:
     not_ours = f"FILTER NOT EXISTS {{ GRAPH ?g {{ ?g {RECORD} ?record }} }}"
     not_these = f"FILTER(?g NOT IN ({', '.join((COUNTER, *OWN))}))"
     where = f"GRAPH ?g {{ ?s ?p ?o }} {not_ours}{old} {not_these}"
-    return (row["g"] for row in pages(endpoint, "DISTINCT ?g", where))
+    scratch = {row["g"] for row in pages(endpoint, "?g", f"GRAPH ?g {{ ?g {RDF_TYPE} {SCRATCH} }}")}
+    found = (row["g"] for row in pages(endpoint, "DISTINCT ?g", where))
+    return (each for each in found if each not in scratch)
 
 
 def _changed(endpoint: Endpoint, since: str | None) -> frozenset[Term] | None:

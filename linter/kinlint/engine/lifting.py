@@ -12,6 +12,7 @@ import pyoxigraph as ox
 from kinlint.document import Document
 from kinlint.engine.compiled_lifting import RECALLED
 from kinlint.engine.construct_template import Made, needed, trimmed, variables_of
+from kinlint.engine.required_terms import ANY_CLASS
 from kinlint.engine.store import ASSERTED_GRAPH, Store
 from kinlint.errors import RuleInvalid
 from kinlint.file_format import Format
@@ -81,7 +82,14 @@ class Lifting:
 
         Nothing is made of *foreign* documents.
         """
-        return _update(self, None if wanted is None else frozenset(wanted), foreign)
+        return _update(
+            self, None if wanted is None else self._decisive.intersection(wanted), foreign
+        )
+
+    @cached_property
+    def _decisive(self) -> frozenset[Term]:
+        """The terms that decide, by being wanted or not, which triples of the template are made."""
+        return frozenset({ANY_CLASS, *(each.term for each in self.made if each.term is not None)})
 
     def part(self, wanted: Collection[Term] | None) -> tuple[Sequence[Made], Group]:
         """Return the triples that have a property or class of the *wanted*, and their WHERE."""

@@ -25,15 +25,14 @@ def terms(constraints: Iterable[Constraint]) -> frozenset[Term] | None:
 def relevant(axioms: Sequence[Axiom], wanted: frozenset[Term]) -> tuple[Axiom, ...]:
     """Return those of *axioms* from which a statement with one of the *wanted* terms may follow."""
     needed = behind(axioms, wanted)
-    return tuple(axiom for axiom in axioms if _head(axiom) in needed)
+    return tuple(axiom for axiom in axioms if term_of(axiom.head) in needed)
 
 
 def behind(axioms: Sequence[Axiom], wanted: Iterable[Term]) -> frozenset[Term]:
     """Return the *wanted* terms, and those from which they follow by *axioms*."""
     bodies: dict[Term, set[Term]] = {}
     for axiom in axioms:
-        body = bodies.setdefault(_head(axiom), set())
-        body.update(term for pattern in axiom.body for term in _key(pattern))
+        bodies.setdefault(term_of(axiom.head), set()).update(map(term_of, axiom.body))
     needed, waiting = set(wanted), list(wanted)
     while waiting:
         more = bodies.get(waiting.pop(), set()) - needed
@@ -44,14 +43,10 @@ def behind(axioms: Sequence[Axiom], wanted: Iterable[Term]) -> frozenset[Term]:
 
 def made(axioms: Iterable[Axiom]) -> frozenset[Term]:
     """Return the properties and classes of what *axioms* conclude."""
-    return frozenset(map(_head, axioms))
+    return frozenset(term_of(axiom.head) for axiom in axioms)
 
 
-def _head(axiom: Axiom) -> Term:
-    _, predicate, value = axiom.head
-    return value if predicate == RDF_TYPE else predicate
-
-
-def _key(pattern: Triple) -> tuple[Term, ...]:
+def term_of(pattern: Triple) -> Term:
+    """Return the property of *pattern*, or the class where it says that something is of one."""
     _, predicate, value = pattern
-    return (value,) if predicate == RDF_TYPE else (predicate,)
+    return value if predicate == RDF_TYPE else predicate

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -34,6 +35,7 @@ def token(term: ox.NamedNode | ox.BlankNode | ox.Literal | ox.Triple) -> Term:
     return text
 
 
+@lru_cache(maxsize=4096)
 def statement(triple: Triple) -> ox.Quad:
     """Return a triple of tokens as terms of the store, in its default graph.
 

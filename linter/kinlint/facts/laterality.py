@@ -9,6 +9,7 @@ from urllib.parse import quote, unquote
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|[^A-Za-z]+")
 """Word of a name: two in leftArm, LeftArm and LArm, three in left_arm with its underscore."""
 
+_ORDINAL = re.compile(r";[0-9]+")
 PAIRS = (
     ("left", "right"),
     ("l", "r"),
@@ -63,3 +64,8 @@ def without_side(name: str) -> str:
     """Return *name* without its words for sides, the same for both of two twins."""
     words = WORD.findall(unquote(name))
     return "".join(each for each in words if each.lower() not in SIDES)
+
+
+def sideless(address: str) -> str:
+    """Return *address* without sides, and without the numbers of elements without a name."""
+    return _ORDINAL.sub("", without_side(address))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TypeAlias
 
 Vector: TypeAlias = tuple[float, float, float]
@@ -84,11 +85,14 @@ def determinant(m: Matrix) -> float:
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 
 
+@lru_cache(maxsize=4096)
 def orthonormality(m: Matrix) -> float:
     """Return the largest absolute entry of MᵀM - 1: zero for a rotation or reflection."""
     x, y, z = transpose(m)
     return max(
-        *(abs(dot(a, a) - 1.0) for a in (x, y, z)),
+        abs(dot(x, x) - 1.0),
+        abs(dot(y, y) - 1.0),
+        abs(dot(z, z) - 1.0),
         abs(dot(x, y)),
         abs(dot(y, z)),
         abs(dot(z, x)),

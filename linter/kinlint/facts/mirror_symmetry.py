@@ -13,7 +13,7 @@ from kinlint.facts.assembly import Assemblies
 from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.fact_statements import derived, fact, integer
 from kinlint.facts.inertia import Inertias
-from kinlint.facts.laterality import twin, without_side
+from kinlint.facts.laterality import sideless, twin, without_side
 from kinlint.facts.linear_algebra import IDENTITY, Matrix, length
 from kinlint.facts.metamodel_terms import kin
 from kinlint.facts.predicate_index import PredicateIndex
@@ -87,10 +87,29 @@ def _grouped(stating: Iterable[tuple[Term, Term]]) -> Mapping[Term, list[Term]]:
 def _paired(stating: Iterable[tuple[Term, Term]]) -> Iterator[Triple]:
     """Yield the twins among nodes that are each about one body or joint."""
     of = _grouped(stating)
+    nested = _nested(of)
     for entity in sorted(of):
-        other = twin_of(entity, of)
+        other = twin_of(entity, of) or _nested_twin(entity, nested)
         if other is not None and len(of[entity]) == len(of[other]) == 1:
             yield of[entity][0], fact("twin"), of[other][0]
+
+
+def _nested(entities: Iterable[Term]) -> Mapping[tuple[str, str], Term | None]:
+    """Return *entities* by what they are in, without sides, and name; None for several."""
+    found: dict[tuple[str, str], Term | None] = {}
+    for each in entities:
+        space, name = split_name(each)
+        key = sideless(space), name
+        found[key] = None if key in found else each
+    return found
+
+
+def _nested_twin(left: Term, nested: Mapping[tuple[str, str], Term | None]) -> Term | None:
+    """Return the twin of *left* in the twin of what *left* is in, such as the body above."""
+    space, name = split_name(left)
+    right = twin(name)
+    found = nested.get((sideless(space), right)) if right is not None and is_iri(left) else None
+    return found if found is not None and split_name(found)[0] != space else None
 
 
 def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> Iterator[Triple]:
@@ -99,7 +118,7 @@ def _odd(stating: Iterable[tuple[Term, Term]], values: Mapping[Term, float]) -> 
     for entity, nodes in sorted(_grouped(stating).items()):
         space, name = split_name(entity)
         if len(nodes) == 1 and nodes[0] in values and without_side(name) != unquote(name):
-            siblings.setdefault((space, without_side(name)), []).append(nodes[0])
+            siblings.setdefault((sideless(space), without_side(name)), []).append(nodes[0])
     for group in siblings.values():
         if len(group) <= SEVERAL:
             continue

@@ -15,7 +15,7 @@ from kinlint.facts.body_shapes import BodyShapes
 from kinlint.facts.drawn_symmetry import ALIKE, NEAR, TURNING, Drawn, DrawnSymmetry, plane_of
 from kinlint.facts.fact_statements import fact, numbers
 from kinlint.facts.joint_numbers import Gearing
-from kinlint.facts.laterality import is_left, without_side
+from kinlint.facts.laterality import is_left, sideless, without_side
 from kinlint.facts.linear_algebra import dot, length
 from kinlint.facts.mirror_symmetry import split_name
 from kinlint.terms import Term, Triple
@@ -42,7 +42,7 @@ def odd_siblings(drawn: DrawnSymmetry, shapes: BodyShapes) -> Iterator[Triple]:
             _, name = split_name(joint)
             if without_side(name) != unquote(name):
                 # What a joint is in may have names of sides, too.
-                key = (without_side(joint), drawn.kind(joint))
+                key = (sideless(joint), drawn.kind(joint))
                 siblings.setdefault(key, []).append(each)
         for group in siblings.values():
             if len(group) > MOST:

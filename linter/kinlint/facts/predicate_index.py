@@ -106,7 +106,9 @@ class PredicateIndex:
             node = ox.NamedNode(iri_value(predicate))
             self._tables[predicate] = table = Table()
             quads = self.store.oxigraph.quads_for_pattern(None, node, None, None)
-            for subject, value in sorted((str(quad.subject), token(quad.object)) for quad in quads):
+            for subject, value in sorted(
+                [(str(each.subject), token(each.object)) for each in quads]
+            ):
                 table.add(subject, value)
         return self._tables[predicate]
 

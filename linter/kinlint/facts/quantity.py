@@ -40,10 +40,9 @@ class Quantities:
         return {axis: dict(self._along(coord(axis))) for axis in AXES}
 
     def _along(self, axis: Term) -> Iterator[tuple[Term, float]]:
+        positional, units = self._positional, self.units
         for node, number in self.scan.numbers(axis).items():
-            only = self.units.only(node)
-            if node in self._positional:
-                only = self.units.measuring(node, LENGTH)
+            only = units.measuring(node, LENGTH) if node in positional else units.only(node)
             if only is not None and math.isfinite(value := only.si(number)):
                 yield node, value
 

@@ -94,9 +94,13 @@ class Units:
 
     def measuring(self, node: Term, dimension: Term) -> Unit | None:
         """Return the one unit of *node* that is of *dimension*."""
+        named = self._named.get(node, ())
+        if len(named) == 1:
+            only = self._known(named[0])
+            return only if only is not None and only.measures == dimension else None
         found = [
             known
-            for each in self._named.get(node, ())
+            for each in named
             if (known := self._known(each)) is not None and known.measures == dimension
         ]
         return found[0] if len(found) == 1 else None

@@ -49,7 +49,7 @@ def _once_each(findings: Iterable[Finding], reused: Collection[str]) -> list[Fin
         text = finding.location.source.name
         key: tuple[object, ...] = (id(finding),)
         if text in reused and finding.rule.group_by:
-            key = finding.rule.code, finding.suppressed, text, finding.location.span
+            key = finding.rule.code, finding.suppressed, *_text_place(finding)
         groups.setdefault(key, []).append(finding)
     return [group[0] if len(group) == 1 else _of_one_text(group) for group in groups.values()]
 
@@ -79,14 +79,19 @@ def _sameness(finding: Finding, reused: Collection[str]) -> tuple[object, ...]:
         # A constraint that lacks some of these variables groups by what it says instead.
         shared = by == WHOLE_FILE or len(finding.group) == len(by)
         said = "" if shared else finding.template
-        return finding.rule.code, said, finding.group, finding.suppressed, _model(finding)
+        return finding.rule.code, said, finding.group, finding.suppressed, model_of(finding)
     text = finding.location.source.name
     if text not in reused:
         return (id(finding),)
-    return finding.rule.code, *silence, text, finding.location.span
+    return finding.rule.code, *silence, *_text_place(finding)
 
 
-def _model(finding: Finding) -> str:
+def _text_place(finding: Finding) -> tuple[object, ...]:
+    """Return the place of *finding* in a text that may stand in several models."""
+    return model_of(finding), finding.location.source.name, finding.location.span
+
+
+def model_of(finding: Finding) -> str:
     """Return the model that *finding* is about: a document of several texts is one."""
     return split(finding.iri)[0] if is_address(finding.iri) else finding.location.source.name
 

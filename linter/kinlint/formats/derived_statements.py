@@ -9,6 +9,8 @@ from kinlint.formats.source_layer import src
 from kinlint.light_dataclasses import dataclass, field
 from kinlint.terms import XSD, Term, Triple, literal
 
+_SPECIAL = {"inf": "INF", "-inf": "-INF", "nan": "NaN"}
+_DOUBLE = f'"^^<{XSD}double>'
 COMPONENTS = ("x", "y", "z", "qx", "qy", "qz", "qw")
 
 
@@ -47,6 +49,4 @@ class DerivedStatements:
 def number(value: float) -> Term:
     """Return the literal of *value*."""
     spelled = repr(value)
-    return literal(
-        {"inf": "INF", "-inf": "-INF", "nan": "NaN"}.get(spelled, spelled), f"{XSD}double"
-    )
+    return f'"{_SPECIAL.get(spelled, spelled)}{_DOUBLE}'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 from kinlint.document import NodeSpans
 from kinlint.formats.blank_nodes import BlankNodes
@@ -27,6 +28,7 @@ URN_PARTS = 3
 """Colons in a URN whose maker has a namespace of its own: urn:example:arm:tip, not urn:uuid:7."""
 
 
+@lru_cache(maxsize=1024)
 def src(name: str) -> Term:
     """Return the token of a name in the source vocabulary."""
     return iri(SRC + name)

@@ -21,6 +21,7 @@ from kinlint.vocabulary import ATTRIBUTE, SRC
 
 AT, TEXT = f"<{ATTRIBUTE}", f"<{SRC}text"
 _COMPONENT = re.compile(r"(.*?)(?:-([1-9]\d*))?>\Z", re.DOTALL)
+_EXPRESSION = re.compile(r"\$[{(]")
 MOST_VALUES = 3
 
 
@@ -72,11 +73,21 @@ class InlayHints:
         path = self._paths[name]
         found: dict[str, InlayHint] = {}
         for index in self._indexes:
-            if index.document.format.includes:
+            if index.document.format.includes and self._may_compute(index.document, path, offset):
                 there = self._values(index, path, Span(offset, offset))
                 for hint in _expressions(index, list(there)):
                     found.setdefault(hint.text, hint)
         return list(found.values())[:MOST_VALUES]
+
+    def _may_compute(self, document: Document, path: Path, offset: int) -> bool:
+        """Tell whether the markup around *offset* of the file at *path* has an expression."""
+        for each in document.sources:
+            if self._paths[each.name] == path:
+                start = each.text.rfind("<", 0, offset) + 1
+                end = each.text.find("<", max(start, offset))
+                if _EXPRESSION.search(each.text, start, end if end >= 0 else len(each.text)):
+                    return True
+        return False
 
     def _values(self, index: StatementIndex, path: Path, span: Span) -> Iterator[_Value]:
         """Yield the values of the elements that *span* of the file at *path* has a part of."""
@@ -110,7 +121,7 @@ def _expressions(index: StatementIndex, values: Sequence[_Value]) -> Iterator[In
     for each in values:
         place = index.place(each.element, _predicate(each), each.value)
         written = "" if place is None else place.source[place.span]
-        if "${" in written or "$(" in written:
+        if _EXPRESSION.search(written):
             number = numeric(each.value)
             shown = literal_value(each.value) if number is None else f"{number:.6g}"
             yield InlayHint(each.span.end, f"= {shown}")

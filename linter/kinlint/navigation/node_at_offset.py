@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
-from kinlint.document import Document
+from kinlint.document import Document, NodeSpans
 from kinlint.formats.xml.span_lookup import ElementSpans
 from kinlint.navigation.document_excerpt import Excerpt, whole
 from kinlint.navigation.index import Index
@@ -48,10 +50,11 @@ class Surroundings:
             return map(Around._make, values(excerpt))
         if len(self._documents) == 1 and not self._documents[0].pieces:
             (only,) = self._documents
-            nodes, here = only.map.nodes, self._paths[only.source.name] == self._paths[name]
-            if isinstance(nodes, ElementSpans) and here:
-                around = (each for each in nodes.around(offset) if _is_about(only, each[1]))
-                return map(Around._make, around)
+            maps = _maps(only.map.nodes)
+            here = self._paths[only.source.name] == self._paths[name]
+            if here and any(isinstance(each, ElementSpans) for each in maps):
+                around = chain.from_iterable(_around(each, offset) for each in maps)
+                return (Around(*each) for each in around if _is_about(only, each[1]))
         return self._by_text.get(self._paths[name], ())
 
     @cached_property
@@ -65,6 +68,17 @@ class Surroundings:
                     Around(place.span, node)
                 )
         return found
+
+
+def _maps(nodes: Mapping[Term, NodeSpans]) -> Sequence[Mapping[Term, NodeSpans]]:
+    """Return the mappings that *nodes* are made of, those of elements among them."""
+    return nodes.maps if isinstance(nodes, ChainMap) else (nodes,)
+
+
+def _around(nodes: Mapping[Term, NodeSpans], offset: int) -> Iterable[tuple[Span, Term]]:
+    if isinstance(nodes, ElementSpans):
+        return nodes.around(offset)
+    return ((spans.whole, node) for node, spans in nodes.items() if _holds(spans.whole, offset))
 
 
 def _elements(document: Document) -> Iterator[tuple[Span, Term]]:

@@ -7,9 +7,9 @@ import os
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import chdir, contextmanager
-from threading import Lock
-from typing import Any
+from contextlib import chdir
+from threading import Lock, Thread
+from typing import Any, TypeVar
 
 from kinlint.errors import KinlintError, SourceError
 from kinlint.light_dataclasses import dataclass
@@ -20,6 +20,7 @@ from kinlint.parallel.shard import Job, Outcome
 from kinlint.parallel.unread import Survey, survey
 from kinlint.project.discovery import Input
 
+Done = TypeVar("Done")
 PATIENCE = 5.0
 """Seconds between looks at whether there is still somebody who works."""
 MOST_DROPPED = 50
@@ -153,28 +154,50 @@ def lint_at(
     Raises KinlintError if this worker does not have the working directory, or fails otherwise: not
     every exception can be sent.
     """
-    with _at(workplace):
-        return shard.lint_shard(models, [*workplace.errors, *errors], workplace.job)
+    every = [*workplace.errors, *errors]
+    return _done_at(workplace, lambda: shard.lint_shard(models, every, workplace.job))
 
 
 def survey_at(workplace: Workplace, chunk: Sequence[Input]) -> Survey:
     """Return what is seen in *chunk* at *workplace*. Raises KinlintError as `lint_at` does."""
-    with _at(workplace):
-        job = workplace.job
-        return survey(job.settings, job.roots, chunk)
+    job = workplace.job
+    return _done_at(workplace, lambda: survey(job.settings, job.roots, chunk))
 
 
-@contextmanager
-def _at(workplace: Workplace) -> Iterator[None]:
-    """Work at *workplace*, alone."""
+def _done_at(workplace: Workplace, work: Callable[[], Done]) -> Done:
+    """Return what *work* returns at *workplace*, alone."""
     job = workplace.job
     if not os.path.isdir(workplace.directory) and not job.roots:  # noqa: PTH112  no path of this run
         raise KinlintError(f"a worker has no directory {workplace.directory}: it needs the files")
     try:
         with _alone, chdir("." if job.roots else workplace.directory):
-            yield
-            gc.collect()  # what the engine made can be freed by its own thread alone
+            return _done_apart(work)
     except (KinlintError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001  see above
         raise KinlintError(f"a worker failed: {type(error).__name__}: {error}") from None
+
+
+def _done_apart(work: Callable[[], Done]) -> Done:
+    """Return what *work* returns in a thread that nobody looks into.
+
+    Iterators of the engine can only be freed by the thread that made them. Dask samples the frames
+    of threads that run its tasks, and frees those that end meanwhile; and any thread of a worker
+    may be the one that looks for garbage next.
+    """
+    told = Future[Done]()
+
+    def run() -> None:
+        gc.disable()
+        try:
+            told.set_result(work())
+        except BaseException as error:  # noqa: BLE001  whatever it is, it is raised below
+            told.set_exception(error.with_traceback(None))
+        finally:
+            gc.collect()
+            gc.enable()
+
+    thread = Thread(target=run, daemon=True)
+    thread.start()
+    thread.join()
+    return told.result()

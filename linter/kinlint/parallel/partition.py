@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from kinlint.configuration.settings import Settings
@@ -39,12 +39,19 @@ def _separable(settings: Settings) -> bool:
     return not any(each.iri is not None or each.pointer is not None for each in ignores)
 
 
-def split_into_shares(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
+def split_into_shares(
+    found: Sequence[Model], least: int, settings: Settings, *, recorded: bool
+) -> list[list[int]]:
     """The numbers of the models *found*, in *least* shares or more, the largest first.
 
-    A model that may include other files is a share of its own, so that what it depends on is known.
+    If it is *recorded* what models depend on, one that may include other files is a share of its
+    own.
     """
-    joint = [n for n, each in enumerate(found) if not settings.drawn and all(map(is_closed, each))]
+    joint = [
+        number
+        for number, each in enumerate(found)
+        if not settings.drawn and not (recorded and _is_open(each))
+    ]
     apart = set(range(len(found))).difference(joint)
     count = min(len(joint), max(least - len(apart), -(-len(joint) // MOST)))
     made: list[list[int]] = [[] for _ in range(count)]
@@ -57,24 +64,35 @@ def split_into_shares(found: Sequence[Model], least: int, settings: Settings) ->
     return sorted(every, key=lambda share: -sum(_size(found[one]) for one in share))
 
 
-def split_in_order(found: Sequence[Model], least: int, settings: Settings) -> list[list[int]]:
+def split_in_order(
+    found: Sequence[Model], least: int, settings: Settings, *, recorded: bool
+) -> list[list[int]]:
     """The numbers of the models *found*, in *least* shares or more, by the names of their files.
 
-    Those that may include other files go first, each in a share of its own.
+    Those that may include other files go first, and if it is *recorded* what models depend on, each
+    in a share of its own.
     """
     order = sorted(range(len(found)), key=lambda number: first_name(found[number]))
     if settings.drawn:
         return [[number] for number in order]
-    joint = [number for number in order if first_name(found[number])]
-    width = max(1, min(MOST, -(-len(joint) // least)))
-    shares = [joint[start : start + width] for start in range(0, len(joint), width)]
-    return [*([number] for number in order if not first_name(found[number])), *shares]
+    width = max(1, min(MOST, -(-len(order) // least)))
+    closed = [number for number in order if first_name(found[number])]
+    opened = order[: len(order) - len(closed)]
+    return [*_sliced(opened, 1 if recorded else width), *_sliced(closed, width)]
+
+
+def _sliced(numbers: Sequence[int], width: int) -> Iterator[list[int]]:
+    return (list(numbers[start : start + width]) for start in range(0, len(numbers), width))
 
 
 def first_name(model: Model) -> str:
     """Return the first of the names of the files of *model*; empty if it may include others."""
-    names = (source.name for source in model)
-    return min(names) if all(map(is_closed, model)) else ""
+    return "" if _is_open(model) else min(source.name for source in model)
+
+
+def _is_open(model: Model) -> bool:
+    """Tell whether *model* may include other files."""
+    return not all(map(is_closed, model))
 
 
 def _size(model: Model) -> int:

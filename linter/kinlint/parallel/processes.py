@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from threading import Thread
 from typing import TYPE_CHECKING
 
+from kinlint import garbage
 from kinlint.errors import SourceError
 from kinlint.parallel import shard
 from kinlint.parallel.partition import Model
@@ -64,6 +65,7 @@ def lint_in_processes(
 
 def _begin(job: Job, errors: Sequence[SourceError]) -> None:
     depend_on_parent()
+    garbage.pass_over()
     _jobs.append((job, errors))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from time import perf_counter
 from typing import TYPE_CHECKING
 
@@ -165,7 +165,7 @@ class ParallelRunner:
         """
         least = self.jobs * SHARES if self.jobs > 1 or self.executor else 1
         split = split_in_order if in_order else split_into_shares
-        planned = split(models, least, self.job.settings)
+        planned = split(models, least, self.job.settings, recorded=self.memory is not None)
         left = [[models[number] for number in each] for each in planned]
         finished = set[int]()
 
@@ -190,15 +190,22 @@ class ParallelRunner:
 
             with self.phases.phase("linting"):
                 processes.lint_in_processes(left, failed, self.job, self.jobs, done)
-        for number, each in enumerate(left):
-            if number not in finished:
-                done(number, shard.lint_shard(each, failed, self.job, self.phases))
-                if number < len(left) - 1:
-                    gc.collect()  # documents are circles of objects
+        with _collecting() if len(left) > 1 else nullcontext():
+            for number, each in enumerate(left):
+                if number not in finished:
+                    done(number, shard.lint_shard(each, failed, self.job, self.phases))
+                    if number < len(left) - 1:
+                        gc.collect()  # documents are circles of objects
 
     def _advance(self, model: Model, failed: Sequence[SourceError]) -> None:
         if not failed:  # What is linted anew was counted before.
             self.advance(len(model))
+
+
+def _collecting() -> AbstractContextManager[None]:
+    from kinlint import garbage  # noqa: PLC0415  a recalled report makes none
+
+    return garbage.only_new()
 
 
 def _calls_unused(report: Report) -> bool:

@@ -19,6 +19,7 @@ from kinlint.parallel.unread import provided
 from kinlint.phases import Phases
 from kinlint.report import Report
 from kinlint.rule import Rule, Severity
+from kinlint.terms import iri_value
 from kinlint.text import SourceText
 
 if TYPE_CHECKING:
@@ -145,9 +146,10 @@ def _parts(
     """Split *report* by the models of *share*; None if a finding lies in no file of theirs."""
     home = {source.name: number for number, model in enumerate(share) for source in model}
     said = {each.source.name: len(each.statements) for each in documents}
+    homes = _homes(documents, home)
     try:
-        found = _sorted(report.findings, home, len(share))
-        silenced = _sorted(report.suppressed, home, len(share))
+        found = _sorted(report.findings, homes, len(share))
+        silenced = _sorted(report.suppressed, homes, len(share))
         errors = [[e for e in report.errors if home[e.name] == n] for n in range(len(share))]
     except KeyError:
         return None
@@ -173,13 +175,29 @@ def _parts(
     return parts
 
 
+def _homes(documents: Sequence[Document], home: Mapping[str, int]) -> Mapping[str, int]:
+    """Return the numbers of models by the IRIs and texts of their documents.
+
+    *home* has them by the names of their files. A text that several models include has none.
+    """
+    owners: dict[str, set[int]] = {}
+    for document in documents:
+        if (number := home.get(document.source.name)) is not None:
+            for name in (iri_value(document.graph), *(each.name for each in document.sources)):
+                owners.setdefault(name, set()).add(number)
+    return {**{name: min(each) for name, each in owners.items() if len(each) == 1}, **home}
+
+
 def _sorted(
-    findings: Sequence[Finding], home: Mapping[str, int], count: int
+    findings: Sequence[Finding], homes: Mapping[str, int], count: int
 ) -> list[tuple[Finding, ...]]:
-    """*findings* by where they lie; raises KeyError if that is elsewhere."""
+    """*findings* by the model that they are about; raises KeyError if that is unknown."""
+    from kinlint.findings.grouping import model_of  # noqa: PLC0415  a recalled report is sorted
+
     sorted_: list[list[Finding]] = [[] for _ in range(count)]
     for finding in findings:
-        sorted_[home[finding.location.source.name]].append(finding)
+        number = homes.get(model_of(finding))
+        sorted_[homes[finding.location.source.name] if number is None else number].append(finding)
     return list(map(tuple, sorted_))
 
 

@@ -9,6 +9,8 @@ from kinlint.formats.recognition import recognise
 from kinlint.terms import RDF_TYPE, iri, literal_value
 from kinlint.vocabulary import SRC
 
+SAID = iri(f"{SRC}resembles")
+
 ARM = '<worldbody><body name="arm">{}<geom size="0.1"/></body></worldbody>'
 
 
@@ -320,3 +322,19 @@ def test_a_frame_that_scales_leaves_places_unknown() -> None:
     inside = node(read, "worldbody/frame//body/b")
     assert values(read, inside, "src:inBody") == [node(read, "worldbody")]
     assert values(read, inside, "src:placed-x") == []
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ('<sight name="tip" pos="0 0 1" size="0.01"/>', "site"),
+        ('<sight name="tip" pos="0 0 1" dir="0 0 1"/>', "light"),
+        ("<sight/>", "light"),
+        ('<goem size="0.1" rgba="1 0 0 1"/>', "geom"),
+        ('<jiont name="hip" nmae="knee"/>', "joint"),
+    ],
+)
+def test_what_a_misspelt_element_is_its_attributes_tell(written, meant) -> None:
+    found = model(f'<worldbody><body name="leg">{written}</body></worldbody>')
+
+    assert [literal_value(o) for _, p, o in found.statements if p == SAID][:1] == [meant]

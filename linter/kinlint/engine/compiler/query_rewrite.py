@@ -1,7 +1,8 @@
 """Rewrites queries for Oxigraph, whose planner does not know what is bound around a group.
 
-Three rewrites, none needed for a right answer. They spare Oxigraph work that grows with the
-square of the model (oxigraph#885). Whatever they do not fully understand stays as it stands.
+Four rewrites, none needed for a right answer. They spare Oxigraph work, most of it such
+that grows with the square of the model (oxigraph#885). Whatever they do not fully understand stays
+as it stands.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Iterable
 from itertools import count
 
 from kinlint.engine.compiler.lateral_joins import with_lateral_joins
+from kinlint.engine.compiler.listed_properties import with_listed_properties
 from kinlint.engine.compiler.path_rewrite import with_closure_as_minus
 from kinlint.light_dataclasses import replace
 from kinlint.sparql.ast import (
@@ -31,10 +33,12 @@ from kinlint.sparql.variables import certain, projection, variables, visible
 def rewritten_for_oxigraph(select: Select, bound: frozenset[str]) -> Select:
     """Return *select* with cheaper EXISTS; the variables *bound* have a value from outside."""
     names = count(1000)
-    return replace(
-        select,
-        group=with_invariants_first(_group(select.group, bound, names), bound, names),
-        tail=_expression(select.tail, bound | certain(select.group), names),
+    return with_listed_properties(
+        replace(
+            select,
+            group=with_invariants_first(_group(select.group, bound, names), bound, names),
+            tail=_expression(select.tail, bound | certain(select.group), names),
+        )
     )
 
 

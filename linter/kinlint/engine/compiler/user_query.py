@@ -82,7 +82,7 @@ def read_query(
     return Query(
         rewritten_for_oxigraph(select, frozenset(prebound)),
         tuple(names),
-        _premises(select.group),
+        _premises(select.group, count(2000)),
         _may_stay(select, prebound),
     )
 
@@ -135,15 +135,15 @@ def _may_stay(select: Select, prebound: tuple[str, ...]) -> bool:
     return found
 
 
-def _premises(group: Group) -> tuple[Triple, ...]:
-    """Return the patterns that every solution of *group* matches."""
+def _premises(group: Group, names: count[int]) -> tuple[Triple, ...]:
+    """Return the patterns that every solution of *group* matches, with new variables by *names*."""
     found: list[Triple] = []
     for each in group.elements:
         match each:
             case Triples(tokens):
-                found += premises(patterns(tokens, count(2000)))
+                found += premises(patterns(tokens, names))
             case Union((branch,)):
-                found += _premises(branch)
+                found += _premises(branch, names)
             case _:
                 continue
     return tuple(found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from kinlint.formats.mjcf.format import MJCF
 from kinlint.formats.xml.element_types import ANY, ElementType
@@ -53,7 +54,9 @@ class MjcfElement:
 
     def numbers(self, attribute: str) -> list[float]:
         """Return the numbers of *attribute*, like `text`; none where one is malformed."""
-        said = self.said.get(attribute) or self.inherited.get(attribute) or []
+        said = self.said.get(attribute) or self.inherited.get(attribute)
+        if not said:
+            return []
         try:
             return [float(literal_value(value)) for _, _, value in said]
         except ValueError:
@@ -75,13 +78,15 @@ class MjcfElement:
 
     def below(self) -> Iterator[MjcfElement]:
         """Yield all elements below, each before what is in it, but for models to be attached."""
-        pending = [self]
+        pending = self.children[::-1] if self.tag != "model" else []
         while pending:
             at = pending.pop()
-            if at is not self:
-                yield at
+            if at.tag == INCLUDE:
+                pending += (each for root in reversed(at.children) for each in root.children[::-1])
+                continue
+            yield at
             if at.tag != "model":
-                pending += [*at.content()][::-1]
+                pending += at.children[::-1]
 
 
 def tree(document: Term, statements: Iterable[Triple]) -> MjcfElement | None:
@@ -95,15 +100,24 @@ def tree(document: Term, statements: Iterable[Triple]) -> MjcfElement | None:
         element = known.get(subject)
         if element is None:
             continue
-        if predicate.startswith(_AT):
-            name = predicate[len(_AT) : -1].partition("-")[0]
-            element.said.setdefault(name, []).append(triple)
-        elif predicate.startswith(_CHILD) and is_iri(value):
-            tag = predicate[len(_CHILD) : -1]
-            type_ = _type(element, tag)
-            child = known[value] = MjcfElement(value, tag, element, type_)
+        attribute, tag = _meaning(predicate)
+        if attribute:
+            if (said := element.said.get(attribute)) is None:
+                element.said[attribute] = [triple]
+            else:
+                said.append(triple)
+        elif tag and is_iri(value):
+            child = known[value] = MjcfElement(value, tag, element, _type(element, tag))
             element.children.append(child)
     return next((each for each in top.children if each.tag in table.roots), None)
+
+
+@lru_cache(maxsize=4096)
+def _meaning(predicate: Term) -> tuple[str, str]:
+    """Return the attribute, or else the tag, that *predicate* stands for; empty if neither."""
+    if predicate.startswith(_AT):
+        return predicate[len(_AT) : -1].partition("-")[0], ""
+    return "", predicate[len(_CHILD) : -1] if predicate.startswith(_CHILD) else ""
 
 
 def _type(above: MjcfElement, tag: str) -> ElementType:

@@ -23,6 +23,7 @@ BY_TYPE = {"objname": "objtype", "refname": "reftype"}
 """Attributes with a name, and those that say of what kind it is."""
 SAME_KIND = {"xbody": "body"}
 CLASS = "default"
+_AT = f"<{ATTRIBUTE}"
 _IN_MODEL = frozenset(f"<{ATTRIBUTE}{name}>" for name in ("body", "frame"))
 """Attributes of what attaches a model, with names of that model."""
 MAKERS = frozenset({"composite", "flexcomp"})
@@ -130,11 +131,11 @@ def _uses(element: MjcfElement) -> Iterator[tuple[NameUse, Sequence[str]]]:
     """Yield the names that *element* refers to others by, with the kinds that are meant."""
     elsewhere = _IN_MODEL if element.tag == "attach" and element.text("model") else frozenset()
     for place, reference in element.type.references.items():
-        if place in elsewhere:
-            continue
-        name = place[len(f"<{ATTRIBUTE}") : -1]
+        name = place[len(_AT) : -1]
         said = element.said.get(name) or element.inherited.get(name)
-        if said and literal_value(said[0][2]):
+        if not said or place in elsewhere:
+            continue
+        if literal_value(said[0][2]):
             kinds = list(dict.fromkeys(_kinds()[tag] for _, tag in reference.targets))
             yield NameUse(said[0][0], place, said[0][2], reference), kinds
     for name, type_ in BY_TYPE.items():
@@ -176,7 +177,7 @@ def _dangling(use: NameUse, kind: str, near: str | None) -> Iterator[Triple]:
     yield gap, src("node"), use.element
     yield gap, src("property"), use.place
     yield gap, src("written"), use.value
-    yield gap, src("role"), literal(use.place[len(f"<{ATTRIBUTE}") : -1])
+    yield gap, src("role"), literal(use.place[len(_AT) : -1])
     yield gap, src("tag"), literal(kind)
     if near is not None:
         yield gap, src("resembles"), literal(near)

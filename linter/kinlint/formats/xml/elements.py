@@ -164,7 +164,7 @@ class Elements:
             if before != number and tag in outer.once:
                 remarks.note_repeated(number, holder, tag, before)
             if type_ is ANY:
-                remarks.note_unlisted_element(number, outer, tag, first)
+                remarks.note_unlisted_element(number, outer, tag, first, attributes)
             elif type_.checked or not number:
                 dated = outer.lifetime != type_.lifetime
                 remarks.check_element(number, type_, attributes, self._display_only, dated=dated)

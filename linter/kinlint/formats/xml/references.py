@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from functools import cache
 from typing import NamedTuple
 
 from kinlint.addresses import child, root_of
@@ -42,15 +43,18 @@ class NameUse(NamedTuple):
 
 
 def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple, ElementType]]:
-    """Yield *statements* of values, of elements that refer to others or to files, with their types.
+    """Yield *statements* that may refer to other elements or to files, with the element's type.
 
     Elements are stated before what is in them.
     """
     roots = {each.predicate: each for each in table.roots.values()}
     types: dict[Term, ElementType] = {}
     around: dict[Term, ElementType] = {}
+    telling = _telling(table)
     for triple in statements:
         subject, predicate, value = triple
+        if predicate not in telling:
+            continue
         type_ = types.get(subject)
         inner = type_ and type_.leads.get(predicate)
         if inner or (inner := roots.get(predicate)):
@@ -59,6 +63,20 @@ def typed(statements: Iterable[Triple], table: Schema) -> Iterator[tuple[Triple,
                 around[value] = type_
         elif type_ and is_literal(value):
             yield triple, type_
+
+
+@cache
+def _telling(table: Schema) -> frozenset[Term]:
+    """Return the properties that lead to elements that refer to others or to files, or that do."""
+    every = [each for same in table.types.values() for each in same]
+    inner = (each.predicate for each in (*table.roots.values(), *every))
+    return frozenset(inner).union(*(each.references for each in every), _file_places(table))
+
+
+@cache
+def _file_places(table: Schema) -> frozenset[Term]:
+    """Return the properties whose values name files, at least of some elements."""
+    return frozenset().union(*(each.files for same in table.types.values() for each in same))
 
 
 def names(statements: Iterable[Triple], table: Schema) -> Iterator[NameUse]:
@@ -70,8 +88,11 @@ def names(statements: Iterable[Triple], table: Schema) -> Iterator[NameUse]:
 
 def file_names(document: Document) -> Iterator[Triple]:
     """Yield the statements of *document* whose value names a file, such as one of a mesh."""
-    if document.format.is_tree:
-        for triple, type_ in typed(document.statements, schema(document.format.lifted_as)):
+    if not document.format.is_tree:
+        return
+    table = schema(document.format.lifted_as)
+    if document.saying(*_file_places(table)):
+        for triple, type_ in typed(document.statements, table):
             if triple[1] in type_.files:
                 yield triple
 

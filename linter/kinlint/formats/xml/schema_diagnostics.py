@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from kinlint.formats.source_layer import SourceLayer, src
+from kinlint.formats.xml.element_resemblance import element_meant
 from kinlint.formats.xml.element_types import ElementType, Lifetime, Schema, Slot, version
 from kinlint.formats.xml.span_lookup import ElementPlaces
 from kinlint.formats.xml.value_reading import UNEXPANDED
@@ -111,7 +112,12 @@ class Diagnostics:
             self._declared[prefix] -= 1
 
     def note_unlisted_element(
-        self, number: int, outer: ElementType, tag: str, first: Mapping[str, int]
+        self,
+        number: int,
+        outer: ElementType,
+        tag: str,
+        first: Mapping[str, int],
+        attributes: Mapping[str, str],
     ) -> None:
         """Note an element that *outer* does not list; *first* are the tags that were there."""
         prefix, colon, name = tag.partition(":")
@@ -128,8 +134,9 @@ class Diagnostics:
                     elsewhere=_listed(elsewhere), isAttribute=listed,
                 )  # fmt: skip
             else:
-                free = [each for each in outer.children if each not in outer.once & first.keys()]
-                resembles = self._nearest(tag, free)
+                taken = outer.once & first.keys()
+                free = {name: each for name, each in outer.children.items() if name not in taken}
+                resembles = element_meant(tag, self._nearest(tag, [*free]), attributes, free)
                 self.note(
                     "UndeclaredElement", number, None,
                     tag=tag, parentTag=outer.tag or None, isAttribute=listed,
