@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TypeAlias
 
 from kinlint.configuration.settings import Settings
-from kinlint.formats.dependencies.file_groups import group_sources
+from kinlint.formats.dependencies.file_groups import CONFIGURATIONS, group_sources
 from kinlint.parallel.unread import is_closed, keys_of, size
 from kinlint.text import SourceText
 
@@ -45,12 +45,12 @@ def split_into_shares(
     """The numbers of the models *found*, in *least* shares or more, the largest first.
 
     If it is *recorded* what models depend on, one that may include other files is a share of its
-    own.
+    own; so is one with a configuration.
     """
     joint = [
         number
         for number, each in enumerate(found)
-        if not settings.drawn and not (recorded and _is_open(each))
+        if not settings.drawn and not _stands_alone(each, recorded=recorded)
     ]
     apart = set(range(len(found))).difference(joint)
     count = min(len(joint), max(least - len(apart), -(-len(joint) // MOST)))
@@ -70,7 +70,7 @@ def split_in_order(
     """The numbers of the models *found*, in *least* shares or more, by the names of their files.
 
     Those that may include other files go first, and if it is *recorded* what models depend on, each
-    in a share of its own.
+    in a share of its own; so is one with a configuration.
     """
     order = sorted(range(len(found)), key=lambda number: first_name(found[number]))
     if settings.drawn:
@@ -78,7 +78,9 @@ def split_in_order(
     width = max(1, min(MOST, -(-len(order) // least)))
     closed = [number for number in order if first_name(found[number])]
     opened = order[: len(order) - len(closed)]
-    return [*_sliced(opened, 1 if recorded else width), *_sliced(closed, width)]
+    alone = [number for number in opened if _stands_alone(found[number], recorded=recorded)]
+    others = [number for number in opened if number not in alone]
+    return [*_sliced(alone, 1), *_sliced(others, width), *_sliced(closed, width)]
 
 
 def _sliced(numbers: Sequence[int], width: int) -> Iterator[list[int]]:
@@ -88,6 +90,14 @@ def _sliced(numbers: Sequence[int], width: int) -> Iterator[list[int]]:
 def first_name(model: Model) -> str:
     """Return the first of the names of the files of *model*; empty if it may include others."""
     return "" if _is_open(model) else min(source.name for source in model)
+
+
+def _stands_alone(model: Model, *, recorded: bool) -> bool:
+    """Tell whether no other model may be in the share of *model*.
+
+    Configurations of robots are told by all robots that are linted with them.
+    """
+    return _is_open(model) and (recorded or any(one.format in CONFIGURATIONS for one in model))
 
 
 def _is_open(model: Model) -> bool:
